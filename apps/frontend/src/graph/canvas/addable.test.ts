@@ -25,7 +25,7 @@ const texts = (typed: string, end?: { node: string; port: string }): string[] =>
 describe('nodes that can be added', () => {
   it('are modules, topics and the rest; what the master tells of itself is none', () => {
     expect(texts('')).toEqual([
-      // Takes the format of the topic that nothing reads yet.
+      // Accepts the format of the topic that has no reader yet.
       'mirror',
       'low-pass',
       'Muxer',

@@ -8,15 +8,15 @@ import { moduleNode } from '../model/make-node.ts';
 import { insertionOf } from '../model/selection/insert.ts';
 import type { NewNode } from './new-nodes.ts';
 
-/** What there is to choose from. */
+/** Modules and topics that can be added. */
 export interface AddableSources {
   readonly modules: readonly ProcessingModule[];
   readonly topics: readonly KnownTopic[];
-  /** What a topic is called in lists; found by that, too. */
+  /** Returns the display name of a topic; the search matches it, too. */
   readonly nameTopic?: (topic: string) => string;
 }
 
-/** Something that can be added, by itself or at the end of a wire; or a socket to connect to. */
+/** A node to add, alone or at the end of a wire; or an existing socket to connect. */
 export type Addable = {
   readonly key: string;
   readonly text: string;
@@ -28,7 +28,7 @@ export type Addable = {
 );
 
 const MAX_SHOWN = 60;
-/** So many topics leave room for what else fits a wire; words find the others. */
+/** Most topics in the list, so that modules are visible, too; typing finds the others. */
 const MAX_TOPICS = 30;
 const PARTS = {
   muxer: 'Muxer',
@@ -39,8 +39,8 @@ const PARTS = {
 } as const;
 
 /**
- * What fits the words typed, and the wire at hand if there is one.
- * @param end where the wire comes from
+ * Returns the nodes that match the typed words and, if there is one, the dangling wire.
+ * @param end fixed end of the wire
  */
 export function addables(
   graph: Graph,
@@ -61,7 +61,7 @@ function withFewTopics(found: readonly Addable[]): Addable[] {
   return found.filter(({ offer }) => offer?.kind !== 'topic' || (topics += 1) <= MAX_TOPICS);
 }
 
-/** Modules that fit the words typed, and can go into a wire. */
+/** Returns the modules that match the typed words and can be inserted into a wire. */
 export function insertables(
   graph: Graph,
   { modules }: AddableSources,
@@ -76,15 +76,15 @@ export function insertables(
   return bestFirst(looseModules(fitting), typed, formatsAtHand(graph)).slice(0, MAX_SHOWN);
 }
 
-/** The module that is added; undefined when it is something else. */
+/** Returns the module that would be added; undefined for other nodes. */
 export function moduleOf({ item, offer }: Addable): ProcessingModule | undefined {
   if (item?.kind === 'module') return item.module;
   return offer?.kind === 'module' ? offer.module : undefined;
 }
 
 /**
- * What has all the words; the modules among it with the best first.
- * @param atHand undefined: modules that are equally good keep their order
+ * Returns the entries that match all words, with modules in order of relevance.
+ * @param atHand undefined: equally relevant modules keep their order
  */
 function bestFirst(
   all: readonly Addable[],
@@ -149,7 +149,7 @@ function looseItems(
   ];
 }
 
-/** A topic that has no publisher yet, by the name typed. */
+/** A topic with the typed name, which has no publisher yet. */
 function newTopic(
   graph: Graph,
   typed: string,

@@ -22,7 +22,7 @@ import { InsertTarget } from './drag/insert-target.ts';
 import { limitSize } from './frames/resize-box.ts';
 import type { WirePoint, WirePoints } from './points/wire-points.ts';
 
-/** What menus and keys do to what is selected, as large and where it is drawn. Each is one step. */
+/** Commands of menus and keys on the selection, using drawn sizes and positions. Each is one undo step. */
 export class CanvasCommands {
   readonly #editor: GraphEditor;
   readonly #stage: CanvasStage;
@@ -34,7 +34,7 @@ export class CanvasCommands {
     this.#points = points;
   }
 
-  /** Leads a wire through a point. @param place on the canvas; without one, where most room is */
+  /** Adds a bend point to a wire. @param place on the canvas; default: where the wire has most room */
   addPoint(wire: string, place?: Point): void {
     this.#points.add(wire, place);
   }
@@ -43,13 +43,13 @@ export class CanvasCommands {
     this.#points.remove(point);
   }
 
-  /** Takes all points off a wire. */
+  /** Removes all bend points of a wire. */
   straighten(id: string): void {
     const wire = this.#editor.graph.value.wires.get(id);
     if (wire !== undefined && wire.points.length > 0) this.#editor.apply(removePoints(wire));
   }
 
-  /** Puts a frame around what is selected; into the frame, when one is selected with nodes beside it. */
+  /** Puts a frame around the selection; when one frame is selected with other nodes, moves those into it. */
   frame(): boolean {
     const graph = this.#editor.graph.value;
     const selected = this.#selected();
@@ -73,7 +73,7 @@ export class CanvasCommands {
     return true;
   }
 
-  /** Removes the selected frames, and leaves what is in them. */
+  /** Removes the selected frames and keeps their contents. */
   unframe(): boolean {
     const { nodes } = this.#editor.graph.value;
     const frames = this.#selected().filter((id) => nodes.get(id)?.kind === 'frame');
@@ -86,7 +86,7 @@ export class CanvasCommands {
     return true;
   }
 
-  /** Takes the selected nodes off their wires, and wires what fed them to what they fed. */
+  /** Disconnects the selected nodes, and connects their sources to their targets. */
   detach(): boolean {
     const ids = this.#selected();
     if (ids.length === 0) return false;
@@ -94,7 +94,7 @@ export class CanvasCommands {
     return true;
   }
 
-  /** Leads a wire through a node; false where it does not fit. @param leg the points before it */
+  /** Inserts a node into a wire; false when it does not fit. @param leg number of bend points before it */
   insertOn(wire: string, id: string, leg = 0): boolean {
     const graph = this.#editor.graph.value;
     const node = graph.nodes.get(id);
@@ -104,7 +104,7 @@ export class CanvasCommands {
     return true;
   }
 
-  /** Puts the selected node on the wire it lies on. */
+  /** Inserts the selected node into the wire it lies on. */
   insert(): boolean {
     const [only, ...others] = this.#selected();
     const node = only === undefined ? undefined : this.#editor.graph.value.nodes.get(only);
@@ -125,7 +125,7 @@ export class CanvasCommands {
     return this.#place(distribute(this.#stage.boxes(this.#selected()), axis));
   }
 
-  /** Moves what is selected; moves that follow each other are one step. */
+  /** Moves the selection; consecutive moves are one undo step. */
   move(by: Point): boolean {
     const graph = this.#editor.graph.value;
     const places = this.#editor.places.value;
@@ -140,7 +140,7 @@ export class CanvasCommands {
     return true;
   }
 
-  /** Makes the selected frame or note larger or smaller. */
+  /** Resizes the selected frame or note. */
   resize(by: Point): boolean {
     const [only, ...others] = this.#selected();
     const node = only === undefined ? undefined : this.#editor.graph.value.nodes.get(only);
@@ -158,7 +158,7 @@ export class CanvasCommands {
     return true;
   }
 
-  /** @param reconnect what fed the nodes feeds what they fed */
+  /** @param reconnect connects the sources of the nodes to their targets */
   remove(reconnect: boolean): boolean {
     const { wire } = this.#editor.selection.value;
     const point = this.#points.selected;

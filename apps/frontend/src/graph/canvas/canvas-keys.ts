@@ -9,7 +9,7 @@ import type { KeyWalk } from './keys/key-walk.ts';
 import { viewKey } from './view-keys.ts';
 import { goToEnd, walkWires } from './wire-walk.ts';
 
-/** What keys do besides editing the graph. */
+/** Actions of keys that do not edit the graph. */
 export interface CanvasActions {
   fit(): void;
   add(): void;
@@ -17,13 +17,13 @@ export interface CanvasActions {
   /** @returns whether there was something to cancel */
   cancel(): boolean;
   open(node: string): void;
-  /** Starts a wire at a socket: what fits is chosen in a list. */
+  /** Starts a wire at a socket and opens the list of fitting ends. */
   connect(port: PortRef): void;
-  /** Tells what a key could not do. */
+  /** Announces why a key had no effect. */
   tell(sentence: string): void;
 }
 
-/** What keys work on. */
+/** State and commands that the key handlers use. */
 export interface CanvasKeys extends Pick<CanvasContext, 'stage' | 'commands' | 'points'> {
   readonly editor: GraphEditor;
   readonly actions: CanvasActions;
@@ -38,7 +38,7 @@ const ARROWS: Readonly<Record<string, Point>> = {
   ArrowUp: { x: 0, y: -1 },
   ArrowDown: { x: 0, y: 1 },
 };
-/** With Alt, by the place of the key: on some keyboards Alt gives other letters. */
+/** With Alt, matched by `event.code`: on some keyboard layouts Alt changes the letter. */
 const ALIGN: Readonly<Record<string, Alignment>> = {
   KeyA: 'left',
   KeyD: 'right',
@@ -64,7 +64,7 @@ export function canvasKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
 
 const scaled = ({ x, y }: Point, by: number): Point => ({ x: x * by, y: y * by });
 
-/** Goes from node to node, to sockets and along wires; with Shift, moves what is selected. */
+/** Moves the focus between nodes, sockets and wires; with Shift, moves the selection. */
 function arrowKey(keys: CanvasKeys, arrow: Point, { shiftKey, target }: KeyboardEvent): boolean {
   const { editor, commands, points, stage, walk } = keys;
   const { wire } = editor.selection.value;
@@ -85,7 +85,7 @@ function plainKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
   switch (event.key) {
     case 'Delete':
     case 'Backspace':
-      // With Shift, what fed the nodes feeds what they fed.
+      // Shift connects the sources of the nodes to their targets.
       return commands.remove(event.shiftKey);
     case 'Escape':
       if (points.selected !== undefined) points.select(undefined);
@@ -126,7 +126,7 @@ function plainKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
     case '[':
       return points.walk(-1);
     case 'Tab':
-      // With a mouse, on the canvas itself. See keys/tab-stops.ts for the keyboard.
+      // For mouse users with the focus on the canvas; see keys/tab-stops.ts for the keyboard.
       if (event.shiftKey || nodes.size > 0) return false;
       actions.add();
       return true;
@@ -146,7 +146,7 @@ function alignKey({ commands }: CanvasKeys, { code, shiftKey }: KeyboardEvent): 
   return alignment !== undefined && commands.align(alignment);
 }
 
-/** Folds what is selected to headers, or opens it. */
+/** Collapses the selected nodes to headers, or expands them. */
 function collapse(editor: GraphEditor): boolean {
   const { nodes } = editor.graph.value;
   const chosen = [...editor.selection.value.nodes].flatMap((id) => nodes.get(id) ?? []);
@@ -190,7 +190,7 @@ function commandKey(
       actions.find();
       return true;
     case 'g':
-      // Taken from the browser also where there is nothing to frame.
+      // Handled even without a frame, to suppress the browser's shortcut.
       if (shiftKey) commands.unframe();
       else commands.frame();
       return true;

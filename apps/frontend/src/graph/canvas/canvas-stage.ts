@@ -18,7 +18,7 @@ import {
 
 type Schemes = GetSchemes<{ id: string }, { id: string; source: string; target: string }>;
 
-/** How long the canvas rests before it has been moved, milliseconds. */
+/** Time without movement after which the canvas counts as at rest, milliseconds. */
 const REST_MS = 200;
 const NO_SIZE: Size = { width: 0, height: 0 };
 
@@ -26,41 +26,41 @@ const NO_SIZE: Size = { width: 0, height: 0 };
 export const portKey = ({ node, port }: PortRef): string => `${node} ${port}`;
 
 /**
- * The canvas: Rete draws nodes, pans and zooms; what is on it is decided elsewhere and handed to
- * `show`. Views are rendered into `elements`, wires and chips into layers that move along.
+ * Canvas: Rete positions nodes, pans and zooms; the caller decides which nodes exist, with `show`. Node views are
+ * rendered into `elements`, wires and chips into layers that move along.
  */
 export class CanvasStage {
-  /** One element for each node, to render its view into. */
+  /** Host element of each node's view, by node id. */
   readonly elements = shallowReactive(new Map<string, HTMLElement>());
-  /** Where nodes stand now, also while they are dragged. */
+  /** Current positions of nodes, also while they are dragged. */
   readonly positions = shallowReactive(new Map<string, Point>());
   readonly sizes = shallowReactive(new Map<string, Size>());
-  /** Middles of sockets, seen from the top left of their node, by `portKey`. */
+  /** Centres of sockets relative to the top left of their node, by `portKey`. */
   readonly sockets = shallowReactive(new Map<string, Point>());
   readonly view: ShallowRef<View> = shallowRef({ x: 0, y: 0, k: 1 });
-  /** How large it is on the page, pixels. */
+  /** Size of the canvas on the page, pixels. */
   readonly viewport: ShallowRef<Size> = shallowRef({ width: 0, height: 0 });
-  /** What is drawn: changes seldom, where `view` changes with every frame of a pan. */
+  /** Drawn area. Changes rarely; `view` changes in every frame of a pan. */
   readonly area: ShallowRef<Box> = shallowRef({ x: 0, y: 0, width: 0, height: 0 });
   readonly detail: ShallowRef<Detail> = shallowRef('near');
-  /** It is being panned, zoomed or dragged: what else is drawn can wait. */
+  /** True while the canvas is panned or zoomed or nodes are dragged; other drawing can wait. */
   readonly isMoving: ShallowRef<boolean> = shallowRef(false);
-  /** Under all. */
+  /** Layer below all others. */
   readonly ground = layer('ground');
-  /** One finger selects instead of panning. */
+  /** One finger draws a selection box instead of panning. */
   readonly isSelecting: ShallowRef<boolean> = shallowRef(false);
-  /** Under the nodes. */
+  /** Layer below the nodes. */
   readonly wires = layer('wires');
-  /** Over the wires and under the nodes: no chip covers a socket. */
+  /** Layer above the wires and below the nodes, so that no chip covers a socket. */
   readonly chips = layer('chips');
-  /** Over the nodes. */
+  /** Layer above the nodes. */
   readonly guides = layer('guides');
-  /** What has come near and is made in the next frames. */
+  /** Work for nodes that came close to the visible area, done in the next frames. */
   readonly soon = new FrameQueue();
-  /** Where sockets that are not made yet will be. */
+  /** Returns the expected position of a socket that is not rendered yet. */
   socketLater: (ref: PortRef) => Point | undefined = () => undefined;
   readonly container: HTMLElement;
-  /** While it is true, every pointer pans. */
+  /** While true, every pointer pans. */
   isPanning = false;
 
   readonly #editor = new NodeEditor<Schemes>();
@@ -71,19 +71,19 @@ export class CanvasStage {
     this.viewport.value = { width, height };
     this.area.value = seenArea(this.view.value, this.viewport.value, undefined);
   });
-  /** One for all nodes: of many that change at once each would have the page laid out for itself. */
+  /** One observer for all nodes: with one each, browsers do a layout of the page per node. */
   readonly #sizeObserver = new ResizeObserver((entries) => {
     for (const { target } of entries)
       this.#measureNow((target as HTMLElement).dataset['graphNode']!);
   });
-  /** Lies over everything while a hand pans: browsers need not look what the pointer is over. */
+  /** Covers everything while the canvas is panned: saves the browser's hit tests. */
   readonly #shield = layer('shield');
   #isHeld = false;
   readonly #toMeasure = new Set<string>();
   #movingTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Nodes that the user drags: they stay at the pointer. */
+  /** Nodes that the user drags: they follow the pointer. */
   #held: ReadonlySet<string> = new Set();
-  /** One change of the stage after the other. */
+  /** Serialises changes of the stage. */
   #queue: Promise<void> = Promise.resolve();
 
   constructor(container: HTMLElement) {
@@ -104,7 +104,7 @@ export class CanvasStage {
       if (type === 'render') {
         if (context.data.type !== 'node') return context;
         const { payload, element } = context.data;
-        // Nodes are dragged with everything that belongs to it elsewhere; see drag/node-drag.ts.
+        // Disables Rete's own dragging; see drag/node-drag.ts.
         this.#area.nodeViews.get(payload.id)?.dragHandler.destroy();
         element.classList.add('graph-node-holder');
         this.elements.set(payload.id, element);
@@ -126,7 +126,7 @@ export class CanvasStage {
     });
   }
 
-  /** Makes these the nodes on the stage, each at its place. */
+  /** Shows exactly these nodes, each at its position. */
   show(places: ReadonlyMap<string, Point>): Promise<void> {
     this.#queue = this.#queue.then(() => this.#reconcile(places));
     return this.#queue;
@@ -135,7 +135,7 @@ export class CanvasStage {
   async #reconcile(places: ReadonlyMap<string, Point>): Promise<void> {
     for (const id of [...this.elements.keys()]) {
       if (places.has(id)) continue;
-      // The view goes before its element does.
+      // Unmount the view before its host element is removed.
       this.elements.delete(id);
       this.positions.delete(id);
       this.sizes.delete(id);
@@ -151,32 +151,32 @@ export class CanvasStage {
     await Promise.all(moved.map(([id, place]) => this.#area.translate(id, { ...place })));
   }
 
-  /** Puts nodes somewhere at once; what is not on the stage is left out. */
+  /** Moves nodes at once; ignores nodes that are not on the stage. */
   put(places: Iterable<readonly [id: string, place: Point]>): void {
     for (const [id, place] of places) {
       if (this.elements.has(id)) void this.#area.translate(id, { ...place });
     }
   }
 
-  /** These stay where they are put, whatever `show` says, until it is called with others. */
+  /** Keeps these nodes where `put` placed them, ignoring `show`, until the next call. */
   hold(ids: ReadonlySet<string>): void {
     this.#held = ids;
   }
 
-  /** A place on the page, on the canvas. */
+  /** Converts page coordinates to canvas coordinates. */
   toCanvas(clientX: number, clientY: number): Point {
     const { left, top } = this.container.getBoundingClientRect();
     const { x, y, k } = this.view.value;
     return { x: (clientX - left - x) / k, y: (clientY - top - y) / k };
   }
 
-  /** The middle of what is seen. */
+  /** Centre of the visible part, in canvas coordinates. */
   get middle(): Point {
     const { left, top, width, height } = this.container.getBoundingClientRect();
     return this.toCanvas(left + width / 2, top + height / 2);
   }
 
-  /** Where a socket is or will be; the edge of its node when it has none. */
+  /** Position of a socket, expected if it is not rendered yet; the edge of the node if it has none. */
   socketAt(ref: PortRef, side: 'in' | 'out'): Point | undefined {
     const position = this.positions.get(ref.node);
     if (position === undefined) return undefined;
@@ -187,8 +187,8 @@ export class CanvasStage {
   }
 
   /**
-   * Looks where the sockets of a node are, once everything that changes now has changed: to look at
-   * each node while the next is still being made has browsers lay out the page once for each.
+   * Measures the sockets of a node after all pending changes: measuring each node while others are being created causes
+   * one layout of the page per node.
    */
   measure(id: string): void {
     if (this.#toMeasure.size === 0) {
@@ -201,7 +201,7 @@ export class CanvasStage {
     this.#toMeasure.add(id);
   }
 
-  /** Measures the view of a node now and whenever its size changes; the returned function ends that. */
+  /** Measures the view of a node now and whenever its size changes. Returns a function that stops it. */
   watchSize(view: Element): () => void {
     this.#sizeObserver.observe(view);
     return () => this.#sizeObserver.unobserve(view);
@@ -227,20 +227,20 @@ export class CanvasStage {
     }
   }
 
-  /** What is seen of the canvas. */
+  /** Visible part of the canvas. */
   get seen(): Box {
     const { x, y, k } = this.view.value;
     const { width, height } = this.viewport.value;
     return { x: -x / k, y: -y / k, width: width / k, height: height / k };
   }
 
-  /** Whether something of a node is on the screen. */
+  /** True when a part of the node is visible. */
   isInView(id: string): boolean {
     const position = this.positions.get(id);
     return position !== undefined && overlaps({ ...position, ...this.#sizeOf(id) }, this.seen);
   }
 
-  /** Nodes as they lie now. */
+  /** Current boxes of nodes. */
   boxes(ids: Iterable<string> = this.positions.keys()): NodeBox[] {
     return [...ids].flatMap((id) => {
       const position = this.positions.get(id);
@@ -248,29 +248,29 @@ export class CanvasStage {
     });
   }
 
-  /** The box around nodes; around all without a list. */
+  /** Bounding box of these nodes; default: of all. */
   boxOf(ids?: Iterable<string>): Box | undefined {
     const boxes = this.boxes(ids);
     return boxes.length === 0 ? undefined : bounds(boxes);
   }
 
-  /** Shows all nodes, or these. @param inset pixels at the bottom that something covers */
+  /** Fits all nodes, or these, into the view. @param inset height at the bottom that is covered, pixels */
   fit(ids?: Iterable<string>, inset = 0): Promise<void> {
     return this.fitBox(this.boxOf(ids), inset);
   }
 
-  /** Shows a part of the canvas, whatever is on it. */
+  /** Fits a box of the canvas into the view. */
   async fitBox(box: Box | undefined, inset = 0): Promise<void> {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (box === undefined || width === 0) return;
-    // The observer speaks after the first frame.
+    // The ResizeObserver reports only after the first frame.
     if (this.viewport.value.width === 0) this.viewport.value = { width, height };
     const { x, y, k } = viewOf(box, { width, height }, inset);
     await this.#area.area.zoom(k);
     await this.#area.area.translate(x, y);
   }
 
-  /** Zooms around the middle of what is seen. */
+  /** Zooms around the centre of the view. */
   async zoomTo(k: number): Promise<void> {
     const wanted = limitZoom(k);
     const { clientWidth, clientHeight } = this.container;
@@ -283,25 +283,25 @@ export class CanvasStage {
     );
   }
 
-  /** Puts a place of the canvas in the middle. */
+  /** Centres the view on a point of the canvas. */
   async centre({ x, y }: Point): Promise<void> {
     const { clientWidth, clientHeight } = this.container;
     const { k } = this.view.value;
     await this.#area.area.translate(clientWidth / 2 - x * k, clientHeight / 2 - y * k);
   }
 
-  /** Looks at another part: everything at once, as fingers do. */
+  /** Sets position and zoom at once, as pinching does. */
   async look({ x, y, k }: View): Promise<void> {
     await this.#area.area.zoom(limitZoom(k));
     await this.#area.area.translate(x, y);
   }
 
-  /** What a pointer holds is let go as if it had been lost; Rete, too, pans until it hears of that. */
+  /** Ends the drag of a pointer by a synthetic `pointercancel`, which Rete needs, too, to stop panning. */
   letGo(pointerId: number): void {
     window.dispatchEvent(new PointerEvent('pointercancel', { pointerId }));
   }
 
-  /** Moves what is seen, by pixels. */
+  /** Pans by pixels. */
   async pan(by: Point): Promise<void> {
     const { x, y } = this.view.value;
     await this.#area.area.translate(x + by.x, y + by.y);
@@ -327,7 +327,7 @@ export class CanvasStage {
     this.detail.value = detailAt(view.k);
   }
 
-  /** Starts panning, until the pointer is released. */
+  /** Starts panning until the pointer is released. */
   #hold(): boolean {
     const release = (): void => {
       this.#isHeld = false;
@@ -347,7 +347,7 @@ export class CanvasStage {
     this.#movingTimer = setTimeout(() => (this.isMoving.value = false), REST_MS);
   }
 
-  /** Not by the transform that Rete sets: with one for each node, browsers paint hundreds of layers. */
+  /** Positioned without the transform that Rete sets: with one per node, browsers paint hundreds of layers. */
   #place(id: string, { x, y }: Point): void {
     const holder = this.elements.get(id);
     if (holder === undefined) return;
@@ -356,7 +356,7 @@ export class CanvasStage {
     this.positions.set(id, { x, y });
   }
 
-  /** The middle button pans everywhere, others where nothing is; Shift draws a box. */
+  /** The middle button pans everywhere, other buttons on empty canvas; Shift draws a selection box. */
   #isPan({ pointerType, button, shiftKey, target }: PointerEvent): boolean {
     if (this.isPanning || (pointerType === 'mouse' && button === 1)) return true;
     if (shiftKey || button !== 0) return false;

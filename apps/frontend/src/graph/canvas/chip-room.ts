@@ -1,17 +1,17 @@
 import type { Point, Wire } from '../model/graph.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 
-/** The widest chip, pixels at a zoom of 1. */
+/** Largest width of a chip, pixels at a zoom of 1. */
 export const MAX_CHIP = 220;
-/** Half of a chip, and some air, above and below its middle. */
+/** Half of the height of a chip with padding, pixels. */
 const HALF_HEIGHT = 14;
-/** From the edge of a node: sockets reach out of it. */
+/** Distance by which sockets extend beyond the edge of a node, pixels. */
 const SOCKET = 14;
 
 type Drawn = Pick<CanvasStage, 'positions' | 'sizes'>;
 
 /**
- * How wide the chip of a wire may be without covering sockets of the nodes at its ends, pixels.
+ * Returns the largest width of a wire's chip that covers no socket of the nodes at its ends, pixels.
  * @param middle of the chip
  */
 export function chipRoom(stage: Drawn, { from, to }: Wire, middle: Point | undefined): number {

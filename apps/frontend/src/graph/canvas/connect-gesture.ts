@@ -7,20 +7,20 @@ import { wiresAt } from '../model/wires-of.ts';
 import { portKey, type CanvasStage } from './canvas-stage.ts';
 import { fitBetween, type PortFit } from './port-fit.ts';
 
-/** A wire being pulled. */
+/** A wire being dragged. */
 export interface Pull {
   readonly from: PortRef;
   readonly side: 'in' | 'out';
-  /** The wire whose end is being moved. */
+  /** Existing wire whose end is being moved. */
   readonly moving: Wire | undefined;
-  /** Where the free end is, on the canvas. */
+  /** Position of the free end on the canvas. */
   readonly end: Point;
-  /** Ports that would take it, by `portKey`. */
+  /** Ports that accept the wire, by `portKey`. */
   readonly fits: ReadonlySet<string>;
   readonly over: PortRef | undefined;
 }
 
-/** Why a wire was refused, where that was, and what would help. */
+/** A refused wire: the reason, its position, and adapters that would make it fit. */
 export interface Refusal {
   readonly fit: PortFit;
   /** On the page, pixels. */
@@ -28,7 +28,7 @@ export interface Refusal {
   readonly clientY: number;
 }
 
-/** Where a wire was let go over nothing: what fits may be added there. */
+/** A wire dropped on empty canvas, where a fitting node can be added. */
 export interface Offer {
   readonly from: PortRef;
   readonly side: 'in' | 'out';
@@ -37,31 +37,31 @@ export interface Offer {
   readonly clientY: number;
 }
 
-/** What takes up a wire; it is led to its other end by the same. */
+/** Input method that started a wire; the same one chooses its other end. */
 export type Hand = 'mouse' | 'touch' | 'pen' | 'key';
 
-/** Pointers that move less than this have clicked, pixels. */
+/** Pointer movement up to which a press is a click, pixels. */
 const CLICK_PX = 5;
-/** Fingers are less steady. */
+/** The same for fingers, which are less steady. */
 const TAP_PX = 10;
-/** How near to the middle of a socket a finger means it, pixels: half of what a finger hits. */
+/** Distance from the centre of a socket within which a touch hits it, pixels: half of a touch target. */
 export const FINGER_PX = 22;
 
 const handOf = ({ pointerType }: PointerEvent): Hand =>
   pointerType === 'touch' || pointerType === 'pen' ? pointerType : 'mouse';
 
-/** Pulls wires: by dragging, or by a click on each end; with mouse, pen, finger and keyboard. */
+/** Creates wires: by dragging, or by a click on each end; with mouse, pen, finger and keyboard. */
 export class ConnectGesture {
   readonly pull: ShallowRef<Pull | undefined> = shallowRef();
   readonly refusal: ShallowRef<Refusal | undefined> = shallowRef();
   readonly offer: ShallowRef<Offer | undefined> = shallowRef();
-  /** A wire was taken up and let go at its start: its end is chosen next. */
+  /** Input method of a wire that was clicked at its start and waits for its end. */
   readonly waiting: ShallowRef<Hand | undefined> = shallowRef();
   readonly #editor: GraphEditor;
   readonly #stage: CanvasStage;
   #stop: (() => void) | undefined;
 
-  /** Modules that may be offered to go in between. */
+  /** Modules that can be offered as adapters. */
   readonly #library: () => readonly ProcessingModule[];
 
   constructor(editor: GraphEditor, stage: CanvasStage, library: () => readonly ProcessingModule[]) {
@@ -70,7 +70,7 @@ export class ConnectGesture {
     this.#library = library;
   }
 
-  /** A pointer went down on a socket. */
+  /** Handles a pointer that goes down on a socket. */
   press(event: PointerEvent, port: PortRef): void {
     if (event.pointerType === 'mouse' && event.button !== 0) return;
     event.preventDefault();
@@ -82,7 +82,7 @@ export class ConnectGesture {
     this.#begin(port, event);
   }
 
-  /** Enter on a socket: takes up a wire, or ends it there. */
+  /** Enter on a socket: starts a wire, or ends it there. */
   pressKey(port: PortRef, element: HTMLElement): void {
     const { left, top } = element.getBoundingClientRect();
     const at = { clientX: left, clientY: top };
@@ -94,7 +94,7 @@ export class ConnectGesture {
     this.waiting.value = 'key';
   }
 
-  /** A finger chose where the wire that waits goes. @returns false when that says nothing */
+  /** A tap chose the end of the waiting wire. @returns false when there is none near */
   tap(at: { clientX: number; clientY: number }): boolean {
     const pull = this.pull.value;
     if (pull === undefined) return false;
@@ -107,7 +107,7 @@ export class ConnectGesture {
     return true;
   }
 
-  /** The socket a finger means; those that fit first where several lie on each other. */
+  /** Returns the socket nearest to a touch; where several overlap, fitting ones first. */
   nearestSocket({ clientX, clientY }: { clientX: number; clientY: number }): PortRef | undefined {
     const { x, y } = this.#stage.toCanvas(clientX, clientY);
     const reach = FINGER_PX / this.#stage.view.value.k;
@@ -128,7 +128,7 @@ export class ConnectGesture {
     return best;
   }
 
-  /** The port of the node there that takes the wire, if there is one and no more. */
+  /** Returns the port of the touched node that accepts the wire, if exactly one does. */
   #onlyFitUnder({ clientX, clientY }: { clientX: number; clientY: number }): PortRef | undefined {
     const element = document.elementFromPoint(clientX, clientY);
     const node = element?.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
@@ -148,7 +148,7 @@ export class ConnectGesture {
     this.refusal.value = undefined;
   }
 
-  /** True when a port would not take the wire that is being pulled. */
+  /** True when the port does not accept the wire being dragged. */
   isMisfit(port: PortRef): boolean {
     const pull = this.pull.value;
     if (pull === undefined || portKey(port) === portKey(pull.from)) return false;
@@ -162,7 +162,7 @@ export class ConnectGesture {
     return ports.every(({ id }) => !pull.fits.has(portKey({ node, port: id })));
   }
 
-  /** Connects two ports if they go together; else says why not. */
+  /** Connects two ports if they fit; otherwise shows the reason. */
   connect(a: PortRef, b: PortRef, at: { clientX: number; clientY: number }, key?: string): boolean {
     const fit = this.#judged(a, b, at);
     if (fit === undefined) return false;
@@ -170,7 +170,7 @@ export class ConnectGesture {
     return true;
   }
 
-  /** The fit, when there is one; else says why not. */
+  /** Returns the fit, if there is one; otherwise shows the reason. */
   #judged(a: PortRef, b: PortRef, at: { clientX: number; clientY: number }): PortFit | undefined {
     const fit = fitBetween(this.#editor.graph.value, a, b, this.#library());
     if (fit?.reason === undefined) return fit;
@@ -184,7 +184,7 @@ export class ConnectGesture {
     const reach = hand === 'touch' ? TAP_PX : CLICK_PX;
     const start = { x: event.clientX, y: event.clientY };
     let isClick = true;
-    /** Other fingers, and those that choose the end, are followed elsewhere. */
+    /** Ignore other pointers, and those that choose the end, which `tap` handles. */
     const isOther = (next: PointerEvent): boolean =>
       this.waiting.value === undefined
         ? next.pointerId !== event.pointerId
@@ -209,7 +209,7 @@ export class ConnectGesture {
       if (isOther(next) || this.waiting.value === undefined) return;
       if (next.target instanceof Element && next.target.closest('[data-port], [data-wire-hint]'))
         return;
-      // The second click of click and click, beside every socket.
+      // The second of two clicks, away from all sockets.
       next.preventDefault();
       next.stopPropagation();
     };
@@ -228,15 +228,15 @@ export class ConnectGesture {
     };
   }
 
-  /** A click at one end: the next one chooses the other. */
+  /** A click at one end: the next click chooses the other. */
   #wait(port: PortRef, hand: Hand, moving: boolean): void {
     if (!moving) {
       this.waiting.value = hand;
     } else if (hand === 'mouse') {
-      // A click on a wired input only touches it.
+      // A mouse click on a wired input changes nothing.
       this.cancel();
     } else {
-      // A tap on it asks for another source; the wire stays until there is one.
+      // A tap on a wired input asks for another source; the wire stays until one is chosen.
       const pull = this.pull.value;
       const fits = new Set(fittingPorts(this.#editor.graph.value, port).map(portKey));
       if (pull) this.pull.value = { ...pull, from: port, side: 'in', moving: undefined, fits };
@@ -249,7 +249,7 @@ export class ConnectGesture {
     return near ?? socketUnder(event);
   }
 
-  /** @returns true when it is the end of a wire that is there */
+  /** @returns true when the port is the end of an existing wire */
   #take(port: PortRef, at: { clientX: number; clientY: number }): boolean {
     this.cancel();
     this.offer.value = undefined;
@@ -302,7 +302,7 @@ export class ConnectGesture {
     });
   }
 
-  /** Let go over nothing: a moved wire is taken off, a new one offers what fits. */
+  /** Dropped on empty canvas: disconnects a moved wire, offers fitting nodes for a new one. */
   #drop(event: { clientX: number; clientY: number }): void {
     const pull = this.pull.value;
     this.cancel();
@@ -318,7 +318,7 @@ export class ConnectGesture {
   }
 }
 
-/** The port under a pointer: its socket, or the row it belongs to. */
+/** Port under a pointer: its socket, or its row. */
 export function socketUnder({
   clientX,
   clientY,

@@ -9,11 +9,11 @@ import { wiresAt } from '../model/wires-of.ts';
 import type { Addable } from './addable.ts';
 
 /**
- * The sockets in the graph that a wire from this one fits: those that take no other wire off first,
- * then those that fit best, then the nearest. Topics in use are no sockets to write to. [SE-70]
- * @param typed words that the names have
+ * Returns the existing sockets that a wire from this one fits: first those that replace no other wire, then by fit,
+ * then by distance. Topics in use are not offered as targets. [SE-70]
+ * @param typed words that names must contain
  * @param published topics that have a publisher
- * @param placeOf where a socket is on the canvas
+ * @param placeOf position of a socket on the canvas
  */
 export function connectables(
   graph: Graph,
@@ -43,7 +43,7 @@ export function connectables(
   return (
     fittingPorts(graph, from)
       .filter((port) => !isJoined(port) && !mixes(port))
-      // A module is seldom wired to itself: only who asks for it by name is offered that.
+      // A module is rarely wired to itself: offered only when searched by name.
       .filter(({ node }) => node !== from.node || words.length > 0)
       .map((port) => ({
         port,
@@ -73,7 +73,7 @@ function closenessOf(graph: Graph, from: PortRef, to: PortRef): number {
   return own === undefined || other === undefined ? 0 : closeness(own, other);
 }
 
-/** An input of a module takes one wire: a new one takes the place of the old one. */
+/** An input of a module takes one wire; a new wire replaces the old one. */
 function isTaken(graph: Graph, ref: PortRef): boolean {
   const isInput = portOf(graph, ref)?.direction === 'in';
   const isModule = graph.nodes.get(ref.node)?.kind === 'module';

@@ -9,7 +9,7 @@ beforeEach(() => {
 });
 afterEach(() => void vi.unstubAllGlobals());
 
-/** Draws a frame. @returns how many were done when it was done */
+/** Runs a frame. @returns the number of tasks done when it ends */
 function draw(timeMs: number, done: readonly number[]): number {
   for (const frame of frames.splice(0)) frame(timeMs);
   return done.length;

@@ -1,8 +1,8 @@
-/** A frame after which a screen with 60 Hz has missed one, milliseconds. */
+/** Duration from which a frame is late on a 60 Hz screen, milliseconds. */
 const LATE_MS = 25;
 const MOST = 8;
 
-/** Does what can wait in the frames that come, first come first: more in each while they are in time. */
+/** Runs deferred tasks in the next frames, in order; more per frame as long as frames are on time. */
 export class FrameQueue {
   #jobs: (() => void)[] = [];
   #frame: number | undefined;
@@ -14,7 +14,7 @@ export class FrameQueue {
     this.#frame ??= requestAnimationFrame(this.#next);
   }
 
-  /** Forgets what is not done yet. */
+  /** Drops all pending tasks. */
   clear(): void {
     this.#jobs = [];
     this.#end();

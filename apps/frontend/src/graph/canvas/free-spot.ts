@@ -3,15 +3,15 @@ import type { CanvasStage } from './canvas-stage.ts';
 import { overlaps } from './seen-area.ts';
 import type { Box } from './stage-view.ts';
 
-/** What nodes and points lie on. */
+/** Grid of nodes and bend points, canvas units. */
 export const GRID = 10;
-/** Half of a small node: what is dropped lies under the pointer. */
+/** Half of the size of a small node: centres a dropped node under the pointer. */
 export const NODE_HALF: Point = { x: 90, y: 30 };
 const NODE: Size = { width: 180, height: 76 };
 const GAP = 20;
-/** A place below what is in the way is preferred to one above it. */
+/** Factor on upward distances, so that free positions below are preferred. */
 const UPWARDS = 1.5;
-/** More nodes around a place are not looked at: the number of places grows with its square. */
+/** Most nodes considered around a position: the number of candidates grows quadratically. */
 const MAX_AROUND = 60;
 
 export const onGrid = ({ x, y }: Point): Point => ({
@@ -19,14 +19,14 @@ export const onGrid = ({ x, y }: Point): Point => ({
   y: Math.round(y / GRID) * GRID,
 });
 
-/** What a place is looked for. */
+/** Constraints for a free position. */
 export interface SpotWish {
   readonly size?: Size;
-  /** Places outside are taken only when there is none inside. */
+  /** Preferred area; positions outside are used only if there is none inside. */
   readonly area?: Box;
 }
 
-/** The place itself, or the nearest to it where no node is in the way. */
+/** Returns the position itself if no node is there, otherwise the nearest free one. */
 export function freeSpot(
   { positions, sizes }: Pick<CanvasStage, 'positions' | 'sizes'>,
   { nodes }: Pick<Graph, 'nodes'>,
@@ -55,7 +55,7 @@ export function freeSpot(
   return seen ?? nearest(spots, start, isFree) ?? own;
 }
 
-/** Places beside the nodes around: all that can be the nearest. */
+/** Positions adjacent to the nodes around; the nearest free one is always among them. */
 function beside({ x, y }: Point, size: Size, taken: readonly Box[]): Point[] {
   const far = (box: Box): number => Math.hypot(box.x - x, box.y - y);
   const around = taken.toSorted((a, b) => far(a) - far(b)).slice(0, MAX_AROUND);

@@ -1,6 +1,6 @@
 import type { Size } from '../model/graph.ts';
 
-/** Where something of a size stands in an element so that all of it is seen, pixels. */
+/** Returns the position at which a box is entirely inside an element, pixels. */
 export function inHost(
   element: HTMLElement,
   clientX: number,

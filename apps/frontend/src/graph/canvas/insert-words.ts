@@ -3,7 +3,7 @@ import { nodeName, portName } from '../model/commands/command-label.ts';
 import { fitOf } from '../model/fit/fit-of.ts';
 import type { Graph, GraphNode, PortRef, Wire } from '../model/graph.ts';
 
-/** Why a node does not go into a wire, one sentence. The node need not be in the graph. */
+/** Returns why a node does not fit into a wire, one sentence. The node need not be in the graph. */
 export function misfitOnWire(graph: Graph, wire: Wire, node: GraphNode): string {
   const whole = applyCommand(graph, { kind: 'add', nodes: [node] }).graph;
   const reasons = (direction: 'in' | 'out'): string[] =>
@@ -26,7 +26,7 @@ export function misfitOnWire(graph: Graph, wire: Wire, node: GraphNode): string 
   return `All compatible inputs of ${name} are already connected.`;
 }
 
-/** What became of a node that was inserted, and what has to be done for it to run. */
+/** Returns the result of an insertion, and what the node still needs to run. */
 export function insertedText(
   graph: Graph,
   { from, to }: Wire,

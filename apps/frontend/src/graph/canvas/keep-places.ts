@@ -2,10 +2,10 @@ import type { GraphCommand } from '../model/commands/graph-command.ts';
 import type { Graph, Point } from '../model/graph.ts';
 
 /**
- * Returns the command that gives nodes without a stored position the place where they are drawn; `undefined` when all
- * have one. Without it, a node that is added with a position would make the layout put them below it.
+ * Returns the command that stores the drawn position of nodes without a stored one; `undefined` when all have one.
+ * Without it, a node that is added with a position would make the layout put them below it.
  *
- * @param positions where nodes are drawn
+ * @param positions drawn positions of nodes
  */
 export function keepPlaces(
   { nodes }: Pick<Graph, 'nodes'>,

@@ -3,7 +3,7 @@ import type { GraphNode, Point } from '../model/graph.ts';
 import { commentNode, frameNode, topicNode } from '../model/make-node.ts';
 import { newConstantNode, newDemuxerNode, newModuleNode, newMuxerNode } from '../model/new-node.ts';
 
-/** What can be put on the canvas. */
+/** Description of a node to add to the canvas. */
 export type NewNode =
   | { readonly kind: 'topic'; readonly topic: string; readonly format: string }
   | { readonly kind: 'module'; readonly module: ProcessingModule }
@@ -12,7 +12,7 @@ export type NewNode =
 
 const FRAME_SIZE = { width: 320, height: 220 };
 
-/** @param uuid gives a new UUID */
+/** @param uuid returns a new UUID */
 export function newNode(what: NewNode, position: Point, uuid: () => string): GraphNode {
   switch (what.kind) {
     case 'topic':

@@ -1,7 +1,7 @@
 import { inject, onBeforeUnmount, provide, shallowReactive, watchEffect } from 'vue';
 import type { InjectionKey } from 'vue';
 
-/** What is in a node can say about the whole of it. */
+/** State of a node that is set by the views inside it. */
 export type NodeMark = 'failing' | 'at-rest' | 'missing';
 
 type Marks = Partial<Record<NodeMark, boolean>>;
@@ -9,8 +9,8 @@ type Marks = Partial<Record<NodeMark, boolean>>;
 const MARKS: InjectionKey<Marks> = Symbol('marks of a node');
 
 /**
- * Classes of a node's frame that depend on what is in it. Not by `:has()`: with that, browsers look at
- * the whole node whenever a value in it changes.
+ * CSS classes of a node's border that depend on its contents. Not by `:has()`, for which browsers check the whole node
+ * whenever a value in it changes.
  */
 export function provideNodeMarks(): Readonly<Marks> {
   const marks = shallowReactive<Marks>({});

@@ -2,23 +2,23 @@ import type { Size } from '../model/graph.ts';
 import type { Box, View } from './stage-view.ts';
 import { viewShowing } from './view-showing.ts';
 
-/** Phones are narrower than this, pixels. */
+/** Width below which a screen counts as a phone, pixels. */
 const NARROW_PX = 760;
-/** Rows and values can be read well from this zoom on. */
+/** Smallest zoom at which rows and values are easy to read. */
 const READABLE_ZOOM = 0.7;
-/** Smaller than this, seeing all of a graph is worth less than reading its beginning; phones are held closer. */
+/** Smallest zoom at which a graph opens as a whole; below, its beginning is shown. Phones are held closer. */
 const WHOLE_ZOOM = { narrow: 0.45, wide: 0.6 };
 const MARGIN = 24;
-/** What lies over the top of the canvas, pixels. */
+/** Height at the top of the canvas that toolbars cover, pixels. */
 const TOP = 76;
 
 /**
- * The view in which a graph opens that would be too small to be read as a whole: its beginning, with the first node that values
- * flow from.
+ * Returns the initial view for a graph that is too large to be read as a whole: its beginning, with the first node in
+ * the direction of the data.
  *
- * @param view shows all of it
+ * @param view that shows the whole graph
  * @param boxes of its nodes
- * @returns undefined: all of it can be read
+ * @returns undefined when the whole graph is readable
  */
 export function openingView(
   view: View,

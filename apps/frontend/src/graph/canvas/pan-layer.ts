@@ -1,21 +1,21 @@
 import type { Point } from '../model/graph.ts';
 import type { View } from './stage-view.ts';
 
-/** How long a pan rests before it has ended, milliseconds. */
+/** Time without movement after which a pan has ended, milliseconds. */
 const REST_MS = 200;
 
 /**
- * Makes what is panned a layer of its own, which browsers move without drawing it again.
+ * Turns the panned element into a compositor layer, which browsers move without repainting.
  *
- * It is an animation that stands still, at one place after the other: Chromium puts all layers of a page
- * together again whenever the transform of one has changed, unless it is animated. It is no
- * `will-change`, with which Chromium draws what is small as large as at 100 %, only to make it smaller
- * in each frame. And it goes by whole pixels of the screen, or each frame would be drawn again.
+ * Done with a paused animation that is set to one position after the other: Chromium rebuilds all layers of a page
+ * whenever the transform of one changes, unless it is animated. Not with `will-change`, with which Chromium paints
+ * small content as large as at 100 % and scales it down in each frame. Moves by whole device pixels, otherwise each
+ * frame is repainted.
  */
 export class PanLayer {
   readonly #element: HTMLElement;
   #animation: Animation | undefined;
-  /** Where it was when it became a layer, or was zoomed last. */
+  /** Position when the layer was created, or zoomed last. */
   #start: Point = { x: 0, y: 0 };
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -23,7 +23,7 @@ export class PanLayer {
     this.#element = element;
   }
 
-  /** The element was moved: it is a layer from now on, until it has rested for a while. */
+  /** The element was moved: it is a layer until it has rested for `REST_MS`. */
   hold(view: View): void {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.release(), REST_MS);
@@ -35,13 +35,13 @@ export class PanLayer {
     } else this.#move(view);
   }
 
-  /** The element was zoomed: while it is a layer, it goes there. */
+  /** The element was zoomed: updates the layer, if there is one. */
   follow(view: View): void {
     this.#start = view;
     this.#move(view);
   }
 
-  /** It is drawn together with all else again. */
+  /** Removes the layer: the element is painted with the rest of the page again. */
   release(): void {
     clearTimeout(this.#timer);
     this.#animation?.cancel();
@@ -56,7 +56,7 @@ export class PanLayer {
   }
 }
 
-/** The nearest distance in whole pixels of the screen; in pixels of the page. */
+/** Rounds to whole device pixels; in CSS pixels. */
 const wholePixels = (px: number): number => Math.round(px * devicePixelRatio) / devicePixelRatio;
 
 function keyframes({ x, y, k }: View): PropertyIndexedKeyframes {

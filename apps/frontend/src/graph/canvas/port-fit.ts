@@ -4,19 +4,19 @@ import { fitOf } from '../model/fit/fit-of.ts';
 import type { Graph, PortRef } from '../model/graph.ts';
 import { portOf } from '../model/port-format.ts';
 
-/** Whether two ports go together, in the direction values would flow. */
+/** Result of comparing two ports, in the direction of the data. */
 export interface PortFit {
   readonly from: PortRef;
   readonly to: PortRef;
-  /** Why not, one sentence; undefined when they fit. */
+  /** Reason why they do not fit, one sentence; undefined when they fit. */
   readonly reason: string | undefined;
-  /** What would make it fit, best first. */
+  /** Adapters that would make them fit, best first. */
   readonly offers: readonly Adapter[];
 }
 
 /**
- * Undefined when there is nothing to say: the same port, or one that is not there.
- * @param library modules that may be offered to go in between
+ * Returns undefined for the same port, and for ports that do not exist.
+ * @param library modules that can be offered as adapters
  */
 export function fitBetween(
   graph: Graph,

@@ -1,15 +1,12 @@
 import type { Size } from '../model/graph.ts';
 import type { Box, View } from './stage-view.ts';
 
-/**
- * How much can be read at a zoom. Far: nodes are a title and a state. Plain: wires say only how often.
- * Near: all.
- */
+/** Level of detail at a zoom. Far: title and state of nodes. Plain: wires show only rates. Near: everything. */
 export type Detail = 'far' | 'plain' | 'near';
 
 const FAR_ZOOM = 0.45;
 const PLAIN_ZOOM = 0.7;
-/** Drawn around what is seen, pixels of the page: as far can be panned before more is drawn. */
+/** Margin drawn around the visible part, page pixels: panning within it draws nothing new. */
 const MARGIN = 240;
 
 export function detailAt(zoom: number): Detail {
@@ -17,7 +14,7 @@ export function detailAt(zoom: number): Detail {
   return zoom < PLAIN_ZOOM ? 'plain' : 'near';
 }
 
-/** What is drawn of the canvas, with some room; the same box as before while that is enough. */
+/** Returns the area to draw: the visible part with a margin; the previous area while it suffices. */
 export function seenArea(view: View, viewport: Size, before: Box | undefined): Box {
   const seen = around(view, viewport, 0);
   const next = around(view, viewport, MARGIN);

@@ -14,12 +14,12 @@ import { overlaps } from './seen-area.ts';
 const SEEN: InjectionKey<Ref<boolean>> = Symbol('seen');
 const MADE: InjectionKey<Ref<boolean>> = Symbol('made');
 
-/** Whether a node is on the screen or close to it, for what is in it, too. */
+/** Whether a node is on the screen or close to it; provided to the views inside it. */
 export function provideSeen(id: () => string): ComputedRef<boolean> {
   const { stage } = useCanvas();
   const isSeen = computed(() => {
     const [position, size] = [stage.positions.get(id()), stage.sizes.get(id())];
-    // What was never drawn has to be, once, to be measured.
+    // A node that was never rendered has to be, once, to be measured.
     if (position === undefined || size === undefined) return true;
     return overlaps({ ...position, ...size }, stage.area.value);
   });
@@ -28,8 +28,8 @@ export function provideSeen(id: () => string): ComputedRef<boolean> {
 }
 
 /**
- * Whether what is in a node is made: its rows, sockets and values are, once it has been near. Graphs are
- * opened from afar, and most of their nodes never come near.
+ * Whether the contents of a node (rows, sockets, values) are rendered: from the first time it is near the visible area.
+ * Graphs open zoomed out, and most nodes never come near.
  */
 export function provideMade(isSeen: Readonly<Ref<boolean>>): Readonly<Ref<boolean>> {
   const { stage } = useCanvas();
@@ -38,7 +38,7 @@ export function provideMade(isSeen: Readonly<Ref<boolean>>): Readonly<Ref<boolea
   const make = (): void => void (isMade.value = true);
   const stop = watch(isNear, (near) => {
     if (isMade.value) stop();
-    // Many may come near at once, by one turn of a wheel.
+    // One turn of the wheel may bring many nodes near at once.
     else if (near) stage.soon.add(make);
   });
   provide(MADE, isMade);
@@ -49,7 +49,7 @@ export function useMade(): Readonly<Ref<boolean>> {
   return inject(MADE, undefined) ?? ref(true);
 }
 
-/** True while the values of a node are visible; others are not drawn. */
+/** True while the values of a node are readable; otherwise they are not rendered. */
 export function useReadable(): ComputedRef<boolean> {
   const { stage } = useCanvas();
   const isSeen = inject(SEEN, undefined);

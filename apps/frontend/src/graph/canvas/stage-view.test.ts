@@ -31,7 +31,7 @@ describe('insideNode', () => {
     const size = { width: 184, height: 117 };
     expect(insideNode({ x: 183, y: 142 }, size)).toEqual({ x: 183, y: 105 });
     expect(insideNode({ x: 183, y: 60 }, size)).toEqual({ x: 183, y: 60 });
-    // Not measured yet
+    // Before measurement.
     expect(insideNode({ x: 183, y: 60 }, { width: 0, height: 0 })).toEqual({ x: 183, y: 60 });
   });
 });

@@ -1,27 +1,27 @@
 import type { Point, Size } from '../model/graph.ts';
 
-/** Where the canvas is looked at: the place of its origin in pixels, and the zoom. */
+/** View of the canvas: position of its origin in pixels, and the zoom `k`. */
 export interface View extends Point {
   readonly k: number;
 }
 
-/** A box on the canvas. */
+/** Rectangle in canvas coordinates. */
 export interface Box extends Point, Size {}
 
 export const MIN_ZOOM = 0.1;
 export const MAX_ZOOM = 2.5;
 const FIT_MARGIN = 56;
-/** Share of the width that is left free at each side, at most. */
+/** Largest margin on each side, as a share of the width. */
 const NARROW_MARGIN = 0.05;
-/** Fitting does not blow up small graphs. */
+/** Fitting does not enlarge small graphs. */
 const MAX_FIT_ZOOM = 1;
 
-/** Closest to the bottom of its node that a socket is, pixels. */
+/** Smallest distance of a socket from the bottom of its node, pixels. */
 const SOCKET_INSET = 12;
 
 /**
- * Where a socket is in its node. From afar, browsers keep the height of rows that they do not draw, while the rows change:
- * sockets below the frame are drawn at its end.
+ * Clamps the position of a socket to its node. At a far zoom, browsers keep the old height of rows that they do not
+ * render: sockets below the border are drawn at its end.
  */
 export const insideNode = ({ x, y }: Point, { height }: Size): Point => ({
   x,
@@ -30,9 +30,9 @@ export const insideNode = ({ x, y }: Point, { height }: Size): Point => ({
 
 export const limitZoom = (k: number): number => Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, k));
 
-/** The view that shows all of a box. @param inset pixels at the bottom that something covers */
+/** Returns the view that shows a whole box. @param inset height at the bottom that is covered, pixels */
 export function viewOf(box: Box, viewport: Size, inset = 0): View {
-  // On a narrow canvas the names need the room
+  // On narrow canvases, names need the room.
   const side = Math.min(FIT_MARGIN, viewport.width * NARROW_MARGIN);
   const width = viewport.width - 2 * side;
   const height = viewport.height - 2 * FIT_MARGIN - inset;

@@ -1,11 +1,11 @@
 import type { Box } from './stage-view.ts';
 
-/** What lies under a pointer. */
+/** Element of the graph under a pointer. */
 export type Thing =
   | { readonly kind: 'node' | 'frame'; readonly id: string }
   | { readonly kind: 'wire'; readonly id: string };
 
-/** What an element of the canvas belongs to; undefined: the empty canvas. */
+/** Returns the node, frame, wire or socket that a DOM element belongs to; undefined: empty canvas. */
 export function thingAt(target: EventTarget | null): Thing | undefined {
   const element = target instanceof Element ? target : undefined;
   const node = element?.closest<HTMLElement>('[data-graph-node]');
@@ -23,7 +23,7 @@ interface ClientPoint {
   readonly clientY: number;
 }
 
-/** The box between two places on the page, in pixels of an element. */
+/** Returns the box between two page positions, in pixels relative to an element. */
 export function onPage(element: HTMLElement, a: ClientPoint, b: ClientPoint): Box {
   const { left, top } = element.getBoundingClientRect();
   return {

@@ -23,25 +23,25 @@ import type { Box } from './stage-view.ts';
 import { viewShowing } from './view-showing.ts';
 import { roomiest } from './wire-hit.ts';
 
-/** The menu that adds by typing: where it is, and what for. */
+/** Position and purpose of the menu that adds nodes by name. */
 export interface AddingSpot {
-  /** Where what is chosen comes to stand, on the canvas. */
+  /** Position of the new node on the canvas. */
   readonly at: Point;
   readonly left: number;
   readonly top: number;
-  /** The end of a wire that was dropped there. */
+  /** End of a wire that was dropped there. */
   readonly end: Pick<Offer, 'from' | 'side'> | undefined;
-  /** The wire that was selected then: what fits goes in between. */
+  /** Id of the wire that was selected; a fitting node is inserted into it. */
   readonly wire: string | undefined;
-  /** The menu was asked to put something into the wire: nothing else is offered. */
+  /** Opened to insert into the wire: only fitting nodes are offered. */
   readonly isInto?: boolean;
-  /** No place was pointed at: a free one in view is looked for. */
+  /** Opened without a position: use a free one in view. */
   readonly isAnywhere?: boolean;
-  /** Sockets in the graph that fit are offered, too. */
+  /** Existing sockets that fit are offered, too. */
   readonly hasSockets?: boolean;
 }
 
-/** What a menu asks to add, at a place of the canvas: at a socket, into a wire, or by itself. */
+/** Request of a menu to add a node at a position: at a socket, into a wire, or unconnected. */
 export interface AddingWish {
   readonly at: Point;
   readonly end: PortRef | undefined;
@@ -54,26 +54,26 @@ export interface Adding {
   askAt(clientX: number, clientY: number, end?: AddingSpot['end']): void;
   askInMiddle(): void;
   askFor(wish: AddingWish): void;
-  /** Asks what a wire from a socket goes to: what is in the graph and fits, or something new. */
+  /** Opens the list of ends for a wire from a socket: existing fitting sockets, or new nodes. */
   askToConnect(from: PortRef): void;
   choose(chosen: Addable): void;
   close(): void;
-  /** Puts something new on the canvas. */
+  /** Adds a node to the canvas. */
   place(item: NewNode, at: Point): void;
   placeInMiddle(item: NewNode): void;
-  /** Puts in between what makes a refused wire fit. */
+  /** Inserts an adapter that makes a refused wire fit. */
   takeOffer(adapter: Adapter): void;
 }
 
-/** What covers the edges of the canvas, pixels: docks lie over top and bottom. */
+/** Widths at the edges of the canvas that docks cover, pixels. */
 const COVERED = { left: 24, top: 60, right: 24, bottom: 72 };
-/** What is added to a socket stands this far from it. */
+/** Horizontal distance of a new node from the socket it is wired to, canvas units. */
 const FROM_SOCKET = 90;
-/** So few nodes are all shown when a new one does not fit on the screen. */
+/** Up to this number of nodes, all are fitted into view when a new one is off the screen. */
 const FEW = 8;
 const MENU = { width: 330, height: 320 };
 
-/** Adds what is new: by typing, by dropping a wire on nothing, and in between what does not fit. */
+/** Adds nodes: by name, by dropping a wire on empty canvas, and as adapters between ports that do not fit. */
 export function useAdding(
   host: Ref<HTMLElement | null>,
   editor: GraphEditor,
@@ -90,7 +90,7 @@ export function useAdding(
     const { wire } = editor.selection.value;
     spot.value = { at, ...inHost(stage.container, clientX, clientY, MENU), end, wire };
   }
-  /** What is seen of the canvas beside the docks. */
+  /** Visible part of the canvas that no dock covers. */
   function clearArea(): Box {
     const { x, y, width, height } = stage.seen;
     const { k } = stage.view.value;
@@ -109,7 +109,7 @@ export function useAdding(
   function place(item: NewNode, at: Point): void {
     const node = newNode(item, onGrid(at), randomUuid);
     if (editor.graph.value.nodes.has(node.id)) {
-      // A topic stands on the canvas once: show where.
+      // A topic has one node per canvas: show the existing one.
       void stage.fit([node.id]);
     } else {
       const { nodes } = editor.graph.value;
@@ -125,7 +125,7 @@ export function useAdding(
     editor.select([node.id]);
   }
 
-  /** Puts something new on a wire, where there is most room. @returns whether it fits there */
+  /** Inserts a node into a wire where it has most room. @returns whether it fits there */
   function placeOnWire(item: NewNode, id: string | undefined): boolean {
     const graph = editor.graph.value;
     const wire = id === undefined ? undefined : graph.wires.get(id);
@@ -148,7 +148,9 @@ export function useAdding(
     return true;
   }
 
-  /** In small graphs right of the node that is selected, as values flow; else the middle of the view. */
+  /**
+   * In small graphs, to the right of the selected node, in the direction of the data; otherwise the centre of the view.
+   */
   function nextSpot(
     isSmall: boolean,
     { width, height }: Size,
@@ -223,7 +225,7 @@ export function useAdding(
         else place(item, at);
       }
       if (item !== undefined) {
-        // Keys go on from what was added, or from what was there already.
+        // Focus the new node, or the existing one.
         const [selected] = editor.selection.value.nodes;
         if (selected !== undefined) void walk.focusNode(selected);
       }

@@ -7,8 +7,8 @@ import { onPage, thingAt } from './thing-at.ts';
 import type { Box } from './stage-view.ts';
 
 /**
- * Draws a box with Shift held down or while fingers select, and selects what it touches; frames are ground, and selected when
- * they are all in it. Escape gives back what was selected. @returns the box, in pixels of the canvas
+ * Selection box with Shift, or with a finger in selection mode. Selects nodes that it touches, and frames that are
+ * entirely inside. Escape restores the previous selection. @returns the box, in pixels of the canvas
  */
 export function useBoxSelect(
   container: HTMLElement,

@@ -8,7 +8,7 @@ import type { NodeResize } from './frames/node-resize.ts';
 import type { KeyWalk } from './keys/key-walk.ts';
 import type { WirePoints } from './points/wire-points.ts';
 
-/** What the views on the canvas share. */
+/** State shared by the views on the canvas. */
 export interface CanvasContext {
   readonly stage: CanvasStage;
   readonly gesture: ConnectGesture;
@@ -18,9 +18,9 @@ export interface CanvasContext {
   readonly resize: NodeResize;
   /** Commands of menus and keys on the selection. */
   readonly commands: CanvasCommands;
-  /** Where the focus of the keyboard is, and where arrow keys lead. */
+  /** Keyboard focus on the canvas, and navigation by arrow keys. */
   readonly walk: KeyWalk;
-  /** It was started just now. */
+  /** True for some time after the session was started. */
   readonly isFresh: Readonly<Ref<boolean>>;
 }
 

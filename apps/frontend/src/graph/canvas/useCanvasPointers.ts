@@ -7,7 +7,7 @@ import { thingAt } from './thing-at.ts';
 
 const CLICK_PX = 4;
 
-/** Pointers on the canvas: what goes down on nodes drags them, on nothing selects nothing. */
+/** Pointer input on the canvas: pressing a node drags it, pressing empty canvas clears the selection. */
 export function useCanvasPointers(
   { stage, gesture, drag, points, resize }: CanvasContext,
   editor: GraphEditor,
@@ -30,11 +30,11 @@ export function useCanvasPointers(
   );
   useEventListener(container, 'pointerdown', (event) => {
     if (event.button !== 0 || stage.isPanning || gesture.pull.value !== undefined) return;
-    // Text is selected in fields.
+    // Pointers select text in fields.
     if ((event.target as Element).closest('input, textarea, select')) return;
     const thing = thingAt(event.target);
     if (thing === undefined || thing.kind === 'wire') return;
-    // With Shift a frame is ground, where a box begins.
+    // With Shift, a selection box can start on a frame.
     if (thing.kind !== 'frame' || !event.shiftKey) drag.press(event, thing.id);
   });
   useEventListener(container, 'pointerup', ({ clientX, clientY }) => {
@@ -42,7 +42,7 @@ export function useCanvasPointers(
       editor.select([]);
     pressed = undefined;
   });
-  // The middle button pans; browsers would scroll with it.
+  // The middle button pans; prevent the browser's autoscroll.
   useEventListener(container, 'mousedown', (event) => {
     if (event.button === 1) event.preventDefault();
   });

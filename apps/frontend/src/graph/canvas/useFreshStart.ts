@@ -3,9 +3,9 @@ import { computed, ref, watch, type ComputedRef } from 'vue';
 import { isAlive } from '../../sessions/state/session-state.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 
-/** How long after a start values stand on the wires of a small graph, milliseconds. */
+/** Time after a start during which the wires of a small graph show values, milliseconds. */
 const FRESH_MS = 10_000;
-/** In graphs with more wires values would hide them. */
+/** Most wires of a small graph; in larger graphs values would hide the wires. */
 const MAX_WIRES = 12;
 
 /** True for some time after a start, so that the user sees whether values arrive. */

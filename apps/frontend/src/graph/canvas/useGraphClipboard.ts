@@ -7,15 +7,15 @@ import { copyText, paste } from '../model/selection/clipboard.ts';
 
 /** Nodes copied and pasted as text, within a graph and across sessions. */
 export interface GraphClipboard {
-  /** Why the last text could not be pasted. */
+  /** Reason why the last text could not be pasted. */
   readonly problem: Readonly<ShallowRef<string | undefined>>;
   copy(nodes: readonly string[]): void;
   cut(nodes: readonly string[]): void;
-  /** Pastes what was copied last, with its top left there. */
+  /** Pastes the clipboard with its top left at a position. */
   pasteAt(at: Point): Promise<void>;
 }
 
-/** What was copied last in this tab: pages without a safe origin may not read the clipboard. */
+/** Text that was copied last in this tab: pages without a secure context cannot read the clipboard. */
 let lastCopied = '';
 
 /** Keys copy, cut and paste while the canvas has the focus. */
@@ -37,7 +37,7 @@ export function useGraphClipboard(
     event.preventDefault();
     return true;
   }
-  /** @returns true when it was ours */
+  /** @returns true when the text was a graph */
   function put(text: string, position?: Point): boolean {
     problem.value = undefined;
     const pasted = paste(editor.graph.value, text, { uuid: randomUuid, position });
@@ -60,7 +60,7 @@ export function useGraphClipboard(
     if (isHere() && put(event.clipboardData?.getData('text/plain') ?? '')) event.preventDefault();
   });
 
-  /** As if the key had been pressed: that works on pages without a safe origin, too. */
+  /** Dispatches the key's command, which works without a secure context, too. */
   function press(what: 'copy' | 'cut', nodes: readonly string[]): void {
     editor.select(nodes);
     if (!isHere()) host.value?.focus({ preventScroll: true });
@@ -82,7 +82,7 @@ async function readClipboard(): Promise<string | undefined> {
   try {
     return await navigator.clipboard.readText();
   } catch {
-    // Not allowed, or no safe origin.
+    // Permission denied, or no secure context.
     return undefined;
   }
 }

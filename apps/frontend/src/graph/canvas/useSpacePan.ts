@@ -2,7 +2,7 @@ import { useEventListener } from '@vueuse/core';
 import type { Ref } from 'vue';
 import type { CanvasStage } from './canvas-stage.ts';
 
-/** While Space is held down, the pointer moves the canvas, wherever it goes down. */
+/** While Space is held, any pointer pans the canvas, also on nodes. */
 export function useSpacePan(host: Ref<HTMLElement | null>, stage: CanvasStage): void {
   function set(isPanning: boolean): void {
     stage.isPanning = isPanning;
@@ -11,7 +11,7 @@ export function useSpacePan(host: Ref<HTMLElement | null>, stage: CanvasStage): 
   useEventListener(host, 'keydown', (event: KeyboardEvent) => {
     const target = event.target as HTMLElement;
     const isOnCanvas = target === host.value || stage.container.contains(target);
-    // Buttons and fields keep their Space.
+    // Space keeps its meaning on buttons and in fields.
     if (event.key !== ' ' || !isOnCanvas || target.closest('button, input, textarea, select'))
       return;
     event.preventDefault();

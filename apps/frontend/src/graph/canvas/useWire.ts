@@ -10,17 +10,17 @@ import type { CanvasStage } from './canvas-stage.ts';
 import { overlaps } from './seen-area.ts';
 import { wireBox, wirePath, type WirePath } from './wire-path.ts';
 
-/** How a wire looks now. */
+/** Current appearance of a wire. */
 export interface WireLook {
-  /** Undefined while it is not on the screen. */
+  /** Undefined while the wire is off the screen. */
   readonly path: ComputedRef<WirePath | undefined>;
   readonly family: ComputedRef<DataFormatFamily>;
   readonly isList: ComputedRef<boolean>;
   readonly live: ComputedRef<LiveTopic | undefined>;
-  /** What it is led through now, also while it is dragged. */
+  /** Current bend points, also while they are dragged. */
   readonly points: ComputedRef<readonly Point[]>;
   readonly isSelected: ComputedRef<boolean>;
-  /** Another node or wire is what is looked at. */
+  /** True while another node or wire is highlighted. */
   readonly isDim: ComputedRef<boolean>;
 }
 

@@ -2,10 +2,10 @@ import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 
 const ZOOM_STEP = 1.25;
-/** How much of what is seen goes by with PageUp and PageDown. */
+/** Distance panned by PageUp and PageDown, as a share of the visible size. */
 const PAGE = 0.8;
 
-/** Pans and zooms: F, Home and 1 show all, 2 what is selected, 0 its own size. */
+/** Pans and zooms: F, Home and 1 show all, 2 the selection, 0 zooms to 100 %. */
 export function viewKey(
   stage: CanvasStage,
   editor: GraphEditor,

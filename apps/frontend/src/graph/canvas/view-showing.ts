@@ -1,12 +1,12 @@
 import type { Size } from '../model/graph.ts';
 import type { View } from './stage-view.ts';
 
-/** How much stays free around what is brought into view, pixels; docks lie over top and bottom. */
+/** Margins around a box that is brought into view, pixels; docks cover top and bottom. */
 const MARGIN = { left: 24, top: 60, right: 24, bottom: 72 };
 
 /**
- * The view moved as little as is needed to see a box of the canvas; undefined when it is seen. Of what
- * is larger than the viewport, the beginning is shown.
+ * Returns the view after the smallest pan that shows a box of the canvas; undefined when it is visible. Of a box larger
+ * than the viewport, the beginning is shown.
  */
 export function viewShowing(
   view: View,
@@ -23,6 +23,6 @@ export function viewShowing(
 
 function moved(from: number, to: number, least: number, most: number): number {
   if (from >= least && to <= most) return 0;
-  // Too far right or below: back; but the beginning stays seen.
+  // If it is beyond the right or bottom edge, pan back, but keep its beginning visible.
   return Math.max(Math.min(0, most - to), least - from);
 }

@@ -1,21 +1,21 @@
 import type { Point } from '../model/graph.ts';
 import { cornersOf, curvesOf, goesBack, onCurve } from './wire-path.ts';
 
-/** A place on a wire. */
+/** Point on a wire. */
 export interface WireSpot extends Point {
-  /** How many of the points of the wire come before it. */
+  /** Number of the wire's bend points before this point. */
   readonly leg: number;
 }
 
-/** A place on a wire near another place. */
+/** Point on a wire, and its distance from another point. */
 export interface NearSpot extends WireSpot {
   readonly distance: number;
 }
 
-/** Places that are looked at on each curve; between them wires are taken for straight. */
+/** Number of samples per curve; between them wires are taken as straight. */
 const STEPS = 16;
 
-/** Places along a wire, from its start to its end. */
+/** Samples of a wire from its start to its end. */
 export function spotsOf(from: Point, to: Point, points: readonly Point[]): readonly WireSpot[] {
   if (goesBack(from, to, points))
     return cornersOf(from, to).map((corner) => ({ ...corner, leg: 0 }));
@@ -25,7 +25,7 @@ export function spotsOf(from: Point, to: Point, points: readonly Point[]): reado
   );
 }
 
-/** The place on a wire that is nearest to another place. */
+/** Returns the point of a wire that is nearest to another point. */
 export function nearestOn(spots: readonly WireSpot[], place: Point): NearSpot | undefined {
   let best: NearSpot | undefined;
   for (let index = 1; index < spots.length; index += 1) {
@@ -41,11 +41,11 @@ function nearestBetween(a: WireSpot, b: WireSpot, place: Point): NearSpot {
   const along = whole === 0 ? 0 : ((place.x - a.x) * dx + (place.y - a.y) * dy) / whole;
   const part = Math.min(1, Math.max(0, along));
   const [x, y] = [a.x + dx * part, a.y + dy * part];
-  // Where two legs meet, the place belongs to the later one.
+  // Where two legs meet, the point belongs to the later one.
   return { x, y, leg: b.leg, distance: Math.hypot(place.x - x, place.y - y) };
 }
 
-/** The middle of the longest leg: where a point is added without a pointer. */
+/** Centre of the longest leg: position of a bend point added without a pointer. */
 export function roomiest(from: Point, to: Point, points: readonly Point[]): WireSpot {
   const stops = [from, ...points, to];
   let leg = 0;

@@ -1,13 +1,13 @@
 import type { Point } from '../model/graph.ts';
 import type { Box } from './stage-view.ts';
 
-/** How a wire is drawn, and where its chip stands. */
+/** SVG path of a wire, and the position of its chip. */
 export interface WirePath {
   readonly d: string;
   readonly middle: Point;
 }
 
-/** A cubic curve between two of the points a wire is led through. */
+/** Cubic curve between two consecutive points of a wire. */
 export interface Curve {
   readonly from: Point;
   readonly a: Point;
@@ -15,22 +15,22 @@ export interface Curve {
   readonly to: Point;
 }
 
-/** Corners of wires that go back. */
+/** Corner radius of wires that go back, canvas units. */
 const RADIUS = 14;
-/** How far a wire leaves a socket before it turns. */
+/** Straight distance of a wire from its socket, canvas units. */
 const REACH = 20;
 const MIN_BEND = 30;
-/** How far a curve through points keeps its direction, as a share of its length. */
+/** Length of the control handles of curves at bend points, as a share of the curve's length. */
 const ROUNDNESS = 0.36;
-/** How far below its ends a wire goes that goes back. */
+/** Distance of a backward wire below its ends, canvas units. */
 const DETOUR = 60;
-/** How far a wire without points may go beyond its ends. */
+/** Largest distance of a wire without bend points beyond its ends, canvas units. */
 const ROOM = DETOUR + RADIUS;
 
 const round = (value: number): number => Math.round(value * 10) / 10;
 const at = ({ x, y }: Point): string => `${round(x)} ${round(y)}`;
 
-/** From an output to an input, through the points it is led through. */
+/** Returns the path from an output to an input, through bend points. */
 export function wirePath(from: Point, to: Point, points: readonly Point[] = []): WirePath {
   if (goesBack(from, to, points)) {
     const corners = cornersOf(from, to);
@@ -42,7 +42,7 @@ export function wirePath(from: Point, to: Point, points: readonly Point[] = []):
   return { d: `M${at(from)}${d}`, middle: middleOfLongest(curves) };
 }
 
-/** What a wire does not leave. */
+/** Returns a box that contains the whole wire. */
 export function wireBox(from: Point, to: Point, points: readonly Point[] = []): Box {
   const all = [from, ...points, to];
   const x = Math.min(...all.map((point) => point.x));
@@ -53,11 +53,11 @@ export function wireBox(from: Point, to: Point, points: readonly Point[] = []): 
   return { x: x - room, y: y - room, width: width + 2 * room, height: height + 2 * room };
 }
 
-/** A wire without points goes back in steps; with points, it goes where it is led. */
+/** A wire without bend points goes back in steps; with bend points, it follows them. */
 export const goesBack = (from: Point, to: Point, points: readonly Point[]): boolean =>
   points.length === 0 && to.x - from.x < REACH;
 
-/** One curve to each point and one to the end: smooth at the points, flat at both sockets. */
+/** One curve per bend point and one to the end: smooth at bend points, horizontal at both sockets. */
 export function curvesOf(from: Point, to: Point, points: readonly Point[]): Curve[] {
   if (points.length === 0) {
     const bend = Math.max(MIN_BEND, (to.x - from.x) / 2);
@@ -92,7 +92,7 @@ export function onCurve({ from, a, b, to }: Curve, t: number): Point {
   };
 }
 
-/** Steps: out, half way down, back, the other half, in. */
+/** Corners of a backward wire: out, half way down, back, the other half, in. */
 export function cornersOf(from: Point, to: Point): readonly Point[] {
   const right = from.x + REACH;
   const left = to.x - REACH;
@@ -111,7 +111,7 @@ function rounded(corners: readonly Point[]): string {
   return `${d}L${at(corners.at(-1)!)}`;
 }
 
-/** The middle of the longest curve: beside the points, which are held there. */
+/** Centre of the longest curve, away from the bend points, which can be dragged. */
 function middleOfLongest(curves: readonly Curve[]): Point {
   let longest = curves[0]!;
   for (const curve of curves) {

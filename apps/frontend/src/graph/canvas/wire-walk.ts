@@ -5,8 +5,8 @@ import type { CanvasStage } from './canvas-stage.ts';
 import type { KeyWalk } from './keys/key-walk.ts';
 
 /**
- * Goes on to the next wire of a node, or to the one before: of the selected node, else of the node
- * at the start of the selected wire. Wires come from top to bottom, those that lead in first.
+ * Selects the next or previous wire of the selected node, or of the source node of the selected wire. Order: top to
+ * bottom, incoming wires first.
  */
 export function walkWires(editor: GraphEditor, stage: CanvasStage, step: 1 | -1): boolean {
   const { nodes, wire: id } = editor.selection.value;
@@ -25,7 +25,7 @@ export function walkWires(editor: GraphEditor, stage: CanvasStage, step: 1 | -1)
   if (wires.length === 0) return false;
   const at = wires.findIndex((wire) => wire.id === id);
   if (at < 0 && selected !== undefined) {
-    // It was walked to from a node that it is not of.
+    // The selected wire was reached from a node that it does not belong to.
     walked.delete(editor);
     return walkWires(editor, stage, step);
   }
@@ -36,10 +36,10 @@ export function walkWires(editor: GraphEditor, stage: CanvasStage, step: 1 | -1)
   return true;
 }
 
-/** The node whose wires are walked along. */
+/** Node whose wires are being traversed, by editor. */
 const walked = new WeakMap<GraphEditor, string>();
 
-/** From a wire to the node at one of its ends. */
+/** Moves the focus from a wire to the node at one of its ends. */
 export function goToEnd(
   editor: GraphEditor,
   walk: KeyWalk,

@@ -1,11 +1,11 @@
 import type { Point } from '../../model/graph.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 
-/** How near the edge the canvas begins to move, and how fast it does at most, pixels and a frame. */
+/** Width of the zone along the edges that pans the canvas, pixels, and its highest speed, pixels per frame. */
 const ZONE_PX = 28;
 const MAX_STEP_PX = 16;
 
-/** How far a canvas of a width moves in a frame when the pointer is at a place along it. */
+/** Returns the pan distance per frame for a pointer position along one axis, pixels. */
 export function edgeStep(place: number, width: number): number {
   const before = ZONE_PX - place;
   const behind = place - (width - ZONE_PX);
@@ -15,16 +15,16 @@ export function edgeStep(place: number, width: number): number {
   return before > 0 ? step : -step;
 }
 
-/** Moves the canvas while something is dragged to its edge. */
+/** Pans the canvas while something is dragged to its edge. */
 export class EdgePan {
   readonly #stage: CanvasStage;
   readonly #moved: (event: PointerEvent) => void;
   #event: PointerEvent | undefined;
-  /** What is taken near the edge does not run away: the pointer has to come there. */
+  /** A drag that starts near the edge pans only after the pointer has been inside. */
   #hasBeenInside = false;
   #frame: number | undefined;
 
-  /** @param moved is told that the canvas moved under the pointer */
+  /** @param moved called after the canvas moved under the pointer */
   constructor(stage: CanvasStage, moved: (event: PointerEvent) => void) {
     this.#stage = stage;
     this.#moved = moved;
@@ -54,7 +54,7 @@ export class EdgePan {
     const event = this.#event;
     if (event === undefined) return;
     void this.#stage.pan(this.#step(event)).then(() => {
-      // It may have been let go meanwhile.
+      // The drag may have ended in the meantime.
       if (this.#event !== undefined) this.#moved(this.#event);
     });
   }

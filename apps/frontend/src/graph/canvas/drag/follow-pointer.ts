@@ -1,13 +1,13 @@
-/** What happens to a pointer that is held down. */
+/** Callbacks for a pointer that is held down. */
 export interface PointerFollower {
   move(event: PointerEvent): void;
-  /** It was let go. */
+  /** The pointer was released. */
   drop(event: PointerEvent): void;
-  /** Escape, a second finger, or the window was left: everything as it was. */
+  /** Escape, a second finger, or the window lost the focus: restore the state before the drag. */
   cancel(): void;
 }
 
-/** Pointers that move less than this have clicked, pixels; fingers are never quite still. */
+/** Pointer movement up to which a press is a click, pixels; fingers are never quite still. */
 const CLICK_PX = 4;
 const TAP_PX = 10;
 
@@ -16,8 +16,8 @@ export const isClick = (start: PointerEvent, { clientX, clientY }: PointerEvent)
   (start.pointerType === 'touch' ? TAP_PX : CLICK_PX);
 
 /**
- * Follows a pointer that went down until it is let go; either `drop` or `cancel` is the last that is
- * called. @returns what cancels it
+ * Follows a pointer from `pointerdown` until its release; the last call is either `drop` or `cancel`. @returns a function
+ * that cancels it
  */
 export function followPointer(start: PointerEvent, follower: PointerFollower): () => void {
   const listening = new AbortController();

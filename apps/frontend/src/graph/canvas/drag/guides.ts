@@ -1,27 +1,27 @@
 import type { Point } from '../../model/graph.ts';
 import { snapToOthers, type Axis, type Box } from '../../model/selection/arrange.ts';
 
-/** A thin line along which boxes line up, across the canvas. */
+/** Guide line across the canvas along which boxes align. */
 export interface GuideLine {
   readonly axis: Axis;
-  /** Where it is on its axis. */
+  /** Coordinate of the line on its axis. */
   readonly at: number;
-  /** Where it begins and ends, on the other axis. */
+  /** Start and end of the line on the other axis. */
   readonly from: number;
   readonly to: number;
 }
 
 export interface Snapping {
-  /** What lies still and may be lined up with. */
+  /** Visible boxes that do not move, as alignment targets. */
   readonly others: readonly Box[];
-  /** How near is near, in units of the canvas; 0: nothing is lined up. */
+  /** Largest distance that snaps, in canvas units; 0: no alignment. */
   readonly reach: number;
   readonly grid: number;
-  /** What comes to lie on the grid. */
+  /** Point that snaps to the grid. */
   readonly anchor: Point;
 }
 
-/** How far a box is really moved, and what it lines up with then. */
+/** Movement of a box after snapping, and its guide lines. */
 export interface SnappedMove {
   readonly by: Point;
   readonly lines: readonly GuideLine[];
@@ -29,7 +29,7 @@ export interface SnappedMove {
 
 const onGrid = (value: number, grid: number): number => Math.round(value / grid) * grid;
 
-/** Lines up with others where that is near, else with the grid; each axis by itself. */
+/** Aligns with other boxes within reach, otherwise with the grid; each axis separately. */
 export function snapMove(
   box: Box,
   by: Point,
@@ -51,7 +51,7 @@ export function snapMove(
   return { by: snapped, lines: guides.map(({ axis, at }) => lineOf(axis, at, placed, others)) };
 }
 
-/** Half a pixel is lost where middles of odd sizes are lined up. */
+/** Aligning centres of odd sizes leaves half a pixel. */
 const TOLERANCE = 0.75;
 
 function lineOf(axis: Axis, at: number, box: Box, others: readonly Box[]): GuideLine {

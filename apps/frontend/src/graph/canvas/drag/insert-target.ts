@@ -5,7 +5,7 @@ import type { InsertPlace } from '../../model/selection/drop-nodes.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 import { nearestOn, spotsOf, type NearSpot, type WireSpot } from '../wire-hit.ts';
 
-/** Places on a wire as it is drawn now; none when one of its ends is not on the stage. */
+/** Points along a wire as drawn now; none when one of its ends is not on the stage. */
 export function spotsOnStage(
   stage: Pick<CanvasStage, 'socketAt'>,
   { from, to, points }: Wire,
@@ -14,9 +14,9 @@ export function spotsOnStage(
   return start && end ? spotsOf(start, end, points) : [];
 }
 
-/** The wire that would take in what is being dragged over it. */
+/** Wire that a dragged node would be inserted into. */
 export class InsertTarget {
-  /** Lit; undefined: none. */
+  /** Id of the highlighted wire; undefined: none. */
   readonly wire: ShallowRef<string | undefined> = shallowRef();
   #leg = 0;
   readonly #stage: Pick<CanvasStage, 'socketAt'>;
@@ -26,7 +26,7 @@ export class InsertTarget {
     this.#stage = stage;
   }
 
-  /** A node begins to be dragged; it need not be in the graph. Other wires stay where they are. */
+  /** Starts the drag of a node, which need not be in the graph. Wires it does not fit are ignored. */
   begin(graph: Graph, node: GraphNode): void {
     this.#candidates = wiresToInsertOn(graph, node).map((wire) => ({
       id: wire.id,
@@ -34,7 +34,7 @@ export class InsertTarget {
     }));
   }
 
-  /** Lights the nearest wire. @param reach how far off it may be, in units of the canvas */
+  /** Highlights the nearest wire. @param reach largest distance, in canvas units */
   over(place: Point, reach: number): void {
     let best: (NearSpot & { readonly id: string }) | undefined;
     for (const { id, spots } of this.#candidates) {
@@ -45,7 +45,7 @@ export class InsertTarget {
     this.#leg = best?.leg ?? 0;
   }
 
-  /** @returns where it was over a wire at last */
+  /** @returns the last place over a wire */
   end(): InsertPlace | undefined {
     const wire = this.wire.value;
     this.wire.value = undefined;

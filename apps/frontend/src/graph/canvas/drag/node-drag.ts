@@ -19,36 +19,36 @@ import { Shake } from './shake.ts';
 
 const NONE: ReadonlySet<string> = new Set();
 const NO_WAY: Point = { x: 0, y: 0 };
-/** How near others are lined up with, and wires taken in, pixels. */
+/** Largest distances for alignment and for insertion into a wire, pixels. */
 const GUIDE_PX = 6;
 const WIRE_PX = 26;
 
-/** Nodes in the hand. */
+/** Nodes being dragged. */
 interface Held {
-  /** The one under the pointer. */
+  /** Id of the node under the pointer. */
   readonly id: string;
-  /** Where the pointer took it, on the canvas. */
+  /** Canvas position where the pointer went down. */
   readonly grip: Point;
-  /** As they lay when it began. */
+  /** Boxes at the start of the drag. */
   boxes: readonly Box[];
-  /** What lies still and is seen. */
+  /** Visible boxes of nodes that are not dragged. */
   readonly others: readonly Box[];
   readonly shake: Shake;
   isDetached: boolean;
 }
 
-/** Drags nodes: lines them up, puts them on wires and into frames, takes them off their wires. */
+/** Drags nodes: aligns them, inserts them into wires and frames, disconnects them. */
 export class NodeDrag {
-  /** How far they are from where they were. */
+  /** Distance from their original positions. */
   readonly by: ShallowRef<Point> = shallowRef(NO_WAY);
   readonly lines: ShallowRef<readonly GuideLine[]> = shallowRef([]);
-  /** The frame they would join. */
+  /** Id of the frame they would join. */
   readonly frame: ShallowRef<string | undefined> = shallowRef();
-  /** Wires whose points go along. */
+  /** Ids of wires whose bend points move along. */
   readonly taken: ShallowRef<ReadonlySet<string>> = shallowRef(NONE);
-  /** Wires that come off. */
+  /** Ids of wires that are disconnected. */
   readonly loose: ShallowRef<ReadonlySet<string>> = shallowRef(NONE);
-  /** A pointer is down on a node, so that focus follows from it. */
+  /** True while a pointer is down on a node: focus changes come from it. */
   isPressed = false;
   readonly #editor: GraphEditor;
   readonly #stage: CanvasStage;
@@ -64,7 +64,7 @@ export class NodeDrag {
     this.#edge = new EdgePan(stage, (event) => this.#move(event));
   }
 
-  /** A pointer went down on a node. With Alt its wires come off. */
+  /** Handles a pointer that goes down on a node. With Alt, disconnects its wires. */
   press(start: PointerEvent, id: string): void {
     this.#cancel?.();
     const { nodes } = this.#editor.selection.value;
@@ -97,12 +97,12 @@ export class NodeDrag {
     });
   }
 
-  /** Puts everything back, also what was only pressed. */
+  /** Restores all positions, also of nodes that were only pressed. */
   cancel(): void {
     this.#cancel?.();
   }
 
-  /** The graph is another one now: what is gone is let go of. */
+  /** Handles a changed graph: releases removed nodes. */
   handleGraph(): void {
     const held = this.#held;
     if (held === undefined) return;
@@ -137,7 +137,7 @@ export class NodeDrag {
     this.#look(this.#held);
   }
 
-  /** Looks what wires have to do with it. */
+  /** Determines the wires that the drag affects. */
   #look({ id, boxes, isDetached }: Held): void {
     const graph = this.#editor.graph.value;
     const ids = new Set(boxes.map((box) => box.id));
@@ -146,7 +146,7 @@ export class NodeDrag {
     this.loose.value = isDetached ? wiresBetween(graph, ids) : NONE;
     this.#target.end();
     const node = free.nodes.get(id);
-    // What feeds others already is not taken in by every wire it passes.
+    // A node that has targets already is not inserted into the wires it passes.
     if (boxes.length === 1 && node !== undefined && wiresOf(free, id).out.length === 0)
       this.#target.begin(free, node);
   }
@@ -216,7 +216,7 @@ export class NodeDrag {
   }
 }
 
-/** Wires with one end at these nodes. */
+/** Returns the wires with exactly one end at these nodes. */
 function wiresBetween(graph: Graph, ids: ReadonlySet<string>): ReadonlySet<string> {
   const found = new Set<string>();
   for (const id of ids) {

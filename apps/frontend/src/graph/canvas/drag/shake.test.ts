@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Shake } from './shake.ts';
 
-/** @returns whether one of the moves made a shake */
+/** @returns whether one of the moves completes a shake */
 function shakes(xs: readonly number[], stepMs: number): boolean {
   const shake = new Shake();
   return xs.map((x, index) => shake.add(x, index * stepMs)).some(Boolean);

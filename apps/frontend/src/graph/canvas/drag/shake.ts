@@ -1,22 +1,22 @@
-/** Turns that make a shake, each after a way of its own, all within a short time. */
+/** Number of direction changes, each after a minimum distance and all within a short time, that count as a shake. */
 const TURNS = 4;
 const WAY_PX = 24;
 const WITHIN_MS = 900;
 
-/** Notices when something that is dragged is shaken from side to side. */
+/** Detects that a dragged element is shaken from side to side. */
 export class Shake {
   #turnX: number | undefined;
   #direction = 0;
   #turns: number[] = [];
 
-  /** @param x of the pointer, pixels. @returns true when this made a shake of it */
+  /** @param x of the pointer, pixels. @returns true when this position completes a shake */
   add(x: number, timeMs: number): boolean {
     if (this.#turnX === undefined) {
       this.#turnX = x;
       return false;
     }
     const way = x - this.#turnX;
-    // On its way the farthest place counts, for there it may turn.
+    // While the direction is unchanged, the farthest position is the possible turning point.
     if (Math.sign(way) === this.#direction) {
       this.#turnX = x;
       return false;

@@ -2,13 +2,13 @@ import type { NodeInfo } from '@ubii/proto';
 import { computed, shallowRef } from 'vue';
 import type { NewNode } from '../new-nodes.ts';
 
-/** A node that runs modules: dropped on a module it runs that one. */
+/** A node that runs modules; dropped on a module, it is assigned that module. */
 export interface HostItem {
   readonly kind: 'host';
   readonly host: NodeInfo;
 }
 
-/** What is being dragged from the palette, and where it is on the page, pixels. */
+/** Item being dragged from the palette, and its position on the page, pixels. */
 export interface DraggedItem {
   readonly item: NewNode | HostItem;
   readonly label: string;
@@ -16,26 +16,26 @@ export interface DraggedItem {
   readonly clientY: number;
 }
 
-/** One at a time, for one person has one pointer. */
+/** Item being dragged; there is only one pointer that drags. */
 export const draggedItem = shallowRef<DraggedItem>();
 
-/** The node that runs modules, while one is dragged. */
+/** Node that runs modules, while one is being dragged. */
 export const draggedHost = computed(() => {
   const item = draggedItem.value?.item;
   return item?.kind === 'host' ? item.host : undefined;
 });
 
-/** Pointers that move less than this have clicked, pixels; fingers are never quite still. */
+/** Pointer movement up to which a press is a click, pixels; fingers are never quite still. */
 const CLICK_PX = 5;
 const TAP_PX = 10;
-/** How long a finger rests on an item until it drags it instead of the list, milliseconds. */
+/** Time a finger must rest on an item to drag it instead of scrolling the list, milliseconds. */
 const REST_MS = 220;
 
 /**
- * Follows a pointer that went down on an item of the palette; works for mouse, pen and finger. A
- * finger scrolls the list, and drags the item when it moves sideways or has rested on it.
- * @param drop is told where it was let go
- * @param click is told when it was not dragged at all
+ * Follows a pointer (mouse, pen or finger) from `pointerdown` on an item of the palette. A finger scrolls the list; it
+ * drags the item when it moves sideways or has rested on it.
+ * @param drop called with the position of the drop
+ * @param click called when the item was not dragged
  */
 export function dragItem(
   start: PointerEvent,
@@ -64,7 +64,7 @@ export function dragItem(
     }
     hold(event);
   };
-  /** What is dragged is not scrolled, too. */
+  /** Prevent scrolling during the drag. */
   const scroll = (event: TouchEvent): void => {
     if (draggedItem.value !== undefined && event.cancelable) event.preventDefault();
   };

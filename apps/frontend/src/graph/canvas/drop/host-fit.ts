@@ -2,7 +2,7 @@ import { canRun } from '../../../sessions/words/node-words.ts';
 import type { GraphNode } from '../../model/graph.ts';
 import { draggedHost } from './drag-item.ts';
 
-/** True while a node is dragged that could not run this. */
+/** True while the node being dragged cannot run this module. */
 export function isHostMisfit(node: GraphNode): boolean {
   const host = draggedHost.value;
   if (host === undefined) return false;

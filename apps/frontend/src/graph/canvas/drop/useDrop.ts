@@ -18,29 +18,29 @@ import { keepPlaces } from '../keep-places.ts';
 import { newNode, type NewNode } from '../new-nodes.ts';
 import { nearestOn } from '../wire-hit.ts';
 
-/** What dropping works on. */
+/** State and commands that dropping uses. */
 export interface DropTarget {
   readonly host: Ref<HTMLElement | null>;
   readonly editor: GraphEditor;
   readonly stage: CanvasStage;
   readonly gesture: ConnectGesture;
   readonly target: InsertTarget;
-  /** Says in one line what could not be done. */
+  /** Announces in one line why a drop had no effect. */
   tell(sentence: string): void;
-  /** Puts it on the canvas by itself. */
+  /** Adds a node at a position. */
   place(item: NewNode, at: Point): void;
 }
 
 type TopicItem = Extract<NewNode, { kind: 'topic' }>;
 
-/** A topic stands this far from the socket it is wired to. */
+/** Horizontal distance of a topic from the socket it is wired to, canvas units. */
 const BEFORE = -280;
 const BEHIND = 110;
-/** It stands at least this far from the module, and is looked a place for so far around. */
+/** Smallest distance of a topic from the module, and size of the area searched for a free position, canvas units. */
 const APART = 40;
 const AROUND = 1600;
 
-/** What was dragged from the palette lands on a socket, on a wire or on the canvas. */
+/** Returns the handler for items dropped from the palette on a socket, a wire or the canvas. */
 export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
   const { host, editor, stage, gesture, target: wires, place, tell } = on;
   useWireUnder(on);
@@ -49,7 +49,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const spot = wires.end();
     const under = document.elementFromPoint(clientX, clientY);
     if (!host.value?.contains(under)) return;
-    // What was dropped is gone on with by keys.
+    // Focus the canvas so that its keys apply to the new node.
     host.value.focus();
     if (item.kind === 'host') {
       runOn(item, under);
@@ -71,7 +71,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     }
   };
 
-  /** The port in whose row a topic was dropped: beside the socket, too, the row is meant. */
+  /** Port in whose row a topic was dropped: the whole row counts, not only its socket. */
   function rowUnder(under: Element | null): PortRef | undefined {
     const { node, rowPort } = under?.closest<HTMLElement>('[data-row-port]')?.dataset ?? {};
     return node === undefined || rowPort === undefined ? undefined : { node, port: rowPort };
@@ -103,7 +103,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     return true;
   }
 
-  /** Says why a module that was dropped on a wire is not part of it. */
+  /** Announces why a module dropped on a wire was not inserted. */
   function tellMisfit(item: NewNode, pointer: Point): void {
     if (item.kind !== 'module') return;
     const graph = editor.graph.value;
@@ -128,7 +128,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
       stage.socketAt(port, isInput ? 'in' : 'out') ?? stage.toCanvas(at.clientX, at.clientY);
     const size = drawnSize(newNode(item, socket, randomUuid));
     const beside = { x: socket.x + (isInput ? BEFORE : BEHIND), y: socket.y - size.height / 2 };
-    // Values flow to the right: above or below the module the wire would lead back.
+    // Data flows to the right: above or below the module, the wire would lead back.
     const area = {
       x: isInput ? socket.x - AROUND : socket.x + APART,
       y: socket.y - AROUND / 2,
@@ -146,10 +146,10 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
   }
 }
 
-/** How near a wire what is dragged goes in between, pixels. */
+/** Largest distance from a wire at which a dragged item is inserted into it, pixels. */
 const WIRE_PX = 22;
 
-/** Lights the wire that would take in what is dragged from the palette. */
+/** Highlights the wire that an item dragged from the palette would be inserted into. */
 function useWireUnder({ host, editor, stage, target }: DropTarget): void {
   let item: NewNode | undefined;
   watch(draggedItem, (dragged) => {

@@ -10,9 +10,9 @@ import { resizeBox, type Handle } from './resize-box.ts';
 
 const snap = (value: number): number => Math.round(value / GRID) * GRID;
 
-/** Makes frames and notes larger and smaller by their handles. */
+/** Resizes frames and notes by their handles. */
 export class NodeResize {
-  /** How large a node is while it is resized. */
+  /** Box of the node being resized. */
   readonly shown: ShallowRef<{ readonly id: string; readonly box: Box } | undefined> = shallowRef();
   readonly #editor: GraphEditor;
   readonly #stage: CanvasStage;
@@ -23,7 +23,7 @@ export class NodeResize {
     this.#stage = stage;
   }
 
-  /** A pointer went down on a handle. */
+  /** Handles a pointer that goes down on a handle. */
   press(start: PointerEvent, { id, kind }: FrameNode | CommentNode, handle: Handle): void {
     this.#cancel?.();
     const [before] = this.#stage.boxes([id]);
@@ -56,7 +56,7 @@ export class NodeResize {
     this.#cancel?.();
   }
 
-  /** The graph is another one now: a node that is gone is let go of. */
+  /** Handles a changed graph: releases a removed node. */
   handleGraph(): void {
     const id = this.shown.value?.id;
     if (id !== undefined && !this.#editor.graph.value.nodes.has(id)) this.cancel();

@@ -1,13 +1,13 @@
 import type { Point, Size } from '../../model/graph.ts';
 import type { Box } from '../stage-view.ts';
 
-/** Which edges of a box a handle moves: -1 the left or top one, 1 the right or bottom one. */
+/** Edges of a box that a handle moves: -1 left or top, 1 right or bottom. */
 export interface Handle {
   readonly x: -1 | 0 | 1;
   readonly y: -1 | 0 | 1;
 }
 
-/** Nodes that people give a size to. */
+/** Kinds of nodes that users can resize. */
 export type SizedKind = 'frame' | 'comment';
 
 const LEAST: Readonly<Record<SizedKind, Size>> = {
@@ -23,7 +23,7 @@ export function limitSize(kind: SizedKind, { width, height }: Size): Size {
   };
 }
 
-/** A box when one of its handles is dragged: the edges opposite to it stay. */
+/** Returns the box after a handle was dragged; the opposite edges stay. */
 export function resizeBox(
   kind: SizedKind,
   { x, y, width, height }: Box,

@@ -4,24 +4,24 @@ import { portFormat, portOf } from '../../model/port-format.ts';
 import { wiresAt } from '../../model/wires-of.ts';
 import { nodeTitle } from '../../nodes/node-label.ts';
 
-/** What is under the pointer: a wire with its chip, or a socket. */
+/** Hovered element: a wire with its chip, or a socket. */
 export type HoverTarget =
   | { readonly kind: 'wire'; readonly wire: string }
   | { readonly kind: 'port'; readonly ref: PortRef };
 
-/** What is said of it. */
+/** Texts of the hover card. */
 export interface HoverWords {
   readonly title: string;
-  /** Whose values are shown; undefined when there is no single topic. */
+  /** Topic of the values; undefined when there is no single topic. */
   readonly topic: string | undefined;
   readonly format: string;
-  /** Of an input or output of a module: what its values mean. [PM-6] */
+  /** Description of the values of an input or output of a module. [PM-6] */
   readonly about?: string | undefined;
-  /** What stands there instead of values. */
+  /** Text shown instead of values. */
   readonly note: string | undefined;
 }
 
-/** Reads what an element of the canvas stands for. */
+/** Returns the wire or socket that an element of the canvas belongs to. */
 export function hoverTarget(element: Element | null): HoverTarget | undefined {
   const found = element?.closest<HTMLElement>('[data-wire], [data-wire-chip], [data-port]');
   const { wire, wireChip, node, port } = found?.dataset ?? {};

@@ -2,28 +2,28 @@ import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 import { hoverTarget, isSameTarget, type HoverTarget } from './hover-target.ts';
 
-/** How long a pointer rests before values are asked for, milliseconds. */
+/** Time a pointer must rest before values are requested, milliseconds. */
 const REST_MS = 300;
-/** Time without a hover card after a press, so that it does not cover wires being drawn. */
+/** Time without a hover card after a press, so that it does not cover wires being drawn, milliseconds. */
 const CALM_MS = 1200;
 
-/** What is pointed at, and where on the page. */
+/** Hovered element, and its position on the page. */
 export interface Hovered {
   readonly target: HoverTarget;
   readonly clientX: number;
   readonly clientY: number;
-  /** It was reached by a key: the card stands below its node. */
+  /** Reached by keyboard: the card is shown below its node. */
   readonly isBelow: boolean;
-  /** Right edge of what it belongs to, on the page. */
+  /** Right edge of the node, on the page. */
   readonly right: number;
 }
 
-/** Follows what a pointer rests on, or the keyboard has reached on the canvas. Fingers ask by the menu. */
+/** Tracks the element that the pointer rests on or the keyboard has reached. Touch uses the context menu instead. */
 export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | undefined>> {
   const hovered = shallowRef<Hovered>();
   let next: HoverTarget | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  /** What was pressed last says nothing until the pointer has left it. */
+  /** A pressed element shows no card until the pointer has left it. */
   let pressed: HoverTarget | undefined;
   let calmUntil = 0;
 

@@ -8,21 +8,21 @@ import type { CanvasStage } from '../canvas-stage.ts';
 import { viewShowing } from '../view-showing.ts';
 import { firstIn, neighbour } from './neighbour.ts';
 
-/** What the keyboard is at: a node, or one of its sockets. */
+/** Node, or one of its sockets, that has the keyboard focus. */
 export interface KeyPlace {
   readonly node: string;
   readonly port: string | undefined;
 }
 
-/** Frames of the browser until a socket that comes into view is drawn. */
+/** Most animation frames to wait until a socket that scrolls into view is rendered. */
 const MAX_FRAMES = 12;
 
 /**
- * Moves the focus with arrow keys: from node to node, and along the flow from a node to its sockets
- * and over their wires. What gets the focus is selected and brought into view.
+ * Moves the focus with arrow keys: from node to node, and in the direction of the data from a node to its sockets and
+ * along their wires. The focused node is selected and brought into view.
  */
 export class KeyWalk {
-  /** What has the focus of the keyboard. */
+  /** Focused node or socket. */
   readonly at: ShallowRef<KeyPlace | undefined> = shallowRef();
   readonly #editor: GraphEditor;
   readonly #stage: CanvasStage;
@@ -32,7 +32,7 @@ export class KeyWalk {
     this.#stage = stage;
   }
 
-  /** @param target of the key event @returns false where there is nothing to go to */
+  /** @param target of the key event @returns false when nothing lies in that direction */
   arrow(target: HTMLElement, way: Point): boolean {
     const place = placeOf(target);
     if (place === undefined) return this.#enter();
@@ -41,7 +41,7 @@ export class KeyWalk {
     return this.#fromSocket({ node: place.node, port: port.id }, port, way);
   }
 
-  /** From a socket back to its node. @returns false where the focus is on no socket */
+  /** Moves the focus from a socket to its node. @returns false when no socket has the focus */
   leaveSocket(target: HTMLElement): boolean {
     const place = placeOf(target);
     if (place?.port === undefined) return false;
@@ -49,7 +49,7 @@ export class KeyWalk {
     return true;
   }
 
-  /** The socket that has the focus; else the one of the node that a wire would start at. */
+  /** Returns the focused socket; for a node, the socket at which a new wire starts. */
   socketFor(target: HTMLElement): PortRef | undefined {
     const place = placeOf(target);
     const [only, ...others] = this.#editor.selection.value.nodes;
@@ -76,7 +76,7 @@ export class KeyWalk {
     if (!isFound) await this.focusNode(ref.node);
   }
 
-  /** From the canvas itself: to what is selected, else to the first node in view. */
+  /** Moves the focus from the canvas to the selection, otherwise to the first visible node. */
   #enter(): boolean {
     const [selected] = this.#editor.selection.value.nodes;
     const id = selected ?? firstIn(this.#stage.boxes(), this.#stage.seen)?.id;
@@ -120,7 +120,7 @@ export class KeyWalk {
     const boxes = this.#stage.boxes();
     const from = boxes.find(({ id }) => id === node);
     const next = from && neighbour(boxes, from, way);
-    // At the edge the key is still ours: nothing else moves.
+    // At the edge the key is handled, too, so that the page does not scroll.
     if (next !== undefined) void this.focusNode(next.id);
     return true;
   }
@@ -141,12 +141,12 @@ export class KeyWalk {
     if (next !== undefined) await this.#stage.look(next);
   }
 
-  /** Waits for what is not drawn yet. @returns whether it came */
+  /** Waits until the element is rendered, and focuses it. @returns whether it was rendered */
   async #focus(find: () => HTMLElement | null | undefined): Promise<boolean> {
     for (let frame = 0; frame < MAX_FRAMES; frame += 1) {
       const element = find();
       if (element) {
-        // Browsers would scroll the canvas, which is panned instead.
+        // Otherwise browsers scroll the canvas, which is panned instead.
         element.focus({ preventScroll: true });
         return true;
       }
@@ -156,7 +156,7 @@ export class KeyWalk {
   }
 }
 
-/** The node or socket that an element belongs to. */
+/** Node or socket that an element belongs to. */
 export function placeOf(element: Element): KeyPlace | undefined {
   const node = element.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
   if (node === undefined) return undefined;
@@ -165,8 +165,8 @@ export function placeOf(element: Element): KeyPlace | undefined {
 }
 
 /**
- * Where a wire starts that is asked for at a node: at the main input of a module that nothing feeds, else
- * at an output, else at an input, that has none yet.
+ * Returns the port at which a wire requested for a node starts: the main input if it has no wire, otherwise the first
+ * unwired output, otherwise the first unwired input.
  */
 export function startOf(graph: Graph, node: string): Port | undefined {
   const ports = graph.nodes.get(node)?.ports ?? [];

@@ -1,11 +1,11 @@
 import type { Point, Size } from '../../model/graph.ts';
 import type { Box } from '../../model/selection/arrange.ts';
 
-/** How much a way aside counts against a way ahead. */
+/** Weight of sideways distance relative to distance ahead. */
 const ASIDE = 2.5;
 
 /**
- * The box next to another one in a direction.
+ * Returns the nearest box in a direction.
  * @param way one of the four unit vectors
  */
 export function neighbour(boxes: readonly Box[], from: Box, way: Point): Box | undefined {
@@ -26,7 +26,10 @@ export function neighbour(boxes: readonly Box[], from: Box, way: Point): Box | u
   return best;
 }
 
-/** The first of the boxes in an area as values flow: the leftmost, and of those the topmost; of all boxes when none is in it. */
+/**
+ * Returns the first box in an area in the direction of the data: the leftmost, then the topmost; of all boxes when the
+ * area has none.
+ */
 export function firstIn(boxes: readonly Box[], area: Point & Size): Box | undefined {
   const isIn = ({ x, y, width, height }: Box): boolean =>
     x < area.x + area.width &&

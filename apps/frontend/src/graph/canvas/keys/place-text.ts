@@ -8,13 +8,13 @@ import { wiresAt, wiresOf } from '../../model/wires-of.ts';
 import { nodeKind, nodeTitle } from '../../nodes/node-label.ts';
 import type { KeyPlace } from './key-walk.ts';
 
-/** The full name of a node or socket, and what it is. */
+/** Full name of a node or socket, and its description. */
 export interface PlaceText {
   readonly name: string;
   readonly rest: string;
 }
 
-/** What keyboard users read about the node or socket that has the focus. */
+/** Returns the text for keyboard users about the focused node or socket. */
 export function placeText(graph: Graph, { node: id, port }: KeyPlace): PlaceText | undefined {
   const node = graph.nodes.get(id);
   if (node === undefined) return undefined;
@@ -36,7 +36,7 @@ export function placeText(graph: Graph, { node: id, port }: KeyPlace): PlaceText
   return { name: portName(graph, ref), rest: `${side}, ${format}, ${state}` };
 }
 
-/** The value at a node or socket now, one sentence; empty where there is none. */
+/** Returns the current value at a node or socket, one sentence; empty if there is none. */
 export function valueText(
   graph: Graph,
   { node: id, port }: KeyPlace,

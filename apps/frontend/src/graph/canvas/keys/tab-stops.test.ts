@@ -13,7 +13,7 @@ describe('nextStop', () => {
   };
 
   beforeEach(() => {
-    // Nothing is laid out in the test.
+    // The test environment has no layout.
     vi.spyOn(Element.prototype, 'getClientRects').mockReturnValue([{}] as unknown as DOMRectList);
     host = document.createElement('div');
     host.tabIndex = 0;

@@ -1,6 +1,6 @@
 const TABBABLE = 'a[href], button, input, select, textarea, [tabindex]';
 
-/** What Tab reaches within an element, in order. */
+/** Returns the tabbable elements within an element, in order. */
 export function tabStops(root: Element): HTMLElement[] {
   return [...root.querySelectorAll<HTMLElement>(TABBABLE)].filter(
     (element) =>
@@ -9,10 +9,10 @@ export function tabStops(root: Element): HTMLElement[] {
 }
 
 /**
- * Where Tab goes on a canvas: it is one stop, and fields are reached from the node they belong to.
- * Undefined: wherever the browser goes.
+ * Returns the target of Tab on a canvas: the canvas is one stop, and fields are reached from their node. Undefined: the
+ * browser decides.
  * @param host the canvas with the tools that float over it
- * @param stage what holds the nodes
+ * @param stage the element with the nodes
  * @param current the node that has, or had, the focus
  */
 export function nextStop(

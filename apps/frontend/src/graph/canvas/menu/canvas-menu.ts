@@ -3,7 +3,7 @@ import { commentNode } from '../../model/make-node.ts';
 import { onGrid } from '../free-spot.ts';
 import { action, separated, type MenuEntry, type MenuPlace } from './menu-entry.ts';
 
-/** What can be done where nothing is. */
+/** Returns the menu entries for empty canvas. */
 export function canvasMenu(graph: Graph, { at, uuid, isTouch }: MenuPlace): MenuEntry[] {
   const note = commentNode(`comment:${uuid()}`, '', { position: onGrid(at) });
   const nodes = [...graph.nodes.keys()];

@@ -20,7 +20,7 @@ const ALIGNMENTS: readonly (readonly [Alignment, text: string, shortcut: string]
   ['bottom', 'Bottom edges', 'Alt S'],
 ];
 
-/** Frames nodes, and lines several of them up. */
+/** Returns the entries that frame and align nodes. */
 export function lineUpMenu(
   graph: Graph,
   nodes: readonly GraphNode[],
@@ -49,7 +49,7 @@ export function lineUpMenu(
   ];
 }
 
-/** Out of the frame that each is in, and into the one around that. */
+/** Moves nodes out of their frame into the frame around it, if any. */
 function takeOut({ nodes: all }: Graph, nodes: readonly GraphNode[]): GraphCommand {
   const commands = nodes.map(({ id, frame = '' }): GraphCommand => {
     return { kind: 'setFrame', nodes: [id], frame: frameLeft(all, id, new Set([frame])) };
@@ -60,7 +60,7 @@ function takeOut({ nodes: all }: Graph, nodes: readonly GraphNode[]): GraphComma
 }
 
 function lines(boxes: readonly Box[]): MenuAction[] {
-  // Store a position for all of them: the layout would move nodes without a position around the others.
+  // Store a position for all nodes: the layout would move nodes without one around the others.
   const move = (places: Places): GraphCommand => ({
     kind: 'move',
     positions: new Map([...boxes.map(({ id, x, y }) => [id, { x, y }] as const), ...places]),

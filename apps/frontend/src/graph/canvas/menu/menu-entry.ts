@@ -1,14 +1,14 @@
 import type { GraphCommand } from '../../model/commands/graph-command.ts';
 import type { Point, PortRef } from '../../model/graph.ts';
 
-/** What a menu is about. */
+/** Target of a context menu. */
 export type MenuTarget =
   | { readonly kind: 'nodes'; readonly nodes: readonly string[] }
   | { readonly kind: 'wire'; readonly wire: string }
   | { readonly kind: 'socket'; readonly port: PortRef }
   | { readonly kind: 'canvas' };
 
-/** What happens beside the graph when an entry is chosen. */
+/** Effect of an entry besides a change of the graph. */
 export type MenuRequest =
   | { readonly kind: 'inspect'; readonly node: string }
   | { readonly kind: 'copy' | 'cut'; readonly nodes: readonly string[] }
@@ -19,10 +19,10 @@ export type MenuRequest =
   | { readonly kind: 'paste'; readonly at: Point }
   | { readonly kind: 'arrange' | 'fit' | 'find' };
 
-/** What an entry does: a step that can be undone, a request, or the one after the other. */
+/** Effect of an entry: an undoable command, a request, or the command followed by the request. */
 export interface MenuDeed {
   readonly command?: GraphCommand;
-  /** What is selected after the command. */
+  /** Ids of nodes to select after the command. */
   readonly select?: readonly string[];
   readonly request?: MenuRequest;
 }
@@ -36,22 +36,22 @@ export type MenuEntry =
 export interface MenuAction extends MenuDeed {
   readonly kind: 'action';
   readonly text: string;
-  /** Keys that do the same: `Ctrl D`. */
+  /** Keyboard shortcut: `Ctrl D`. */
   readonly shortcut?: string;
   readonly isDanger?: boolean;
 }
 
-/** What entries need to know besides the graph. */
+/** Context that entries need besides the graph. */
 export interface MenuPlace {
-  /** Where the menu was asked for, on the canvas. */
+  /** Position of the menu on the canvas. */
   readonly at: Point;
-  /** How large and where a node is drawn. */
+  /** Returns the drawn box of a node. */
   boxOf(node: string): (Point & { readonly width: number; readonly height: number }) | undefined;
-  /** Where a wire is nearest to the place, and which of its points comes after that. */
+  /** Returns the place on a wire nearest to the menu, and the index of the bend point after it. */
   spotOn(wire: string): (Point & { readonly leg: number }) | undefined;
-  /** Gives a new UUID. */
+  /** Returns a new UUID. */
   uuid(): string;
-  /** Asked for with a finger or a pen. */
+  /** True when opened with a finger or a pen. */
   readonly isTouch: boolean;
 }
 
@@ -63,7 +63,7 @@ export const action = (
   look: { readonly shortcut?: string; readonly isDanger?: boolean } = {},
 ): MenuAction => ({ kind: 'action', text, ...deed, ...look });
 
-/** Groups of lines with separators between those that are not empty. */
+/** Joins groups of entries, with separators between those that are not empty. */
 export function separated(...groups: readonly (readonly MenuEntry[])[]): MenuEntry[] {
   return groups
     .filter((group) => group.length > 0)

@@ -5,7 +5,7 @@ import { nodesMenu } from './nodes-menu.ts';
 import { socketMenu } from './socket-menu.ts';
 import { wireMenu } from './wire-menu.ts';
 
-/** What can be done with something on the canvas: only what applies; nothing for what is gone. */
+/** Returns the applicable menu entries for an element of the canvas; none if it was removed. */
 export function menuOf(graph: Graph, target: MenuTarget, place: MenuPlace): MenuEntry[] {
   switch (target.kind) {
     case 'nodes':
@@ -19,9 +19,7 @@ export function menuOf(graph: Graph, target: MenuTarget, place: MenuPlace): Menu
   }
 }
 
-/**
- * The nodes a menu on one of them is about: all that are selected when it is one of those.
- */
+/** Nodes that a menu on one node applies to: the whole selection if the node is selected. */
 export function nodesMeant(selected: ReadonlySet<string>, node: string): readonly string[] {
   return selected.has(node) ? [...selected] : [node];
 }

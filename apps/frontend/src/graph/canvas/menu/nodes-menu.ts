@@ -13,7 +13,7 @@ import {
   type MenuPlace,
 } from './menu-entry.ts';
 
-/** What can be done with one node, or with several at once. */
+/** Returns the menu entries for one or several nodes. */
 export function nodesMenu(graph: Graph, ids: readonly string[], place: MenuPlace): MenuEntry[] {
   const nodes = ids.flatMap((id) => graph.nodes.get(id) ?? []);
   const [only] = nodes;
@@ -29,7 +29,7 @@ export function nodesMenu(graph: Graph, ids: readonly string[], place: MenuPlace
   );
 }
 
-/** What kinds of nodes carry as words of their own. */
+/** Kinds of nodes with a text of their own that can be edited. */
 const NAMED: ReadonlySet<GraphNode['kind']> = new Set([
   'topic',
   'muxer',

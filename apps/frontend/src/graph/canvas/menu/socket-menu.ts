@@ -6,7 +6,7 @@ import { portOf } from '../../model/port-format.ts';
 import { wiresAt } from '../../model/wires-of.ts';
 import { action, separated, type MenuEntry, type MenuPlace } from './menu-entry.ts';
 
-/** What can be done with an input or output. */
+/** Returns the menu entries for an input or output. */
 export function socketMenu(graph: Graph, ref: PortRef, { at }: MenuPlace): MenuEntry[] {
   const port = portOf(graph, ref);
   const node = graph.nodes.get(ref.node);

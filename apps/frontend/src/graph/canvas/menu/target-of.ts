@@ -1,13 +1,13 @@
 import type { PortRef } from '../../model/graph.ts';
 
-/** What lies under a pointer, by the marks views carry. */
+/** Element of the graph under a pointer, by `data` attributes of the views. */
 export type Found =
   | { readonly kind: 'node'; readonly node: string }
   | { readonly kind: 'wire'; readonly wire: string }
   | { readonly kind: 'socket'; readonly port: PortRef }
   | { readonly kind: 'canvas' };
 
-/** @param element what was pointed at, or has the focus */
+/** @param element under the pointer, or with the focus */
 export function foundAt(element: Element | null): Found {
   const socket = element?.closest<HTMLElement>('[data-port]')?.dataset;
   if (socket?.['node'] !== undefined && socket['port'] !== undefined)

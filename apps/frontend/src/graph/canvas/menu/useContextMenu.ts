@@ -11,26 +11,26 @@ import type { MenuAction, MenuEntry, MenuRequest, MenuTarget } from './menu-entr
 import { menuOf, nodesMeant } from './menu-of.ts';
 import { foundAt, type Found } from './target-of.ts';
 
-/** A menu that is open, and where it was asked for on the page, pixels. */
+/** An open menu, and its position on the page, pixels. */
 export interface OpenMenu {
   readonly entries: readonly MenuEntry[];
   readonly label: string;
   readonly left: number;
   readonly top: number;
-  /** What a finger asked for, when values pass there. */
+  /** Wire or socket under the finger, if it has values to show. */
   readonly about: HoverTarget | undefined;
 }
 
 export interface GraphMenu {
   readonly open: Readonly<ShallowRef<OpenMenu | undefined>>;
-  /** For what lies there. */
+  /** Opens the menu for the element at a position. */
   ask(at: { clientX: number; clientY: number }, target: Element | null, isTouch: boolean): void;
   choose(action: MenuAction): void;
-  /** Escape: back to where the keys were. */
+  /** Closes the menu and returns the focus. */
   close(): void;
 }
 
-/** What the menu works on. */
+/** State that the menu uses. */
 export interface MenuSurroundings {
   readonly host: Ref<HTMLElement | null>;
   readonly editor: GraphEditor;
@@ -44,10 +44,10 @@ const LABELS: Readonly<Record<MenuTarget['kind'], string>> = {
   socket: 'Socket actions',
   canvas: 'Canvas actions',
 };
-/** How far below the top left of what has the focus a menu of the keyboard opens, pixels. */
+/** Distance of a menu opened by keyboard from the top left of the focused element, pixels. */
 const KEY_INSET = 24;
 
-/** The context menu: right click, the menu key, Shift F10; long presses ask for it themselves. */
+/** Context menu: right click, the menu key, Shift F10; long presses call `ask` themselves. */
 export function useContextMenu({ host, editor, stage, handle }: MenuSurroundings): GraphMenu {
   const open = shallowRef<OpenMenu>();
   let back: HTMLElement | null = null;
@@ -81,7 +81,7 @@ export function useContextMenu({ host, editor, stage, handle }: MenuSurroundings
       isTouch,
     });
     if (entries.length === 0) return;
-    // What the menu is about is what is selected.
+    // Select the target of the menu.
     if (target.kind === 'wire') editor.selectWire(target.wire);
     else if (target.kind === 'nodes') editor.select(target.nodes);
     back = document.activeElement instanceof HTMLElement ? document.activeElement : null;
@@ -106,10 +106,10 @@ export function useContextMenu({ host, editor, stage, handle }: MenuSurroundings
 
   useEventListener(host, 'contextmenu', (event) => {
     const target = event.target instanceof Element ? event.target : null;
-    // Fields and what floats over the canvas keep the menu of the browser.
+    // Fields and elements that float over the canvas keep the browser's menu.
     if (target?.closest('input, textarea, .floating') || !target?.closest('.graph-stage')) return;
     event.preventDefault();
-    // Fingers ask by holding still; some browsers tell of that, too.
+    // Touch opens the menu by a long press, for which some browsers also send `contextmenu`.
     if (event instanceof PointerEvent && event.pointerType === 'touch') return;
     if (open.value !== undefined && event.button !== 2) return;
     ask(event, target, false);
@@ -126,7 +126,7 @@ export function useContextMenu({ host, editor, stage, handle }: MenuSurroundings
     ask({ clientX: left + KEY_INSET, clientY: top + KEY_INSET }, element, false);
   });
 
-  /** With the focus on the canvas itself, what is selected is meant. */
+  /** With the focus on the canvas itself, the menu applies to the selection. */
   function elementMeant(active: Element): Element {
     if (active !== host.value) return active;
     const { nodes, wire } = editor.selection.value;

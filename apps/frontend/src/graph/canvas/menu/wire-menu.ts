@@ -4,7 +4,7 @@ import { addPoint, removePoints } from '../../model/selection/wire-points.ts';
 import { topicOfWire } from '../../live/topics-in-graph.ts';
 import { action, separated, type MenuEntry, type MenuPlace } from './menu-entry.ts';
 
-/** What can be done with a wire, at the place that was pointed at. */
+/** Returns the menu entries for a wire, at the place of the pointer. */
 export function wireMenu(graph: Graph, id: string, { at, spotOn }: MenuPlace): MenuEntry[] {
   const wire = graph.wires.get(id);
   if (wire === undefined) return [];

@@ -6,11 +6,11 @@ import { nodeTitle } from '../../nodes/node-label.ts';
 const NAMES: InjectionKey<ComputedRef<SortedNames>> = Symbol('names of nodes');
 const NONE = computed((): SortedNames => []);
 
-/** Gives the titles of all nodes to the views below, so that shortened ones can be distinguished. */
+/** Provides the titles of all nodes to child views, so that shortened titles stay distinguishable. */
 export function provideNodeNames(graph: () => Graph): void {
   const titles = computed<SortedNames>((before) => {
     const next = sortedNames([...graph().nodes.values()].map(nodeTitle));
-    // Moving a node changes the graph, and no name.
+    // Moving a node changes the graph, but no name: keep the same array.
     const isSame = before?.length === next.length && next.every((name, at) => name === before[at]);
     return isSame && before !== undefined ? before : next;
   });

@@ -10,7 +10,7 @@ import { spotsOnStage } from '../drag/insert-target.ts';
 import { GRID, onGrid } from '../free-spot.ts';
 import { nearestOn, roomiest } from '../wire-hit.ts';
 
-/** One of the points a wire is led through. */
+/** Bend point of a wire. */
 export interface WirePoint {
   readonly wire: string;
   readonly index: number;
@@ -18,9 +18,9 @@ export interface WirePoint {
 
 const GUIDE_PX = 6;
 
-/** Leads wires through points: adds, drags and removes them, with pointers and keys. */
+/** Adds, drags and removes bend points of wires, with pointers and keys. */
 export class WirePoints {
-  /** How a wire is led while one of its points is dragged. */
+  /** Bend points of a wire while one of them is dragged. */
   readonly shown: ShallowRef<
     { readonly wire: string; readonly points: readonly Point[] } | undefined
   > = shallowRef();
@@ -35,7 +35,7 @@ export class WirePoints {
     this.#stage = stage;
   }
 
-  /** The point keys work on, as long as it is there and its wire is selected. */
+  /** Bend point that keys apply to, while it exists and its wire is selected. */
   get selected(): WirePoint | undefined {
     const picked = this.#picked.value;
     if (picked === undefined || this.#editor.selection.value.wire !== picked.wire) return undefined;
@@ -48,7 +48,7 @@ export class WirePoints {
     if (point !== undefined) this.#editor.selectWire(point.wire);
   }
 
-  /** A pointer went down on a point. */
+  /** Handles a pointer that goes down on a bend point. */
   press(start: PointerEvent, point: WirePoint): void {
     this.select(point);
     const wire = this.#wire(point.wire);
@@ -57,7 +57,7 @@ export class WirePoints {
     this.#follow(start, wire.points, point, at, (to) => movePoint(wire, point.index, to));
   }
 
-  /** A pointer went down on a wire: dragged, it is bent where it was taken. */
+  /** Handles a pointer that goes down on a wire: dragging adds a bend point there. */
   pressWire(start: PointerEvent, id: string): void {
     this.select(undefined);
     this.#editor.selectWire(id);
@@ -72,7 +72,7 @@ export class WirePoints {
     );
   }
 
-  /** Adds a point where a wire is nearest to a place; without one, where there is most room. */
+  /** Adds a bend point where a wire is nearest to a position; default: where it has most room. */
   add(id: string, place?: Point): void {
     const wire = this.#wire(id);
     const [start, end] = wire
@@ -95,7 +95,7 @@ export class WirePoints {
     this.#editor.selectWire(id);
   }
 
-  /** Goes on to the next point of the selected wire, or to the one before. */
+  /** Selects the next or previous bend point of the selected wire. */
   walk(step: 1 | -1): boolean {
     const { wire: id } = this.#editor.selection.value;
     const count = (id === undefined ? undefined : this.#wire(id)?.points.length) ?? 0;
@@ -105,7 +105,7 @@ export class WirePoints {
     return true;
   }
 
-  /** Moves the selected point; moves that follow each other are one step. */
+  /** Moves the selected bend point; consecutive moves are one undo step. */
   move(by: Point): boolean {
     const point = this.selected;
     const wire = point && this.#wire(point.wire);
@@ -121,13 +121,13 @@ export class WirePoints {
     this.#cancel?.();
   }
 
-  /** The graph is another one now: a point that is gone is let go of. */
+  /** Handles a changed graph: releases a removed bend point. */
   handleGraph(): void {
     const shown = this.shown.value;
     if (shown !== undefined && this.#wire(shown.wire) !== this.#followed) this.cancel();
   }
 
-  /** The wire whose point is dragged, as it was when that began. */
+  /** Wire whose bend point is dragged, as at the start of the drag. */
   #followed: Wire | undefined;
 
   #wire(id: string): Wire | undefined {
@@ -169,7 +169,7 @@ export class WirePoints {
     });
   }
 
-  /** What a point lines up with: the points and ends of its wire. */
+  /** Alignment targets of a bend point: the other bend points and the ends of its wire. */
   #neighbours(points: readonly Point[], { wire: id, index }: WirePoint): Box[] {
     const wire = this.#wire(id);
     const ends = wire

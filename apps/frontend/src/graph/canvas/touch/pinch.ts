@@ -2,18 +2,18 @@ import type { Point } from '../../model/graph.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 import { limitZoom, type View } from '../stage-view.ts';
 
-/** Two fingers that were only put down and lifted have tapped: within so many milliseconds and pixels. */
+/** Limits within which two fingers that are put down and lifted count as a tap: milliseconds and pixels. */
 const TAP_MS = 300;
 const TAP_PX = 12;
 
-/** Two fingers: the place between them stays between them, however they move. */
+/** Pinch with two fingers: the point between them stays between them. */
 export class Pinch {
   readonly #stage: Pick<CanvasStage, 'container' | 'look' | 'view'>;
   readonly #tapped: () => void;
   #start:
     { view: View; middle: Point; distance: number; timeMs: number; moved: number } | undefined;
 
-  /** @param tapped is told when both fingers were only put down and lifted */
+  /** @param tapped called when both fingers tapped */
   constructor(stage: Pick<CanvasStage, 'container' | 'look' | 'view'>, tapped: () => void) {
     this.#stage = stage;
     this.#tapped = tapped;
@@ -54,10 +54,10 @@ export class Pinch {
 }
 
 /**
- * The view after fingers have moved.
- * @param from the place between them at first
- * @param to the place between them now
- * @param by how much further apart they are
+ * Returns the view after a pinch.
+ * @param from initial point between the fingers
+ * @param to current point between the fingers
+ * @param by ratio of current to initial distance
  */
 export function pinched(view: View, from: Point, to: Point, by: number): View {
   const k = limitZoom(view.k * by);

@@ -6,35 +6,35 @@ import type { CanvasStage } from '../canvas-stage.ts';
 import type { ConnectGesture } from '../connect-gesture.ts';
 import { Pinch } from './pinch.ts';
 
-/** What fingers do to. */
+/** State and callbacks that touch input uses. */
 export interface FingerTargets {
   readonly editor: GraphEditor;
   readonly stage: CanvasStage;
   readonly gesture: ConnectGesture;
-  /** A finger or a pen was held still. */
+  /** Long press with a finger or a pen. */
   held(at: { clientX: number; clientY: number }, element: Element | null): void;
 }
 
-/** How long a finger is held still for a menu, milliseconds. */
+/** Duration of a long press that opens the menu, milliseconds. */
 export const HOLD_MS = 500;
-/** Fingers that move less than this have tapped, pixels. */
+/** Movement up to which a touch is a tap, pixels. */
 const TAP_PX = 10;
 
-/** What the first finger does. Rete pans and drags by itself. */
+/** Gesture of the first finger. Rete pans and drags by itself. */
 type Doing =
   | { readonly kind: 'rete' }
-  /** Pans without Rete; a tap means something of its own. */
+  /** Pans without Rete; a tap has its own action. */
   | {
       readonly kind: 'pan';
       readonly view: CanvasStage['view']['value'];
       tap(at: PointerEvent): void;
     }
-  /** Done: what the finger does until it is lifted means nothing more. */
+  /** Finished: ignores the finger until it is lifted. */
   | { readonly kind: 'nothing' };
 
 /**
- * Fingers on the canvas: one pans, drags or pulls a wire, two zoom, tap and tap connects, and holding
- * still asks for the menu. @returns where a finger is held still, in pixels of the canvas
+ * Touch gestures on the canvas: one finger pans, drags or pulls a wire, two zoom; two taps connect; a long press opens
+ * the menu. @returns position of a finger in a long press, in pixels of the canvas
  */
 export function useFingers({
   editor,
@@ -52,7 +52,7 @@ export function useFingers({
   let timer: ReturnType<typeof setTimeout> | undefined;
   let frame = 0;
   let isLettingGo = false;
-  /** The last finger meant something of ours: the browser is not to make a click of it. */
+  /** The last touch was handled: suppress the click that the browser derives from it. */
   let isTaken = false;
 
   function letGo(pointerId: number): void {
@@ -68,13 +68,13 @@ export function useFingers({
     holding.value = undefined;
   }
   function hold(event: PointerEvent, element: Element | null): void {
-    // Fields have a menu of their own.
+    // Fields have their own menu.
     if (element?.closest('input, textarea, select')) return;
     const { left, top } = container.getBoundingClientRect();
     holding.value = { x: event.clientX - left, y: event.clientY - top };
     clearTimeout(timer);
     timer = setTimeout(() => {
-      // On a busy page the finger may have moved, and its events wait for the next frame.
+      // On a busy page the finger may have moved, with its events queued until the next frame.
       frame = requestAnimationFrame(() => {
         stopHolding();
         letGo(event.pointerId);
@@ -180,14 +180,14 @@ export function useFingers({
     }
     const moved = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY);
     if (doing.kind === 'pan' && event.type === 'pointerup' && moved <= TAP_PX) doing.tap(event);
-    // What was ours means nothing to the canvas.
+    // Rete must not handle gestures handled here.
     if (isOurs) event.stopPropagation();
     start = undefined;
     doing = { kind: 'nothing' };
   }
   useEventListener(window, 'pointerup', lift, { capture: true });
   useEventListener(window, 'pointercancel', lift, { capture: true });
-  // The mouse events browsers make of touches would take the focus out of an open menu.
+  // The mouse events that browsers derive from touches would move the focus out of an open menu.
   useEventListener(
     container,
     'touchend',
