@@ -22,19 +22,19 @@ import { placesOf } from './places.ts';
 import { rebase } from './rebase.ts';
 import { isSameGraph } from './same-graph.ts';
 
-/** What is selected: nodes, or one wire. */
+/** Selected nodes, or the selected wire. */
 export interface Selection {
   readonly nodes: ReadonlySet<string>;
   readonly wire: string | undefined;
 }
 
-/** A graph as it was at some moment. */
+/** Graph at the time of a save. */
 export interface Saved {
   readonly graph: Graph;
   readonly steps: number;
 }
 
-/** What another client saved. */
+/** The newest save of another client. */
 export interface News {
   readonly revision: number;
   readonly changes: readonly GraphNews[];
@@ -42,33 +42,33 @@ export interface News {
 
 /** A session being edited as a graph. All edits go through `apply`. */
 export interface GraphEditor {
-  /** As the master has it: its life, problems and what was saved last. */
+  /** Session as stored on the master: its status, problems and last saved content. */
   readonly session: Readonly<ShallowRef<Session>>;
   readonly graph: ComputedRef<Graph>;
-  /** Where every node stands, also nodes without a stored position. */
+  /** Positions of all nodes, also of nodes without a stored one. */
   readonly places: ComputedRef<ReadonlyMap<string, Point>>;
   readonly selection: ShallowRef<Selection>;
-  /** Steps made since the session was saved. */
+  /** Number of steps since the session was saved. */
   readonly changes: ComputedRef<number>;
-  /** Whether the name of the session is all that is not saved. */
+  /** Whether the name of the session is the only unsaved change. */
   isOnlyRenamed(): boolean;
-  /** What the next undo takes back, in words; undefined when there is nothing. */
+  /** Label of the step that undo reverts; undefined when there is none. */
   readonly undoLabel: ComputedRef<string | undefined>;
   readonly redoLabel: ComputedRef<string | undefined>;
-  /** Another client saved the session while there were changes here: what both changed. */
+  /** Conflicts after another client saved the session while it had unsaved changes here. */
   readonly merged: Readonly<ShallowRef<readonly Conflict[] | undefined>>;
-  /** What another client saved last, until the notice is closed. */
+  /** The last save of another client, until the notice is dismissed. */
   readonly news: Readonly<ShallowRef<News | undefined>>;
-  /** @param key the same for all commands that are one step: the parts of a drag, letters typed */
+  /** @param key equal for commands that form one undo step: movements of a drag, typed letters */
   apply(command: GraphCommand, key?: string): void;
-  /** Ends such a step. */
+  /** Ends the current undo step. */
   seal(): void;
   undo(): void;
   redo(): void;
   select(nodes: Iterable<string>): void;
   selectWire(wire: string): void;
   /**
-   * Takes the session as the master announces it.
+   * Handles a session as the master announced it.
    * @param isReopened the master was restarted: its revision may be lower than before
    */
   handleSession(session: Session, isReopened?: boolean): void;
@@ -78,38 +78,38 @@ export interface GraphEditor {
    * @returns a function that ends the delay
    */
   hold(sent: Session): () => void;
-  /** Recognises a save that this page sent before it was opened again. */
+  /** Recognises a save that this page sent before a reload. */
   expect(sent: Session): void;
-  /** Puts down everything as it was arranged now: for saving. */
+  /** Returns the session to save, with all nodes at their current positions. */
   toSession(): Session;
-  /** What there is to save now, to be told when it was. */
+  /** Returns the current state, for `handleSaved`. */
   mark(): Saved;
-  /** The master has what was there at the mark. */
+  /** Handles a successful save of the state at the mark. */
   handleSaved(session: Session, mark: Saved): void;
-  /** Does it the way of the others. */
+  /** Resolves a conflict with the other client's change. */
   takeTheirs(conflict: Conflict): void;
-  /** Leaves it as it is here, or brings it back to that. */
+  /** Resolves a conflict with the user's own change. */
   takeMine(conflict: Conflict): void;
-  /** What was merged was read. */
+  /** Dismisses the notice about a merge. */
   dismissMerge(): void;
-  /** What the changes began with, for keeping both. */
+  /** Returns the session that the unsaved changes are based on, to keep both versions. */
   baseSession(): Session;
-  /** Takes up changes that were made before, to a session as it was then. */
+  /** Restores earlier unsaved changes, on top of the session they were based on. */
   resume(before: Session, edited: Session): void;
 }
 
 const NOTHING: Selection = { nodes: new Set(), wire: undefined };
 const revisionOf = ({ extension }: Session): number => extension?.revision ?? 0;
 
-/** @param uuid gives a new UUID */
+/** @param uuid returns a new UUID */
 export function createGraphEditor(first: Session, uuid: () => string): GraphEditor {
   const session = shallowRef(first);
-  /** What the graph was made of. */
+  /** Session that the graph was built from. */
   let base = withIds(first, uuid);
   const state = shallowRef(startEditing(graphOf(base)));
   const graph = computed(() => state.value.graph);
   const selection = shallowRef<Selection>(NOTHING);
-  /** What is saved. */
+  /** Last saved state. */
   const saved = shallowRef({ graph: graph.value, steps: 0 });
   const merged = shallowRef<readonly Conflict[]>();
   const news = shallowRef<News>();
@@ -139,7 +139,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     merged.value = merged.value?.filter((other) => other !== conflict);
   }
 
-  /** Puts changes on top of what the master has now. */
+  /** Reapplies the local changes to the master's version. */
   function rebaseOn(next: Session, before: Graph, mine: Graph): void {
     base = withIds(keepEditorData(next, base), uuid);
     session.value = next;
@@ -150,11 +150,11 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     merged.value = conflicts;
   }
 
-  /** The newest save without a reply, and the steps it holds; without steps, of an earlier page. */
+  /** Newest save without a reply, with the state it holds; without `mark` when an earlier page sent it. */
   let sent: { readonly session: Session; readonly mark?: Saved } | undefined;
   const mark = (): Saved => ({ graph: graph.value, steps: state.value.past.length });
 
-  /** Whether this is what was sent last. A reply can be lost with the connection or with the page. */
+  /** Whether the graph equals the last one sent: a reply can be lost with the connection or by a reload. */
   const isSent = (theirs: Graph): boolean =>
     sent !== undefined && graphNews(graphOf(withIds(sent.session, uuid)), theirs).length === 0;
 
@@ -191,7 +191,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
       return;
     }
     if (said.length === 0) {
-      // How it lives, or where the master put what: nothing to undo is lost by that.
+      // Only the status, or nodes chosen by the master, changed: undo steps stay valid.
       base = kept;
       session.value = next;
       return;
@@ -254,7 +254,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     handleSaved(next, stored) {
       sent = undefined;
       if (revisionOf(next) > 0 && revisionOf(next) === revisionOf(base)) {
-        // The news of it came first: what is here stands on top of it already.
+        // The announcement came before the reply: the local changes are already based on it.
         if (merged.value?.length === 0) merged.value = undefined;
         return;
       }

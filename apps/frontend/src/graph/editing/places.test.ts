@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { aGraphOf, aModule } from '../model/testing/small-graph.ts';
 import { placesOf } from './places.ts';
 
-/** As topic nodes with a picture are drawn, pixels. */
+/** Drawn size of topic nodes with a picture, pixels. */
 const PICTURE_TOPIC = { width: 174, height: 164 };
 
 it('leaves room for the picture of a topic whose format only its wires tell', () => {

@@ -4,13 +4,13 @@ import { sameValue } from '../model/changes/same-value.ts';
 import { perform, startEditing, type EditState } from '../model/commands/edit-state.ts';
 import type { Graph } from '../model/graph.ts';
 
-/** Applies the user's own changes to the version that another user saved. */
+/** Result of applying the user's changes to the version that another user saved. */
 export interface Rebased {
   readonly state: EditState;
   readonly conflicts: readonly Conflict[];
 }
 
-/** The changes from `base` to `mine`, as one step after `theirs`. */
+/** Applies the changes from `base` to `mine` as one step on `theirs`. */
 export function rebase(base: Graph, mine: Graph, theirs: Graph): Rebased {
   const { graph, conflicts } = mergeGraphs(base, mine, theirs);
   const patch = {

@@ -1,6 +1,6 @@
 import type { Graph } from '../model/graph.ts';
 
-/** True when nothing differs: steps share what they leave alone, so that identity tells. */
+/** True when two graphs are equal. Steps share the objects they do not change, so identity is compared. */
 export function isSameGraph(a: Graph, b: Graph): boolean {
   return a.details === b.details && isSameMap(a.nodes, b.nodes) && isSameMap(a.wires, b.wires);
 }

@@ -1,9 +1,9 @@
 import { fromJson, type ProcessingModule, type Session } from '@ubii/proto';
 
 /**
- * A session that the master does not have yet: its revision is 0. What is built and runs is expected to
- * run again after a restart of the master. [SE-24]
- * @param modules that it begins with
+ * Returns a new session, with revision 0, that the master does not have yet. It is kept and restarted with the master.
+ * [SE-24]
+ * @param modules initial modules
  */
 export function blankSession(
   id: string,

@@ -9,15 +9,14 @@ import { phoneTopics } from '../live/phone-topics.ts';
 import { useDeviceTopics } from '../live/useDeviceTopics.ts';
 
 /**
- * Modules and topics to choose from: topics of this browser before those of others, and those of no known
- * data format last. A phone has the topics of its smart device also while that page is not open, because
- * only one page is.
+ * Modules and topics to choose from: topics of this browser first, topics of unknown data format last. On a phone,
+ * includes the topics of its smart device also while that page is closed: a phone has only one page open.
  */
 export function useAddableSources(library: ModuleLibrary): AddableSources {
   const { client, topics } = useConnection();
   const deviceTopics = useDeviceTopics();
   const reader = useTopicParts();
-  // Read when a menu opens: rates change four times a second and must not cause a redraw.
+  // Evaluated when a menu opens: rates change four times a second and must not cause a redraw.
   return {
     nameTopic: useNamedTopic(),
     get modules() {

@@ -8,18 +8,18 @@ import { withIds } from '../model/with-ids.ts';
 import { findDraft, removeDraft, saveDraft, type Draft } from '../model/changes/draft.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 
-/** Unsaved changes, kept in this browser until they are saved. */
+/** Unsaved changes, stored in this browser until they are saved. */
 export interface Drafts {
-  /** Found when the page was opened. */
+  /** Draft that was stored when the page was opened. */
   readonly found: Readonly<ShallowRef<Draft | undefined>>;
-  /** The browser's storage is full: leaving the page would lose the changes. */
+  /** True when the browser's storage is full: leaving the page would lose the changes. */
   readonly isFull: Readonly<ShallowRef<boolean>>;
   /** Stores the changes now. */
   keep(): void;
-  /** Restores what was found. */
+  /** Restores the draft that was found. */
   take(): void;
   discard(): void;
-  /** Removes the draft of a session whose changes are stored elsewhere. */
+  /** Discards the draft of a session whose changes are stored elsewhere. */
   forget(sessionId: string): void;
   /** Stores nothing until `resume`. */
   pause(): void;
@@ -28,7 +28,7 @@ export interface Drafts {
 
 const KEEP_MS = 400;
 
-/** Whether a graph holds all of a draft. */
+/** Whether a graph contains all changes of a draft. */
 const isSaved = ({ edited }: Draft, graph: Graph): boolean =>
   graphNews(graphOf(withIds(edited, randomUuid)), graph).length === 0;
 
@@ -37,7 +37,7 @@ export function useDraft(editor: GraphEditor): Drafts {
   const found = shallowRef(findDraft(localStorage, sessionId));
   const isFull = shallowRef(false);
   let isPaused = false;
-  // A page that is reloaded during a save leaves a draft of what the master gets or has already.
+  // After a reload during a save, the draft equals what the master receives or already has.
   if (found.value !== undefined) editor.expect(found.value.edited);
   watch(
     editor.session,
@@ -62,7 +62,7 @@ export function useDraft(editor: GraphEditor): Drafts {
   const keepSoon = useDebounceFn(keep, KEEP_MS);
   watch([editor.graph, editor.changes], () => void keepSoon());
   useEventListener(window, 'pagehide', keep);
-  // Leaving would lose the changes: the browser asks.
+  // Leaving the page would lose the changes: the browser asks for confirmation.
   useEventListener(window, 'beforeunload', (event: BeforeUnloadEvent) => {
     if (isFull.value && editor.changes.value > 0) event.preventDefault();
   });

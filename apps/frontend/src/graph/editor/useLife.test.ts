@@ -9,7 +9,7 @@ import type { GraphEditor } from '../editing/graph-editor.ts';
 import { useLife, type Life } from './useLife.ts';
 import type { Saving } from './useSave.ts';
 
-/** What is said after one step was saved. */
+/** Returns the messages shown after one step was saved. */
 async function said(
   intent: (life: Life) => Promise<void>,
   { isRunning, isStored }: { readonly isRunning: boolean; readonly isStored: boolean },

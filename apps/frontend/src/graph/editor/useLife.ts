@@ -10,18 +10,20 @@ import { useToastsOf } from '../../ui/toasts/toasts.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { Saving } from './useSave.ts';
 
-/** Starts, pauses and stops the session; the bar, the session menu and keys do the same. */
+/** Starts, pauses and stops the session; used by the life bar, the session menu and keys. */
 export interface Life {
   can(action: LifeAction): boolean;
-  /** Saves first what is not saved, and tells that it did. */
+  /** Saves unsaved changes first, and shows a message. */
   act(action: LifeAction): Promise<void>;
-  /** Saves, and tells that it did. */
+  /** Saves, and shows a message. */
   save(): Promise<void>;
 }
 
 export function useLife(editor: GraphEditor, saving: Saving): Life {
   const { show } = useToastsOf('life of a session');
-  /** A session that is not stored was not saved: it ends with the master or the page that made it. */
+  /**
+   * A session without persistence was applied, not stored: it ends with the master, or with the page that created it.
+   */
   function tell(done: string): void {
     const isStored = editor.session.value.extension?.stored === true;
     show(isStored ? `Saved and ${done}` : capitalised(done));

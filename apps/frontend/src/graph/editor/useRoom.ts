@@ -2,24 +2,27 @@ import { useLocalStorage, useMediaQuery } from '@vueuse/core';
 import { computed, ref, type ComputedRef, type Ref } from 'vue';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 
-/** The panels that fit beside the canvas, and those that the user has opened. */
+/** Layout of the panels beside the canvas, and those that the user opened. */
 export interface Room {
-  /** A phone. */
+  /** True on phones. */
   readonly isNarrow: Ref<boolean>;
-  /** The canvas needs the room: what is selected comes over it when it is asked for. */
+  /** True when the inspector has no room beside the canvas and is shown over it on request. */
   readonly isCompact: Ref<boolean>;
-  /** Else the palette is a drawer over the canvas, which lets through what is dragged out of it. */
+  /**
+   * True when the palette fits beside the canvas; otherwise it is a drawer over it, which does not block dragging items
+   * out.
+   */
   readonly isRoomy: Ref<boolean>;
   readonly view: Ref<'graph' | 'list'>;
   readonly isPaletteOpen: Ref<boolean>;
   readonly isInspectorOpen: Ref<boolean>;
-  /** Pixels; remembered by this browser. */
+  /** Pixels; stored in this browser. */
   readonly paletteWidth: Ref<number>;
   readonly hasInspector: ComputedRef<boolean>;
   closeInspector(): void;
 }
 
-/** @param isEmbedded the editor has only a part of the page */
+/** @param isEmbedded the editor is part of another page */
 export function useRoom(editor: GraphEditor, isEmbedded = false): Room {
   const isNarrow = useMediaQuery('(max-width: 759px)');
   const isCompact = isEmbedded ? ref(true) : useMediaQuery('(max-width: 1199px)');

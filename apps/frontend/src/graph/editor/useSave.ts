@@ -7,29 +7,29 @@ import type { LifeAction } from '../../sessions/state/session-state.ts';
 import { problemsInGraph, type PlacedProblem } from '../model/live/problems-in-graph.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 
-/** Saves changes at the master, and starts and stops the session. */
+/** Saves changes on the master, and starts and stops the session. */
 export interface Saving {
   readonly isBusy: ComputedRef<boolean>;
-  /** Why the last intent failed, one sentence. */
+  /** Reason why the last request failed, one sentence. */
   readonly failure: Readonly<ShallowRef<string | undefined>>;
-  /** What the master found wrong with what was to be saved, and where. [SE-3] */
+  /** Problems that the master found in the session to save, with their nodes. [SE-3] */
   readonly problems: Readonly<ShallowRef<readonly PlacedProblem[]>>;
-  /** A save was requested while the connection was lost; it is sent after the reconnect. */
+  /** True when a save was requested while disconnected; it is sent after reconnecting. */
   readonly isWaiting: Readonly<ShallowRef<boolean>>;
-  /** The newest revision that was saved here. */
+  /** Newest revision saved by this page. */
   readonly savedRevision: Readonly<ShallowRef<number>>;
-  /** @returns whether the master has everything now */
+  /** @returns whether everything is saved */
   save(): Promise<boolean>;
-  /** Saves what is not saved before anything starts. */
+  /** Saves unsaved changes, then starts, pauses or stops the session. */
   act(action: LifeAction): Promise<void>;
-  /** Tries something else at the master; a refusal stands where failures stand. */
+  /** Runs another request; a refusal is shown as `failure`. */
   attempt<T>(intent: () => Promise<T>): Promise<T | undefined>;
 }
 
 const isProblems = (value: unknown): value is readonly SessionProblem[] =>
   Array.isArray(value) && value.length > 0;
 
-/** @param isGone the master does not have the session: saving creates it */
+/** @param isGone whether the session is missing on the master, so that saving creates it */
 export function useSave(
   editor: GraphEditor,
   actions: SessionActions,
@@ -62,7 +62,7 @@ export function useSave(
     }
   }
 
-  /** Stored sessions go by their names: a renamed one leaves no other behind. [SE-21] */
+  /** Sessions are stored by name: renaming must delete the one with the old name. [SE-21] */
   function send(next: Session): Promise<Session> {
     if (isGone()) return actions.calls.store(next);
     const { name } = editor.session.value;
@@ -71,7 +71,7 @@ export function useSave(
       : actions.calls.rename({ ...next, name }, next.name);
   }
 
-  /** Merges what the master has; another client may have saved. @returns whether it had news */
+  /** Merges the master's version, which another client may have saved. @returns whether it was newer */
   async function catchUp(): Promise<boolean> {
     const before = editor.baseSession();
     const newest = await client.call('sessionRuntimeGet', { id: editor.session.value.id });
@@ -100,13 +100,13 @@ export function useSave(
     } catch (cause) {
       release();
       const isOld = cause instanceof ServiceError && cause.code === 'failed_precondition';
-      // Conflicts are resolved by the user first
+      // The user has to resolve conflicts first.
       if (!isOld || !(await catchUp())) throw cause;
       return isSettled() ? saveNow() : false;
     }
   }
 
-  /** One after the other: a second save of the same revision would be refused. */
+  /** Saves run one after the other: a second save of the same revision would be refused. */
   let last: Promise<boolean> | undefined;
   async function save(): Promise<boolean> {
     while (last !== undefined) await last;
@@ -131,7 +131,7 @@ export function useSave(
     try {
       return await saveNow();
     } catch (cause) {
-      // The connection was lost during the save. It may have arrived: look after the reconnect.
+      // The connection was lost during the save, which may have arrived: check after reconnecting.
       if (cause instanceof ConnectionError) isWaiting.value = true;
       else if (cause instanceof ServiceError) fail(cause);
       else throw cause;
@@ -141,11 +141,11 @@ export function useSave(
     }
   }
 
-  // Other pages show the name: it counts at once, also when a change of it is undone.
+  // Other pages show the name: save it at once, also after an undo.
   watch(
     () => editor.graph.value.details.name,
     async () => {
-      // Whether it is new is known when the name before it was saved
+      // Compare with the saved name only after pending saves.
       while (last !== undefined) await last;
       if (!isGone() && isConnected.value && editor.isOnlyRenamed()) await save();
     },
@@ -154,11 +154,11 @@ export function useSave(
   watch(isConnected, async (connected) => {
     if (!connected || !isWaiting.value) return;
     try {
-      // A new session is known here alone.
+      // A new session exists only here.
       if ((editor.session.value.extension?.revision ?? 0) > 0) await catchUp();
     } catch (cause) {
       if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      // The connection was lost again, or the session is gone, which the page says.
+      // The connection was lost again, or the session was deleted, which the page shows.
       return;
     }
     isWaiting.value = false;

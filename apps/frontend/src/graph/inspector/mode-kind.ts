@@ -10,7 +10,7 @@ export function modeKind(mode: ProcessingMode | undefined): ModeKind {
   return 'frequency';
 }
 
-/** A mode to begin with. */
+/** Returns the default mode of a kind. */
 export function modeOf(kind: ModeKind): ProcessingMode {
   switch (kind) {
     case 'frequency':

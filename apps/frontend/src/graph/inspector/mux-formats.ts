@@ -1,9 +1,9 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 
-/** Takes or makes records of any format. */
+/** Matches records of any format. */
 export const ANY_FORMAT = 'any';
 
-/** The formats muxers and demuxers can be bound to. */
+/** Data formats that muxers and demuxers can be limited to. */
 export const MUX_FORMATS: readonly { readonly value: string; readonly text: string }[] = [
   { value: ANY_FORMAT, text: ANY_FORMAT },
   ...(Object.keys(DATA_FORMATS) as DataFormat[])

@@ -1,23 +1,23 @@
 import { linePath } from '../../ui/charts/line-path.ts';
 import type { RunTime } from '../live/live-graph.ts';
 
-/** How much time the chart shows, milliseconds. */
+/** Time span of the chart, milliseconds. */
 export const CHART_MS = 60_000;
-/** Longer than this between two points is a gap, milliseconds. */
+/** Longest time between two points that are connected, milliseconds. */
 const GAP_MS = 5000;
 
-/** The chart of run times in its box. */
+/** Chart of run times, in pixels of its box. */
 export interface RunTimeLines {
   readonly p50: string;
   readonly p95: string;
-  /** The slowest lately: how long, and where. */
+  /** Slowest recent run time, and its position. */
   readonly peak: { readonly ms: number; readonly x: number } | undefined;
   readonly newest: RunTime | undefined;
   /** Heights of the ends of the lines. */
   readonly ends: { readonly p50: number; readonly p95: number };
 }
 
-/** Lines of the last minute; gaps stay gaps. @param nowMs milliseconds of the clock of the times */
+/** Returns the lines of the last minute, with gaps. @param nowMs current time of the clock of `times`, milliseconds */
 export function runTimeLines(
   times: readonly RunTime[],
   nowMs: number,

@@ -1,2 +1,2 @@
-/** What a master takes at most in a session, characters: longer texts are refused [EX-70]. */
+/** Longest texts of a session that a master accepts, characters [EX-70]. */
 export const MAX_LENGTH = { name: 256, topic: 1024, pattern: 1024, description: 4096 } as const;

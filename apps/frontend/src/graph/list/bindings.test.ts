@@ -65,7 +65,7 @@ describe('what an input can read', () => {
   it('is found by words, and may be a topic that is not there yet', () => {
     expect(of('sink.in', 'live num').map(({ text }) => text)).toEqual(['/live/number']);
     expect(of('sink.in', 'later')[0]).toMatchObject({ text: 'New topic /later', group: 'topics' });
-    // What exists is preferred: Enter takes the first.
+    // Existing topics come first: Enter takes the first.
     expect(of('sink.in', 'number').map(({ text }) => text)).toEqual([
       '/live/number',
       'New topic /number',

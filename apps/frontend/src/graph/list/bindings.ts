@@ -19,28 +19,28 @@ import { topicNode } from '../model/make-node.ts';
 import { portFormat, portOf } from '../model/port-format.ts';
 import { topicsOf } from '../live/topics-in-graph.ts';
 
-/** What an input can read, or where an output can lead. */
+/** Possible source of an input, or target of an output. */
 export interface Binding {
   readonly key: string;
   readonly text: string;
-  /** The topic that is chosen; undefined for a port of a node, or a topic that is not there yet. */
+  /** Chosen topic; undefined for a port of a node, or a topic that does not exist yet. */
   readonly topic?: string | undefined;
-  /** Its data format, in short. */
+  /** Short name of the data format. */
   readonly hint: string;
   readonly group: 'session' | 'topics' | 'unknown' | 'misfits';
-  /** What choosing it does; undefined where it does not fit. */
+  /** Command that chooses it; undefined when it does not fit. */
   readonly command: GraphCommand | undefined;
-  /** Why it does not fit, one sentence. */
+  /** Reason why it does not fit, one sentence. */
   readonly reason: string | undefined;
-  /** What would make it fit, best first. */
+  /** Adapters that would make it fit, best first. */
   readonly offers: readonly Adapter[];
-  /** Makes it fit. */
+  /** Returns the command that connects it with an adapter. */
   adapt(adapter: Adapter): GraphCommand;
 }
 
 const MAX_SHOWN = 80;
 
-/** What fits the words typed, for an input or output: what fits first, and what does not, with reasons. */
+/** Returns the sources or targets that match the typed words: fitting ones first, then others with reasons. */
 export function bindings(
   graph: Graph,
   ref: PortRef,
@@ -67,12 +67,12 @@ export function bindings(
   const of = (group: Binding['group']): Binding[] => all.filter((one) => one.group === group);
   const made = newTopic(graph, ref, typed.trim(), topics, uuid);
   const fitting = [...of('session'), ...of('topics')];
-  // What exists goes before what is made, unless nothing was typed: then an output gets a topic of its own.
+  // Existing topics come before new ones; without typed words, an output's new topic comes first.
   const best = typed.trim() === '' ? [...made, ...fitting] : [...fitting, ...made];
   return [...best, ...of('unknown'), ...of('misfits')].slice(0, MAX_SHOWN);
 }
 
-/** Ports on the other side, of other nodes. */
+/** Ports of other nodes, in the opposite direction. */
 function portsOver(graph: Graph, ref: PortRef): PortRef[] {
   const direction = portOf(graph, ref)?.direction;
   return [...graph.nodes.values()].flatMap(({ id: node, ports }) =>
@@ -96,7 +96,7 @@ function between(
   const port = portOf(graph, far);
   if (fit === undefined || node === undefined || port === undefined) return undefined;
   const { from, to, reason, offers } = fit;
-  // What can never be wired, and nothing helps, is noise here.
+  // Leave out what can never be wired, not even with an adapter.
   if (reason !== undefined && offers.length === 0) return undefined;
   const format = portFormat(graph, far) ?? port.formatText;
   return {
@@ -113,7 +113,7 @@ function between(
   };
 }
 
-/** To a topic that has no node yet. */
+/** Binding to a topic that has no node yet. */
 function toTopic(
   graph: Graph,
   ref: PortRef,

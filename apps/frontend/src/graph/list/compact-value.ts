@@ -2,14 +2,14 @@ import type { TopicRecord } from '@ubii/proto';
 import { seriesOf } from '../../topics/values/value-series.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
-/** Characters that a row of a phone has for a value. */
+/** Characters of a value that fit into a row on a phone. */
 const MAX_CHARS = 18;
-/** Numbers with commas between them, and no words. */
+/** Matches numbers separated by commas, without words. */
 const NUMBERS = /^[−\de.]+(, [−\de.]+)+$/;
 
 /**
- * The text of a value for a narrow row: numbers that would be cut off have one decimal.
- * @param text of the value as rows of wide pages show it
+ * Returns the text of a value for a narrow row: numbers that would be cut off get one decimal.
+ * @param text of the value in rows of wide pages
  */
 export function compactValue(
   { format, value }: Pick<TopicRecord, 'format' | 'value'>,

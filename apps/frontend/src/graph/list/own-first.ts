@@ -1,7 +1,7 @@
 import { ModuleOrigin } from '@ubii/proto';
 import { moduleOf, type Addable } from '../canvas/addable.ts';
 
-/** What is listed one after the other; each as it was found. */
+/** Groups of the list, each in its original order. */
 type Kind = 'own topic' | 'own module' | 'module' | 'other';
 const USUAL: readonly (readonly Kind[])[] = [['own topic'], ['own module'], ['module', 'other']];
 const MODULES_FIRST: readonly (readonly Kind[])[] = [
@@ -12,8 +12,9 @@ const MODULES_FIRST: readonly (readonly Kind[])[] = [
 ];
 
 /**
- * What is this person's own first: topics of this browser, then modules written on this master; the rest as it was.
- * @param hasModule of the session: without one, modules come before topics, which are chosen at their inputs
+ * Sorts the user's own entries first: topics of this browser, then modules written on this master, then others in their
+ * order.
+ * @param hasModule whether the session has a module: without one, modules come before topics, which are chosen at their inputs
  */
 export function ownFirst(
   found: readonly Addable[],
@@ -27,7 +28,7 @@ export function ownFirst(
 
 function kindOf(one: Addable, clientId: string): Kind {
   if (one.item?.kind === 'topic') {
-    // One of the oldest topics of clients has no slash in front
+    // Topics of some old clients have no leading slash.
     const isOwn = one.item.topic.replace(/^\//, '').startsWith(`${clientId}/`);
     return isOwn ? 'own topic' : 'other';
   }

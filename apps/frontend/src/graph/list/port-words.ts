@@ -3,7 +3,7 @@ import { topicOfWire } from '../live/topics-in-graph.ts';
 import type { Graph, GraphNode, PortRef, Wire } from '../model/graph.ts';
 import { portOf } from '../model/port-format.ts';
 
-/** What is at the other end of a wire: the topic, or the module with its port. */
+/** Returns the other end of a wire: the topic, or the module with its port. */
 export function farEnd(graph: Graph, wire: Wire, own: PortRef): string {
   const { node, port } = far(graph, wire, own);
   if (node === undefined) return '';
@@ -11,7 +11,7 @@ export function farEnd(graph: Graph, wire: Wire, own: PortRef): string {
   return [nodeTitle(node), portOf(graph, port)?.name].filter(Boolean).join(' · ');
 }
 
-/** The topic at the other end of a wire; undefined where another node is. */
+/** Returns the topic at the other end of a wire; undefined when it is no topic. */
 export function farTopic(graph: Graph, wire: Wire, own: PortRef): string | undefined {
   return far(graph, wire, own).node?.kind === 'topic' ? farEnd(graph, wire, own) : undefined;
 }

@@ -6,16 +6,16 @@ import { useGraphContext } from '../live/useGraphContext.ts';
 import { doneLabel } from '../model/commands/done-label.ts';
 import type { GraphCommand } from '../model/commands/graph-command.ts';
 
-/** Toasts about what was changed in the list. */
+/** Group of the toasts about changes in the list. */
 export const LIST_EDITS = 'list edits';
 
-/** Does what was chosen in the list, says what was done, and offers to take it back. */
+/** Applies a command, shows a toast about it, and offers to undo it. */
 export function useListEdits(): (command: GraphCommand) => void {
   const { editor } = useGraphContext();
   const toasts = useToasts();
   const { parts } = useTopicParts();
-  // What was taken back, or followed by something else, is not offered to be taken back. At once: later,
-  // other rows of the list would dismiss what this one says.
+  // Removes the toast once the step was undone or followed by another one. Synchronously: later, the changes of other
+  // rows would dismiss a new toast.
   watch(editor.graph, () => toasts.leave(LIST_EDITS), { flush: 'sync' });
   return (command) => {
     const before = editor.graph.value;
@@ -24,7 +24,7 @@ export function useListEdits(): (command: GraphCommand) => void {
     const { value: label } = editor.undoLabel;
     if (after === before || label === undefined) return;
     const run = (): void => {
-      // Something else may have been done since: only the last step is taken back here.
+      // Undo only if it is still the last step.
       if (editor.graph.value === after) editor.undo();
     };
     const words = replaceClientTopics(doneLabel(label), (topic) => parts(topic).name);

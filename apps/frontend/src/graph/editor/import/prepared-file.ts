@@ -2,7 +2,7 @@ import type { ProcessingModule, Session } from '@ubii/proto';
 import type { ReadFile } from '../../../sessions/file/read-session-file.ts';
 import { completeSession, withPlaceholders } from '../../model/complete-session.ts';
 
-/** A file, ready to become a session, and what there is to say about it. */
+/** A parsed file that can become a session, with its warnings; or the reason why it cannot. */
 export type PreparedFile =
   | {
       readonly kind: 'ready';
@@ -10,14 +10,12 @@ export type PreparedFile =
       readonly session: Session;
       /** Names of unknown modules. */
       readonly missing: readonly string[];
-      /** What in it is not understood, one sentence each. */
+      /** Warnings about contents that are not understood, one sentence each. */
       readonly doubts: readonly string[];
     }
   | Extract<ReadFile, { kind: 'broken' }>;
 
-/**
- * @param library what is known here; `undefined` when the master did not answer, so that no module counts as missing
- */
+/** @param library known modules; `undefined` when the master did not answer, so that no module counts as missing */
 export function preparedFile(
   file: ReadFile,
   library: readonly ProcessingModule[] | undefined,

@@ -12,20 +12,20 @@ import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { PreparedFile } from './prepared-file.ts';
 import { useSessionImport, type SessionImport } from './useSessionImport.ts';
 
-/** Files and texts on their way into a graph. */
+/** Import of files and pasted texts into a graph. */
 export interface GraphImport {
   readonly files: SessionImport;
-  /** Files hover over the editor. */
+  /** True while files are dragged over the editor. */
   readonly isOver: Readonly<ShallowRef<boolean>>;
-  /** What has to be said after adding, one sentence. */
+  /** Warnings after an import, one sentence. */
   readonly said: ShallowRef<string | undefined>;
-  /** Puts what was read into this graph: one step. */
+  /** Adds the parsed content to this graph, as one undo step. */
   add(): void;
 }
 
-/** Below what is there. */
+/** Vertical distance of imported nodes from existing ones, canvas units. */
 const GAP = 64;
-/** Shorter texts are copied words, not sessions. */
+/** Shortest text treated as a session, characters; shorter ones are copied words. */
 const MIN_TEXT = 20;
 
 export function useGraphImport(

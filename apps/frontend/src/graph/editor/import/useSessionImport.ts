@@ -14,29 +14,29 @@ import { useSessionDraft } from '../../../sessions/text/useSessionDraft.ts';
 import { useToasts } from '../../../ui/toasts/toasts.ts';
 import { preparedFile, type PreparedFile } from './prepared-file.ts';
 
-/** Files on their way to become sessions. */
+/** Import of files as sessions. */
 export interface SessionImport {
   readonly isReading: Readonly<ShallowRef<boolean>>;
-  /** What was read and waits for an answer. */
+  /** Parsed files that wait for the user's confirmation. */
   readonly asked: Readonly<ShallowRef<readonly PreparedFile[] | undefined>>;
-  /** Reads files. What is fine becomes a session at once, unless there is something to ask or to say. */
+  /** Reads files. Creates sessions at once, unless there are questions or warnings. */
   take(files: readonly File[]): Promise<void>;
-  /** Makes a session of each that can be one. */
+  /** Creates a session from each valid file. */
   create(): Promise<void>;
-  /** Opens the text of a file, to put right what is wrong with it. */
+  /** Opens the text of an invalid file in the editor. */
   edit(text: string): Promise<void>;
   cancel(): void;
 }
 
-/** How a page imports. */
+/** Options of a page that imports sessions. */
 export interface ImportOptions {
   readonly calls: SessionCalls;
-  /** Whether people are asked before anything is made, even when all is well. */
+  /** Whether users must confirm every import, also without warnings. */
   readonly isAsking?: () => boolean;
   readonly locationOf: (sessionId: string) => RouteLocationRaw;
 }
 
-/** Makes sessions of files; the page of sessions and the graph do it in the same way. */
+/** Creates sessions from files; used by the list of sessions and the graph editor. */
 export function useSessionImport({ calls, isAsking, locationOf }: ImportOptions): SessionImport {
   const { client } = useConnection();
   const router = useRouter();
@@ -51,7 +51,7 @@ export function useSessionImport({ calls, isAsking, locationOf }: ImportOptions)
     await router.push({ path: NEW_TEXT_PATH, query: { try: '1' } });
   }
 
-  /** @returns undefined when the master refused it, and its text is open with the reasons */
+  /** @returns undefined when the master refused it; its text is then open with the reasons */
   async function made(session: Session): Promise<Session | undefined> {
     try {
       return await calls.create(sessionCopy(sessionSpec(session), randomUuid));
@@ -89,7 +89,7 @@ export function useSessionImport({ calls, isAsking, locationOf }: ImportOptions)
       const isFine = prepared.every((one) => one.kind === 'ready' && one.missing.length === 0);
       if (isAsking?.() !== true) {
         if (isFine) return await createAll(prepared);
-        // What is wrong with a single one stands beside its lines
+        // Errors of a single file are shown beside the lines of its text.
         const text = only?.kind === 'broken' ? only.text : undefined;
         if (prepared.length === 1 && text !== undefined) return await edit(text);
       }

@@ -4,7 +4,7 @@ import { modeWords } from '../../../sessions/words/mode-words.ts';
 const MAX_LENGTH = 60;
 const MODES: ReadonlySet<string> = new Set(['frequency', 'triggerOnInput', 'lockstep', 'free']);
 
-/** One side of a conflict, short enough for a button. */
+/** Returns one side of a conflict as a text that fits on a button. */
 export function conflictValue(value: unknown): string {
   const text = plain(value);
   return text.length > MAX_LENGTH ? `${text.slice(0, MAX_LENGTH - 1)}…` : text;

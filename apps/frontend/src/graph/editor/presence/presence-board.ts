@@ -4,14 +4,14 @@ import { parsePresence, type PresenceRecord } from './presence-record.ts';
 /** Another user who has the session open. */
 export interface Present extends PresenceRecord {
   readonly clientId: string;
-  /** When it was heard, milliseconds of a steady clock. */
+  /** Time of the newest record, milliseconds of a monotonic clock. */
   readonly heardMs: number;
 }
 
 /** A user without a record for this time has left, milliseconds. [EX-49] */
 export const PRESENCE_AGE_MS = 45_000;
 
-/** What became of who is there. */
+/** Difference in the set of present users. */
 export interface BoardChange {
   readonly arrived: readonly string[];
   readonly left: readonly string[];
@@ -19,7 +19,7 @@ export interface BoardChange {
 
 const NOTHING: BoardChange = { arrived: [], left: [] };
 
-/** Who else has one session open, by what their editors say. [EX-49] */
+/** Other users who have a session open, from the presence records of their editors. [EX-49] */
 export class PresenceBoard {
   readonly #sessionId: string;
   readonly #ownId: () => string;
@@ -30,12 +30,12 @@ export class PresenceBoard {
     this.#ownId = ownId;
   }
 
-  /** In the order in which they came. */
+  /** In the order of arrival. */
   get list(): readonly Present[] {
     return [...this.#present.values()];
   }
 
-  /** Takes what was published on a topic. */
+  /** Handles a record published on a topic. */
   hear(topic: string, text: string, nowMs: number): BoardChange {
     const clientId = clientOfPresence(topic);
     if (clientId === undefined || clientId === this.#ownId()) return NOTHING;
@@ -46,13 +46,13 @@ export class PresenceBoard {
     return isNew ? { arrived: [clientId], left: [] } : NOTHING;
   }
 
-  /** A client is gone, or has closed the session. */
+  /** Removes clients that disconnected or closed the session. */
   drop(...clientIds: readonly string[]): BoardChange {
     const left = clientIds.filter((id) => this.#present.delete(id));
     return left.length === 0 ? NOTHING : { arrived: [], left };
   }
 
-  /** Takes out who has not been heard of for too long; who is hidden says nothing on purpose. */
+  /** Removes users without a recent record; hidden pages send none, and stay. */
   expire(nowMs: number): BoardChange {
     const silent = this.list.filter(
       ({ isHidden, heardMs }) => !isHidden && nowMs - heardMs > PRESENCE_AGE_MS,

@@ -2,23 +2,23 @@ import * as v from 'valibot';
 import { readStored } from '../../../json/read-stored.ts';
 import { flag, validElements } from '../../../json/schemas.ts';
 
-/** What one editor says of itself. */
+/** State of one editor, published for other users. */
 export interface PresenceRecord {
-  /** Id of the session that is open in it; empty: none any more. */
+  /** Id of the open session; empty: none any more. */
   readonly session: string;
-  /** Ids of the nodes that are selected. */
+  /** Ids of the selected nodes. */
   readonly nodes: readonly string[];
-  /** It has changes that are not saved. */
+  /** True with unsaved changes. */
   readonly isEditing: boolean;
-  /** Its page is not seen now; until it says otherwise, it says nothing. */
+  /** True while the page is hidden; it sends no records until it is visible again. */
   readonly isHidden: boolean;
-  /** The newest revision that was saved in it; -1: none. */
+  /** Newest revision saved by this editor; -1: none. */
   readonly savedRevision: number;
 }
 
-/** More are not drawn anyway. [EX-49] */
+/** Most node ids in a record. [EX-49] */
 export const MAX_NODES = 64;
-/** Longer texts are not presence records. [EX-49] */
+/** Longest presence record, characters. [EX-49] */
 const MAX_LENGTH = 16_384;
 
 export function presenceText(record: PresenceRecord): string {

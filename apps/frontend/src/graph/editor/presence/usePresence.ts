@@ -11,10 +11,10 @@ import type { Saving } from '../useSave.ts';
 import { PresenceBoard, type BoardChange, type Present } from './presence-board.ts';
 import { presenceText, type PresenceRecord } from './presence-record.ts';
 
-/** Another user who has this session open, with the look of the mark. */
+/** Another user who has this session open, with the look of their mark. */
 export interface Peer extends Present {
   readonly name: string;
-  /** What they use: `iPhone, Safari`. */
+  /** Device and browser: `iPhone, Safari`. */
   readonly kind: string;
   readonly look: PlayerIdentity;
 }
@@ -25,13 +25,13 @@ export interface Presence {
   savedBy(revision: number): string | undefined;
 }
 
-/** At most five records a second. [EX-49] */
+/** Shortest interval between records, milliseconds. [EX-49] */
 const PUBLISH_MS = 200;
-/** While others are there, each says again that they are. [EX-49] */
+/** Interval of repeated records while other users are present, milliseconds. [EX-49] */
 const REPEAT_MS = 15_000;
 const EXPIRE_MS = 5_000;
 
-/** Announces that this session is open here, and receives the announcements of others. [EX-49] */
+/** Publishes that this session is open here, and receives the records of other users. [EX-49] */
 export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const { client, clients, isConnected } = useConnection();
   const toasts = useToastsOf('presence');
@@ -41,7 +41,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const board = new PresenceBoard(sessionId, () => client.id);
   const present = shallowRef<readonly Present[]>([]);
   const hasOthers = computed(() => present.value.length > 0);
-  /** Who saved what, also after they have left. */
+  /** Names of users by the revision they saved, also after they left. */
   const savers = shallowRef<ReadonlyMap<number, string>>(new Map());
   const nameOf = (id: string): string => clients.find(id)?.name ?? 'Another client';
 
@@ -65,7 +65,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   }
   let lastMs = -Infinity;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  /** Now, or as soon as the rate allows. */
+  /** Publishes now, or as soon as the rate limit allows. */
   function publishSoon(): void {
     clearTimeout(timer);
     const waitMs = Math.max(0, lastMs + PUBLISH_MS - performance.now());
@@ -83,7 +83,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
         present.value = [];
         return;
       }
-      // Seen: that it is here. Hidden: that it will be silent.
+      // Announces that the page became visible or hidden.
       publish();
     },
     { immediate: true },
@@ -101,11 +101,11 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
         savers.value = new Map(savers.value).set(savedRevision, id);
       }
       show(change, isSaid);
-      // They know of this one from now on, what is selected included
+      // Send new users the current state, with the selection.
       if (change.arrived.length > 0) publishSoon();
     },
   });
-  // Those who were here before are no news
+  // Users who were present before count as known.
   watch(status, (now, _before, onCleanup) => {
     isSaid = false;
     if (now !== 'live') return;

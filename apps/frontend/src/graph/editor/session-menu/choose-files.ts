@@ -1,4 +1,4 @@
-/** Lets people choose files of theirs. Calls back with none never: who cancels has chosen nothing. */
+/** Opens the browser's file dialog. `onFiles` is not called when the user cancels. */
 export function chooseFiles(accept: string, onFiles: (files: readonly File[]) => void): void {
   const input = document.createElement('input');
   input.type = 'file';

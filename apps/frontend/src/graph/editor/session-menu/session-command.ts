@@ -2,16 +2,16 @@ import type { Component } from 'vue';
 import type { Command } from '../../../page/command.ts';
 import type { MenuItem } from '../../../ui/UiMenu.vue';
 
-/** Something people do with the session as a whole; the same in the menu and in the palette. */
+/** Command on the whole session, for the session menu and the command palette. */
 export interface SessionCommand {
   readonly id: string;
   readonly text: string;
-  /** In the palette, where nothing else says what it is about. @default `text` */
+  /** Label in the command palette, which lacks the context of the menu. @default `text` */
   readonly title?: string;
   readonly icon: Component;
   readonly shortcut?: string;
   readonly danger?: boolean;
-  /** Begins a part of the menu. */
+  /** Starts a new group in the menu. */
   readonly isFirst?: boolean;
   readonly isDisabled?: boolean;
   readonly run: () => void;

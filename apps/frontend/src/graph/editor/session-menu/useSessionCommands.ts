@@ -33,13 +33,13 @@ import type { Saving } from '../useSave.ts';
 import { chooseFiles } from './choose-files.ts';
 import type { SessionCommand } from './session-command.ts';
 
-/** Which question of the session menu is open. */
+/** Open dialog of the session menu. */
 export type SessionQuestion = 'open' | 'saveAs' | 'rename';
 
 export interface SessionCommands {
   readonly list: ComputedRef<readonly SessionCommand[]>;
   readonly question: Ref<SessionQuestion | undefined>;
-  /** Names that other sessions have. */
+  /** Names of other sessions. */
   readonly taken: ComputedRef<ReadonlySet<string>>;
   readonly copyName: ComputedRef<string>;
   saveAs(name: string): Promise<void>;
@@ -51,7 +51,7 @@ interface Parts {
   readonly saving: Saving;
   readonly drafts: Drafts;
   readonly actions: SessionActions;
-  /** The master does not have the session. */
+  /** Whether the session is missing on the master. */
   readonly isGone: () => boolean;
   readonly importFiles: (files: readonly File[]) => void;
 }
@@ -71,7 +71,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
   });
   const copy = computed(() => copyName(name.value, new Set([...taken.value, name.value])));
 
-  /** Makes a session and shows it. @returns undefined when the master refused it, which is shown */
+  /** Creates a session and shows it. @returns undefined when the master refused it; the reason is shown */
   async function make(spec: Init<Session>): Promise<Session | undefined> {
     const made = await saving.attempt(() => actions.calls.create(spec));
     if (made) await router.push(graphLocation(made.id));
@@ -85,7 +85,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
   async function saveAs(as: string): Promise<void> {
     const { id } = editor.session.value;
     const made = await make(ownCopy(as));
-    // The changes are in the copy: they are no draft of the original
+    // The copy has the changes: discard the draft of the original.
     if (made) drafts.forget(id);
   }
 
@@ -151,7 +151,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
       icon: Play,
       shortcut: 'Ctrl Enter',
       isDisabled: !life.can(startAction.value) && editor.changes.value === 0,
-      // While it runs, its changes are applied.
+      // While the session runs, apply its changes.
       run: () => void (life.can(startAction.value) ? life.act(startAction.value) : life.save()),
     },
     {

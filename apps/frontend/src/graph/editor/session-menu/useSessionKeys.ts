@@ -9,7 +9,7 @@ const KEYS: Readonly<Record<string, string>> = {
   'shift enter': 'stop',
 };
 
-/** Ctrl S and its kind, wherever the focus is: browsers would save the page. */
+/** Handles Ctrl S and other session shortcuts, wherever the focus is; otherwise browsers save the page. */
 export function useSessionKeys(commands: () => readonly SessionCommand[]): void {
   useEventListener(window, 'keydown', (event: KeyboardEvent) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return;

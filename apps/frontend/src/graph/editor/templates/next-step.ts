@@ -2,10 +2,10 @@ import { nodeTitle } from '../../nodes/node-label.ts';
 import type { Graph, GraphNode, Port } from '../../model/graph.ts';
 import { openInput } from '../../model/open-input.ts';
 
-/** Larger graphs are made by people who know what comes next. */
+/** Largest graph with hints; users with larger ones know the next step. */
 const MAX_NODES = 5;
 
-/** How the user works: with a pointer or with keys on the canvas, or in the list. */
+/** Input method: pointer or keyboard on the canvas, or the list. */
 export type Way = 'pointer' | 'keys' | 'list';
 
 interface Steps {
@@ -42,7 +42,7 @@ const STEPS: Readonly<Record<Way, Steps>> = {
   },
 };
 
-/** What comes next in a small graph until it can be started, in one line; undefined in larger ones. */
+/** Returns the next step for a small graph until it can be started, in one line; undefined for larger graphs. */
 export function nextStep(graph: Graph, way: Way = 'pointer'): string | undefined {
   const { nodes, wires } = graph;
   if (nodes.size === 0 || nodes.size > MAX_NODES) return undefined;

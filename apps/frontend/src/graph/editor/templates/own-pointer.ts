@@ -14,16 +14,16 @@ const COMPONENTS = [
   },
 ] as const;
 
-/** This browser's pointer as a topic, so that there is something to wire without a second device. */
+/** This browser's pointer as a topic, so that users can try a session without a second device. */
 export interface OwnPointer {
   readonly topic: ComputedRef<string>;
-  /** Assign to begin or to end. */
+  /** Set to start or stop publishing. */
   readonly isOn: Ref<boolean>;
 }
 
 /**
- * One for all parts of the editor, as long as one of them is there. It is the device of the
- * mouse-pointer example, so that whatever takes that takes this.
+ * Shared by all parts of the editor, while at least one is mounted. Uses the device of the mouse-pointer example, so
+ * that sessions for one work with the other.
  */
 export const useOwnPointer = whileUsed((): OwnPointer => {
   const { client, isConnected } = useConnection();
@@ -52,7 +52,7 @@ export const useOwnPointer = whileUsed((): OwnPointer => {
       device = registered;
       publish(0.5, 0.5);
     } catch {
-      // Only when the client is closed permanently, which the shell shows.
+      // Fails only when the client was closed permanently, which the shell shows.
       isOn.value = false;
     }
   });

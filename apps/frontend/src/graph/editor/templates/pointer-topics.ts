@@ -1,6 +1,6 @@
 import { clientOfPointerTopic } from '../../../devices/pointer-topic.ts';
 
-/** What is known of a live topic. */
+/** Statistics of a live topic. */
 export interface LiveTopic {
   readonly topic: string;
   readonly format: string;
@@ -10,9 +10,9 @@ export interface LiveTopic {
 const TOUCH = /^\/[^/]+\/[^/]+\/touch_position$/;
 
 /**
- * Returns the live topic with a pointer position: prefers a pointer that moves now, so that a phone in the
- * hand counts more than the mouse that rests, then that of this browser.
- * @param onlyOwn only of this browser: on a phone, what a finger does there is what its user expects
+ * Returns the live topic with a pointer position: prefers a moving pointer, so that a phone in use takes precedence
+ * over an idle mouse, then that of this browser.
+ * @param onlyOwn only topics of this browser: on a phone, users expect their own touch
  */
 export function livePointer(
   topics: Iterable<LiveTopic>,

@@ -1,21 +1,21 @@
 import { EXAMPLE_SESSIONS } from '@ubii/modules';
 import type { Init, Session } from '@ubii/proto';
 
-/** A session to start from. */
+/** Example session to start from. */
 export interface Template {
-  /** Its key among the example sessions. */
+  /** Key in `EXAMPLE_SESSIONS`. */
   readonly id: keyof typeof EXAMPLE_SESSIONS;
-  /** What it does, two or three words. */
+  /** Purpose, two or three words. */
   readonly title: string;
-  /** What one sees, one sentence. */
+  /** Visible result, one sentence. */
   readonly sentence: string;
   readonly session: Init<Session>;
   /**
-   * The topic that takes a pointer: a live one stands in its place, of a phone or of this browser.
-   * Undefined: it finds its pointers itself, or needs none.
+   * Topic with the pointer position, replaced by a live one of a phone or of this browser. Undefined: the session finds
+   * pointers itself, or needs none.
    */
   readonly pointerTopic: string | undefined;
-  /** No values flow before a pointer moves. */
+  /** True when no data flows until a pointer moves. */
   readonly needsPointer: boolean;
 }
 
@@ -32,7 +32,7 @@ const template = (
   needsPointer,
 });
 
-/** Simple ones first. */
+/** In order of difficulty. */
 export const TEMPLATES: readonly Template[] = [
   template('smooth-pointer', 'A 1€ filter removes the jitter of a pointer.', {
     pointerTopic: '/examples/smooth-pointer/pointer',

@@ -5,15 +5,15 @@ import { useOwnPointer } from './own-pointer.ts';
 import { livePointer } from './pointer-topics.ts';
 import type { Template } from './templates.ts';
 
-/** The pointer that an example takes. */
+/** Pointer that an example uses. */
 export interface ExamplePointer {
-  /** Its topic, on a phone or here; undefined while none is live. */
+  /** Topic of a live pointer, on a phone or in this browser; undefined while there is none. */
   readonly live: ComputedRef<string | undefined>;
-  /** The topic an example takes: the live one, else this browser's, which begins. */
+  /** Returns the topic for an example: the live one; otherwise starts this browser's pointer. */
   take(template: Template): string;
 }
 
-/** Wherever examples are started, something flows through them. */
+/** Provides a pointer for examples, so that data flows wherever they are started. */
 export function useExamplePointer(): ExamplePointer {
   const { client, topics } = useConnection();
   const own = useOwnPointer();

@@ -13,24 +13,24 @@ import type { Template } from './templates.ts';
 import { useExamplePointer } from './useExamplePointer.ts';
 import { withPointer } from './with-pointer.ts';
 
-/** A template and what can be seen of it before it is used. */
+/** Template with a preview. */
 export interface SeenTemplate {
   readonly template: Template;
   readonly seen: Session;
 }
 
 export interface Templates {
-  /** Those whose modules are here; empty until they are loaded. */
+  /** Templates whose modules are available; empty until loaded. */
   readonly list: Readonly<ShallowRef<readonly SeenTemplate[]>>;
-  /** A pointer that moves here or on a phone; undefined while there is none. */
+  /** Topic of a live pointer, in this browser or on a phone; undefined while there is none. */
   readonly pointer: ComputedRef<string | undefined>;
   load(): Promise<void>;
-  /** Puts a template into the graph, as one step. @returns why it could not be */
+  /** Adds a template to the graph, as one undo step. @returns the reason when it failed */
   use(template: Template, position: Point): string | undefined;
 }
 
 const SESSION = 'ubii.sessions.Session';
-/** As an empty session is called first. */
+/** True for the default name of a new session. */
 const isDefaultName = (name: string): boolean => /^Session(?: \d+)?$/.test(name);
 
 export function useTemplates(editor: GraphEditor): Templates {
@@ -39,7 +39,7 @@ export function useTemplates(editor: GraphEditor): Templates {
   const list = shallowRef<readonly SeenTemplate[]>([]);
 
   async function load(): Promise<void> {
-    // The library is large, and only this list needs it
+    // Loaded on demand: the library is large, and only this list needs it.
     const [{ moduleLibrary }, { TEMPLATES }, known] = await Promise.all([
       import('@ubii/modules'),
       import('./templates.ts'),

@@ -1,8 +1,8 @@
 import { effectScope, onScopeDispose, type EffectScope } from 'vue';
 
 /**
- * Shares one instance between all users, and keeps it while it is used; also from one page to the next,
- * where the first page is unmounted before the next one is mounted.
+ * Shares one instance between all users, and keeps it while it is used; also across navigation, where the old page is
+ * unmounted before the new one is mounted.
  */
 export function whileUsed<T>(make: () => T): () => T {
   let users = 0;

@@ -1,6 +1,6 @@
 import type { Session } from '@ubii/proto';
 
-/** The session with another topic where it takes a pointer. */
+/** Replaces the pointer topic of a session. */
 export function withPointer(session: Session, from: string | undefined, to: string): Session {
   if (from === undefined) return session;
   return {
