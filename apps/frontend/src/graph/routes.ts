@@ -5,7 +5,7 @@ import { CANVAS_LETTERS } from './canvas/canvas-letters.ts';
 import { GRAPH_CANVAS_ID } from './canvas/graph-canvas-id.ts';
 
 export const graphRoutes: readonly RouteRecordRaw[] = [
-  // A new session has its id and its address from the start; nothing is stored before it is saved.
+  // A new session has its id and URL from the start; it is stored on the first save.
   { path: '/sessions/new', redirect: () => graphLocation(randomUuid(), true) },
   {
     path: '/sessions/:id/graph',

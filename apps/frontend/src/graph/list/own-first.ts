@@ -14,7 +14,7 @@ const MODULES_FIRST: readonly (readonly Kind[])[] = [
 /**
  * Sorts the user's own entries first: topics of this browser, then modules written on this master, then others in their
  * order.
- * @param hasModule whether the session has a module: without one, modules come before topics, which are chosen at their inputs
+ * @param hasModule of the session; false: modules before topics, which are chosen at their inputs
  */
 export function ownFirst(
   found: readonly Addable[],

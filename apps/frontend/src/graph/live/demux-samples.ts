@@ -3,24 +3,24 @@ import type { DemuxerNode, Graph } from '../model/graph.ts';
 import { demuxPreview, type DemuxPreview, type MuxPreview } from '../model/live/mux-preview.ts';
 import { wiresOf } from '../model/wires-of.ts';
 
-/** Sample topics shown. */
+/** Number of sample topics shown. */
 const MAX_SAMPLES = 3;
-/** Stands for an identity when nothing gives one yet. */
+/** Placeholder for an identity while no element has one. */
 const EXAMPLE = 'identity';
 
-/** A demuxer with topics it would publish on, and for whom. */
+/** A demuxer, the topics it would publish on, and their clients. */
 export interface DemuxSamples {
   readonly identities: readonly string[];
   readonly preview: DemuxPreview;
-  /** More would be published on than are shown. */
+  /** Number of further topics that are not shown. */
   readonly more: number;
-  /** No client is connected now; the topics are samples. */
+  /** True when no client is connected and the topics are samples. */
   readonly isExample: boolean;
 }
 
 /**
- * Topics a demuxer would publish on, for what the muxers of the modules before it gather now.
- * @param previewOf what a muxer gathers
+ * Returns the topics that a demuxer would publish on for the elements that the muxers before its module match now.
+ * @param previewOf returns the current matches of a muxer
  */
 export function demuxSamples(
   graph: Graph,

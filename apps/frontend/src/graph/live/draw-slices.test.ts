@@ -4,7 +4,7 @@ import { DrawSlices } from './draw-slices.ts';
 const FRAME_MS = 1000 / 60;
 const NODES = Array.from({ length: 200 }, (_, index) => index);
 
-/** What is drawn in frames that each take as long as `frameMs` says for so many. */
+/** Returns the slices of consecutive frames; `frameMs` gives a frame's duration by the size of its slice. */
 function drawn(
   slices: DrawSlices<number>,
   frames: number,
@@ -30,7 +30,7 @@ describe('values are drawn in slices', () => {
     const costly = (count: number): number => 2 * count;
     const first = drawn(slices, 60, costly);
     expect(most(first)).toBeGreaterThan(1);
-    // One more than there is room for is how it finds out.
+    // The slice grows by one above the limit before it shrinks.
     expect(most(first)).toBeLessThanOrEqual(6);
   });
 

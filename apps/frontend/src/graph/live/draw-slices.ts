@@ -1,32 +1,32 @@
-/** How values are drawn while the canvas rests, or while it is moved. */
+/** Rates and limits for drawing values, while the canvas is at rest or moving. */
 interface Pace {
-  /** Rounds through all that is in view, Hz. */
+  /** Rate at which every visible value is drawn, Hz. */
   readonly hz: number;
-  /** A frame that takes longer on the page's thread leaves no room for what else is due, milliseconds. */
+  /** Longest time on the main thread that leaves room for other tasks, milliseconds per frame. */
   readonly frameMs: number;
-  /** Drawn in one frame at least, on the slowest machine, so that values go on. */
+  /** Smallest number of values per slice, on the slowest computer, so that all are drawn eventually. */
   readonly least: number;
-  /** Drawn in one frame at most. */
+  /** Largest number of values per slice. */
   readonly most: number;
-  /** Something is drawn in one frame of so many. */
+  /** Number of frames per slice. */
   readonly frames: number;
 }
 
 const RESTING: Pace = { hz: 6, frameMs: 10, least: 1, most: 16, frames: 1 };
-/** Values that change faster cannot be read. The first value costs a frame as much as the next ten. */
+/** Values that change faster are unreadable. The first value of a frame costs as much as the next ten. */
 const MOVING: Pace = { hz: 1, frameMs: 30, least: 8, most: 16, frames: 6 };
-/** What is not in view is drawn in one round of so many, and not while the canvas is moved. */
+/** Values outside the view are drawn in one of this number of rounds, and not while the canvas moves. */
 const ROUNDS_OUT_OF_VIEW = 3;
 
 /**
- * Divides drawing into slices: hundreds of values in one frame would take as long as several frames. A
- * frame draws a few, in the order in which they come, as many as the frames before left room for.
+ * Divides drawing into slices: hundreds of values in one frame would take as long as several frames. Each frame draws a
+ * few in order, as many as previous frames had time for.
  */
 export class DrawSlices<T> {
   readonly #all: () => readonly T[];
   readonly #isInView: (one: T) => boolean;
   #round: readonly T[] = [];
-  /** How far the round is. */
+  /** Index of the next value in this round. */
   #at = 0;
   #rounds = 0;
   #frame = 0;
@@ -35,13 +35,13 @@ export class DrawSlices<T> {
   #drawn = 0;
   #pace = RESTING;
 
-  /** @param all what is drawn, asked for when a round begins */
+  /** @param all returns the values to draw; called at the start of each round */
   constructor(all: () => readonly T[], isInView: (one: T) => boolean) {
     this.#all = all;
     this.#isInView = isInView;
   }
 
-  /** What is drawn in this frame. */
+  /** Returns the values to draw in this frame. */
   next(nowMs: number, isMoving: boolean): readonly T[] {
     const pace = isMoving ? MOVING : RESTING;
     if (pace !== this.#pace) {
@@ -66,11 +66,11 @@ export class DrawSlices<T> {
     return slice;
   }
 
-  /** @param frameMs how long the frame took in which the last slice was drawn */
+  /** @param frameMs duration of the frame that drew the last slice */
   took(frameMs: number): void {
     const { least, most } = this.#pace;
     if (frameMs > this.#pace.frameMs) this.#size = Math.max(least, Math.floor(this.#drawn / 2));
-    // A smaller slice says nothing about a larger one.
+    // Only full slices show that a larger one is possible.
     else if (this.#drawn === this.#size) this.#size = Math.min(most, this.#size + 1);
   }
 }

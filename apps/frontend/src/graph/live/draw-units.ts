@@ -1,22 +1,22 @@
 import type { Graph, GraphNode } from '../model/graph.ts';
 import { topicOfWire } from './topics-in-graph.ts';
 
-/** What is drawn together: a node, and the topics that it shows or feeds. */
+/** Unit of drawing: a node, and the topics that it shows or writes. */
 export interface DrawUnit {
   readonly node: string;
   readonly topics: readonly string[];
-  /** Nodes that show something of it: itself, those its topics flow to, and who writes a topic. */
+  /** Nodes that show its values: itself, the targets of its topics, and the writers of a topic. */
   readonly shownAt: readonly string[];
-  /** Id of the module it is. */
+  /** Module id of a module node. */
   readonly module: string | undefined;
 }
 
-/** Nodes in a band as high as this are drawn from left to right, units of the canvas. */
+/** Height of the bands in which nodes are drawn from left to right, canvas units. */
 const BAND = 320;
 
 /**
- * The nodes of a graph with what flows from them, each topic once, in the order in which they lie:
- * browsers paint in tiles, and what is drawn in one frame should be in few of them.
+ * Nodes of a graph with their topics, each topic once, in spatial order: browsers paint in tiles, and the values of one
+ * frame should lie in few of them.
  */
 export function drawUnits(graph: Graph): readonly DrawUnit[] {
   const { nodes, wires } = graph;

@@ -2,28 +2,28 @@ import type { TopicRecord } from '@ubii/proto';
 import { formatValue } from '../../topics/values/format-value.ts';
 import { sparkNumbers } from '../../topics/values/value-series.ts';
 
-/** A value that came by. */
+/** A received value. */
 export interface PassedValue {
-  /** Counts up from 1. */
+  /** Sequence number, from 1. */
   readonly number: number;
   readonly text: string;
-  /** When it came, milliseconds of this machine's clock. */
+  /** Time of arrival, milliseconds of this computer's clock. */
   readonly atMs: number;
 }
 
-/** Values kept, and how much time the line over them shows, milliseconds. */
+/** Number of values kept, and time span of their chart, milliseconds. */
 export const MAX_PASSED = 10;
 export const SPARK_MS = 2000;
-/** Points of the line: more are not seen. */
+/** Most points of the chart; more cannot be distinguished. */
 const MAX_POINTS = 60;
 
-/** The last values of one topic, and their numbers over two seconds. */
+/** Last values of a topic, and the course of their numbers over two seconds. */
 export class LastValues {
   #values: PassedValue[] = [];
   #points: { readonly atMs: number; readonly numbers: readonly number[] }[] = [];
   #count = 0;
 
-  /** Records seen so far. */
+  /** Number of records received. */
   get count(): number {
     return this.#count;
   }
@@ -33,7 +33,7 @@ export class LastValues {
     return this.#values;
   }
 
-  /** @param atMs when it came, milliseconds of this machine's clock; in the past for a retained value */
+  /** @param atMs time of arrival, milliseconds of this computer's clock; in the past for a retained value */
   add(record: TopicRecord, atMs: number): void {
     this.#count += 1;
     const text = formatValue(record.format, record.value as never);
@@ -42,7 +42,7 @@ export class LastValues {
     if (numbers.length > 0) this.#points.push({ atMs, numbers });
   }
 
-  /** The number that moved most in the last two seconds, oldest first; empty when there is none. */
+  /** The number of the value that varied most in the last two seconds, oldest first; empty when there is none. */
   line(nowMs: number): readonly number[] {
     this.#points = this.#points.filter(({ atMs }) => nowMs - atMs <= SPARK_MS);
     const width = Math.max(0, ...this.#points.map(({ numbers }) => numbers.length));

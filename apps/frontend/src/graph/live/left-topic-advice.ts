@@ -2,26 +2,26 @@ import type { FindPublisher } from '../../topics/names/publisher.ts';
 import { rootLabel } from '../../topics/names/topic-path.ts';
 import type { TopicAdvice } from '../model/live/graph-problem.ts';
 
-/** A topic that other clients may have. */
+/** A topic of another client. */
 export interface OtherTopic {
   readonly topic: string;
   readonly format: string;
 }
 
-/** What else there is instead of a topic. */
+/** Access to alternatives for a topic. */
 export interface OtherTopics {
   readonly findPublisher: FindPublisher;
-  /** Whether the master has this client. */
+  /** Whether the client is registered. */
   readonly isPresent: (clientId: string) => boolean;
-  /** Those that clients published on, the best first. */
+  /** Topics that clients published on, best first. */
   readonly topics: () => readonly OtherTopic[];
-  /** Whether everything that reads the topic takes this format. */
+  /** Whether all readers of the topic accept this format. */
   readonly fits: (format: string) => boolean;
-  /** Takes another topic in its place. */
+  /** Replaces the topic by another one. */
   readonly use: (topic: string) => void;
 }
 
-/** What to say of a topic whose client is gone, and what to use instead; undefined for other topics. */
+/** Returns advice about a topic whose client is gone, with a replacement; undefined for other topics. */
 export function leftTopicAdvice(topic: string, around: OtherTopics): TopicAdvice | undefined {
   const root = rootLabel(topic);
   const owner = around.findPublisher(root);
@@ -39,7 +39,7 @@ export function leftTopicAdvice(topic: string, around: OtherTopics): TopicAdvice
   };
 }
 
-/** The topic of the same device and component of a client that is there. */
+/** Returns the topic of the same device and component of a client that is registered. */
 function sameTopic(
   topic: string,
   rest: string,
@@ -54,7 +54,7 @@ function sameTopic(
   return undefined;
 }
 
-/** Device and component of a topic of a client. */
+/** Returns the device and component part of a client's topic. */
 function topicWithoutRoot(topic: string): string {
   return topic.slice(topic.indexOf('/', 1) + 1);
 }

@@ -16,7 +16,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-/** Counters of a topic that no client has published on. */
+/** Statistics of a topic that was subscribed and never published. */
 const SUBSCRIBED: TopicRate = {
   statistic: {
     topic: '/first',
@@ -35,7 +35,7 @@ const SUBSCRIBED: TopicRate = {
   usualHz: undefined,
 };
 
-/** A graph whose module writes to /first. */
+/** Mounts a graph whose module writes to /first. */
 function mountGraph(rates = new Map<string, TopicRate>()) {
   const { client, publish } = fakeTopics();
   const connection = {

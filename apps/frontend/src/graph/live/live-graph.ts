@@ -23,13 +23,13 @@ import { createFrameTimer } from './frame-timer.ts';
 import { hasChanged, liveTopic, type LiveTopic } from './live-topic.ts';
 import { topicsOf } from './topics-in-graph.ts';
 
-/** How often counters are asked for, milliseconds. */
+/** Interval of requests for statistics, milliseconds. */
 const STATISTICS_MS = 250;
-/** How often pictures on topic nodes are renewed, Hz. */
+/** Rate at which pictures on topic nodes are renewed, Hz. */
 const PICTURE_HZ = 2;
-/** How often the lines of values go on, milliseconds. */
+/** Interval between points of the charts of values, milliseconds. */
 const SAMPLE_MS = 1000 / 6;
-/** Run times kept for the chart of a module: a minute at five reports a second. */
+/** Run times kept for a module's chart: one minute at five reports a second. */
 const RUN_TIMES = 300;
 
 export interface RunTime {
@@ -38,17 +38,17 @@ export interface RunTime {
   readonly p95Ms: number;
 }
 
-/** What flows through a session, read by views; nothing is asked for while the page is hidden. */
+/** Live values and statistics of a session for the views; requests nothing while the page is hidden. */
 export interface LiveGraph {
-  /** Set while the canvas is moved: values are then drawn less often. */
+  /** Set while the canvas moves: values are then drawn less often. */
   readonly isMoving: ShallowRef<boolean>;
-  /** What the canvas shows of the nodes; values of others are drawn less often. */
+  /** Returns whether a node is visible; values of others are drawn less often. */
   readonly isInView: ShallowRef<(node: string) => boolean>;
   topic(topic: string): LiveTopic | undefined;
-  /** What a muxer gathers now, or why it gathers nothing. */
+  /** Topics that a muxer matches now, or the reason why it matches none. */
   preview(mux: TopicMux): MuxPreview;
   module(id: string): ModuleStatistics | undefined;
-  /** Whether a module is reported of at all. */
+  /** Whether the module has statistics. */
   has(id: string): boolean;
   /** Oldest first. */
   runTimes(id: string): readonly RunTime[];
@@ -113,7 +113,7 @@ export function useLiveGraph(
   function drawTopic(topic: string): void {
     const rate = topics.rates.value?.get(topic);
     const value = values.get(topic);
-    // The subscription of this page alone gives a topic counters
+    // A subscription of this page is enough for a topic to have statistics.
     const isPublished = rate !== undefined && rate.statistic.publishedMs > 0;
     if (!isPublished && value?.record === undefined) {
       shown.delete(topic);
@@ -127,7 +127,7 @@ export function useLiveGraph(
 
   const modules = shallowReactive(new Map<string, ModuleStatistics>());
   const runTimes = shallowReactive(new Map<string, readonly RunTime[]>());
-  /** What was reported of each module and is not drawn yet. */
+  /** Newest report of each module that is not drawn yet. */
   const reported = new Map<string, Report>();
   watch(
     () => (isWatched(session.value) ? statistics.value.get(session.value.id)?.modules : undefined),

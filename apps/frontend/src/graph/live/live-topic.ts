@@ -4,26 +4,26 @@ import type { RowValue } from '../../topics/rows/row-value.ts';
 import { NO_SPARK, type SparkLine } from '../../topics/rows/sparkline.ts';
 import { isStale } from '../../topics/rows/staleness.ts';
 
-/** What is shown of a topic on the canvas. */
+/** State of a topic as shown on the canvas. */
 export interface LiveTopic {
-  /** Records per second; undefined while not known. */
+  /** Records per second; undefined while unknown. */
   readonly hz: number | undefined;
-  /** The newest value in one line. */
+  /** Newest value in one line. */
   readonly text: string | undefined;
   readonly record: TopicRecord | undefined;
   readonly spark: SparkLine;
-  /** Since the newest record; undefined before the first. */
+  /** Age of the newest record; undefined before the first. */
   readonly ageMs: number | undefined;
   readonly isStale: boolean;
   readonly droppedPerSecond: number;
   readonly format: string;
-  /** Id of who published it last. */
+  /** Id of the client that published last. */
   readonly publisherId: string;
 }
 
 /**
- * What is known of a topic. Its first value comes before the master's counters have it.
- * @param nowMs of the master's clock, epoch milliseconds
+ * Returns the state of a topic. Its first value arrives before the master's statistics of it.
+ * @param nowMs current time of the master's clock, epoch milliseconds
  */
 export function liveTopic(
   rate: TopicRate | undefined,
@@ -51,7 +51,7 @@ const rateText = ({ hz }: LiveTopic): string | undefined => hz?.toFixed(1);
 
 const isPublished = ({ ageMs }: LiveTopic): boolean => ageMs !== undefined;
 
-/** Whether there is something else to see. */
+/** Whether the visible state differs. */
 export function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
   return (
     a.publisherId !== b.publisherId ||

@@ -2,18 +2,18 @@ import type { ModuleEvent, Session, SessionProblem } from '@ubii/proto';
 import { firstCause } from '../../sessions/live/event-log.ts';
 import { RUN_FAILED } from '../../sessions/live/run-problems.ts';
 
-/** What is wrong with a module. */
+/** Problems of a module. */
 export interface ModuleTrouble {
   readonly count: number;
-  /** The first error that the session names now, else the first cause of the last seconds. */
+  /** First error in the current session status; otherwise the first of the last seconds. */
   readonly failure: Pick<SessionProblem, 'message'> | undefined;
-  /** The event of that cause; it may say where in the code. */
+  /** Event of that error, which may have its position in the code. */
   readonly event: ModuleEvent | undefined;
 }
 
 /**
  * @param events oldest first
- * @param nowMs milliseconds since the epoch, of the master's clock
+ * @param nowMs current time of the master's clock, epoch milliseconds
  */
 export function moduleTrouble(
   session: Pick<Session, 'extension'>,
@@ -23,7 +23,7 @@ export function moduleTrouble(
 ): ModuleTrouble {
   const problems = (session.extension?.problems ?? []).filter((one) => one.moduleId === moduleId);
   const [error] = problems.filter(({ isError, code }) => isError && code !== RUN_FAILED);
-  // The event says it in the author's words, and where.
+  // The event has the author's message and its position in the code.
   const run = problems.find(({ code }) => code === RUN_FAILED);
   const recent = error === undefined ? firstCause(events, moduleId, nowMs) : undefined;
   const named = error ?? run;

@@ -6,29 +6,29 @@ import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { LiveGraph } from './live-graph.ts';
 import { isOwnTouch } from './phone-topics.ts';
 
-/** The touch pad below a session that reads the touch of this device. */
+/** Touch pad below a session that reads the touch of this device. */
 export interface OwnPad {
   readonly isOffered: ComputedRef<boolean>;
-  /** Assign to open or to close it: it then stays so. */
+  /** Set to open or close it; overrides the default from then on. */
   readonly isOpen: Ref<boolean>;
-  /** Whether a topic without a value only waits for a finger. */
+  /** Whether a topic has no value only because the pad is not touched. */
   isResting(topic: string): boolean;
 }
 
 export interface PadSources {
-  /** The device is used with fingers. */
+  /** True on devices with a touchscreen. */
   readonly isTouch: Readonly<Ref<boolean>>;
-  /** It is a phone with room for the pad below the list. */
+  /** True on phones with enough height for the pad below the list. */
   readonly isPhone: Readonly<Ref<boolean>>;
   isRunning(): boolean;
   /** Topics in the graph with the touch of this device. */
   ownTouches(): readonly string[];
-  /** Whether the topic has, or had, a value. */
+  /** Whether the topic has or had a value. */
   isPublished(topic: string): boolean;
 }
 
 export function createOwnPad(sources: PadSources): OwnPad {
-  /** What the user chose; undefined: as the session needs it. */
+  /** The user's choice; undefined: open when the session needs it. */
   const choice = ref<boolean>();
   const touches = computed(() => sources.ownTouches());
   const isOffered = computed(() => sources.isTouch.value && touches.value.length > 0);
@@ -36,7 +36,7 @@ export function createOwnPad(sources: PadSources): OwnPad {
     get: () => isOffered.value && (choice.value ?? (sources.isPhone.value && sources.isRunning())),
     set: (open) => (choice.value = open),
   });
-  // The master forgets the values of a pad that is closed.
+  // The master deletes the values of a closed pad, so remember that there were some.
   const touched = shallowReactive(new Set<string>());
   watch(
     () => touches.value.filter((topic) => sources.isPublished(topic)),
@@ -56,7 +56,7 @@ export function createOwnPad(sources: PadSources): OwnPad {
 export function useOwnPad(editor: GraphEditor, live: LiveGraph): OwnPad {
   const { client, isConnected } = useConnection();
   const ownTouches = computed(() => {
-    // The id of the client may be another one after a reconnect.
+    // The client id may change with a reconnect.
     void isConnected.value;
     return [...editor.graph.value.nodes.values()].flatMap((node) =>
       node.kind === 'topic' && isOwnTouch(node.topic, client.id) ? [node.topic] : [],

@@ -4,8 +4,8 @@ import { phoneTopicTags } from './phone-topics.ts';
 const SMART_DEVICE_PATH = '/devices/smart-device';
 
 /**
- * What to do for a topic of this browser's smart device on which nothing is sent; undefined for other topics.
- * @param openPad opens the touch pad of the page, where it has one
+ * Returns advice about a topic of this browser's smart device without a value; undefined for other topics.
+ * @param openPad opens the touch pad, on pages that have one
  */
 export function ownTopicRemedy(
   topic: string,

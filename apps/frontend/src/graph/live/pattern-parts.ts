@@ -1,4 +1,4 @@
-/** A piece of a pattern; what stands for something else is marked. */
+/** Part of a pattern; variable parts are marked. */
 export interface PatternPart {
   readonly text: string;
   readonly isOpen: boolean;
@@ -6,14 +6,14 @@ export interface PatternPart {
 
 export type PatternKind = 'glob' | 'regex' | 'format';
 
-/** What stands for something else: levels of a glob, groups of an expression, parameters of a format. */
+/** Variable parts: wildcards of a glob, groups of a regular expression, parameters of a format. */
 const OPEN: Readonly<Record<PatternKind, RegExp>> = {
   glob: /\*\*|\*|\?/g,
   regex: /\((?:[^()\\]|\\.)*\)/g,
   format: /\{\{[^}]*\}\}|%s/g,
 };
 
-/** A pattern in pieces, for showing which part of it differs from topic to topic. */
+/** Splits a pattern into fixed parts and parts that differ from topic to topic. */
 export function patternParts(text: string, kind: PatternKind): PatternPart[] {
   const parts: PatternPart[] = [];
   let end = 0;

@@ -1,6 +1,6 @@
 import type { Graph, Wire } from '../model/graph.ts';
 
-/** The topic whose values flow through a wire; undefined for constants and many topics. */
+/** Returns the topic whose values flow through a wire; undefined for constants and for several topics. */
 export function topicOfWire({ nodes }: Graph, { from, to, via }: Wire): string | undefined {
   if (via !== undefined) return via;
   const source = nodes.get(from.node);
@@ -9,7 +9,7 @@ export function topicOfWire({ nodes }: Graph, { from, to, via }: Wire): string |
   return target?.kind === 'topic' ? target.topic : undefined;
 }
 
-/** Every topic that shows on the canvas. */
+/** Returns all topics that are shown on the canvas. */
 export function topicsOf(graph: Graph): ReadonlySet<string> {
   const names = new Set<string>();
   for (const node of graph.nodes.values()) if (node.kind === 'topic') names.add(node.topic);

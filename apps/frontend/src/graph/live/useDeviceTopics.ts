@@ -3,16 +3,16 @@ import { computed, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { KnownTopic } from '../model/fit/node-offer.ts';
 
-/** No list shows more. */
+/** Most topics returned; no list shows more. */
 const MAX_TOPICS = 200;
 
-/** A topic that a device is going to publish on. */
+/** A topic that a device has announced. */
 export interface DeviceTopic extends KnownTopic {
-  /** Of the component, with the name of its client. */
+  /** Name of the component and its client. */
   readonly name: string;
 }
 
-/** Topics of devices that have no record yet. */
+/** Announced topics of devices that have no record yet. */
 export function useDeviceTopics(): ComputedRef<readonly DeviceTopic[]> {
   const { clients, topics } = useConnection();
   return computed(() => {

@@ -3,7 +3,7 @@ import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { LiveGraph } from './live-graph.ts';
 import type { OwnPad } from './own-pad.ts';
 
-/** What the parts of the editor share. */
+/** State shared by the parts of the editor. */
 export interface GraphContext {
   readonly editor: GraphEditor;
   readonly live: LiveGraph;

@@ -13,20 +13,20 @@ import type { OwnPad } from './own-pad.ts';
 import { ownTopicRemedy } from './own-topic-remedy.ts';
 import { useOtherTopics } from './useOtherTopics.ts';
 
-/** What is wrong in the graph, for the views that show it at its place. */
+/** Problems of the graph, for the views that show them. */
 export interface LiveProblems {
   readonly problems: ComputedRef<GraphProblems>;
   ofNode(id: string): readonly GraphProblem[];
   ofPort(node: string, port: string): readonly GraphProblem[];
   ofWire(id: string): readonly GraphProblem[];
-  /** There is no code of this module anywhere. */
+  /** True when neither the module nor any node has code for it. */
   isMissing(node: ModuleNode): boolean;
 }
 
 const PROBLEMS: InjectionKey<LiveProblems> = Symbol('graph problems');
 const NONE: readonly GraphProblem[] = [];
 
-/** Watches a graph for problems, for all views below. */
+/** Determines the problems of a graph and provides them to child views. */
 export function provideGraphProblems(
   editor: GraphEditor,
   library: ModuleLibrary,
@@ -49,7 +49,7 @@ export function provideGraphProblems(
       writers: runningWriters(sessions.list.value ?? [], editor.session.value.id),
     };
   });
-  /** Lists come every few seconds; only what they say differently counts. */
+  /** Lists arrive every few seconds; recompute only when they differ. */
   const settled = computed<Surroundings>((before) =>
     before !== undefined && isSame(before, around.value) ? before : around.value,
   );

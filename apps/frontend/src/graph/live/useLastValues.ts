@@ -5,25 +5,25 @@ import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { LastValues, type PassedValue } from './last-values.ts';
 
-/** How often what is read is renewed, Hz. */
+/** Rate at which the result is renewed, Hz. */
 const READ_HZ = 6;
-/** How often records come at most, Hz; pictures are large. */
+/** Highest rate of requested records, Hz; lower for pictures, which are large. */
 const RATE_HZ = 60;
 const PICTURE_HZ = 5;
 
-/** The last values of a topic at one moment. */
+/** Last values of a topic at one moment. */
 export interface PassedView {
   /** Newest first. */
   readonly values: readonly PassedValue[];
   readonly line: readonly number[];
-  /** The moment it shows, milliseconds of this machine's clock. */
+  /** Time of the snapshot, milliseconds of this computer's clock. */
   readonly nowMs: number;
   readonly newest: TopicRecord | undefined;
 }
 
 const NOTHING: PassedView = { values: [], line: [], nowMs: 0, newest: undefined };
 
-/** What passes on a topic while the calling scope lives and the page is seen; nothing is asked for else. */
+/** Last values of a topic while the calling scope is active and the page is visible; no subscription otherwise. */
 export function useLastValues(
   topic: Readonly<Ref<string | undefined>>,
 ): Readonly<ShallowRef<PassedView>> {
@@ -33,7 +33,7 @@ export function useLastValues(
   let newest: TopicRecord | undefined;
 
   function arrivedMs(isFirst: boolean): number {
-    // The first may have been there for long: it came when the master says.
+    // The first record may be old: use the master's time for it.
     const publishedMs = isFirst
       ? (topics.rates.value?.get(topic.value ?? '')?.statistic.publishedMs ?? 0)
       : 0;

@@ -7,9 +7,9 @@ import { useGraphContext } from './useGraphContext.ts';
 import type { ModuleNode } from '../model/graph.ts';
 import { isSameTrouble, moduleTrouble, type ModuleTrouble } from './module-trouble.ts';
 
-/** A module as it is at the master. */
+/** State of a module on the master. */
 export interface ModuleState {
-  /** Undefined while it is not saved. */
+  /** Undefined while the module is not saved. */
   readonly real: ComputedRef<ProcessingModule | undefined>;
   readonly trouble: ComputedRef<ModuleTrouble>;
   readonly status: ComputedRef<StatusLook | undefined>;
@@ -25,7 +25,7 @@ export function useModuleState(node: () => ModuleNode): ModuleState {
     const { id } = node().module;
     const nowMs = topics.masterTimeMs.value;
     const now = moduleTrouble(editor.session.value, live.events.value, id, nowMs);
-    // Time goes on; only what it changes is news to the views of hundreds of modules.
+    // The clock ticks: keep the previous object unless the result differs, to spare hundreds of views.
     return before !== undefined && isSameTrouble(before, now) ? before : now;
   });
   const status = computed(() => {

@@ -12,12 +12,14 @@ import { portOf } from '../model/port-format.ts';
 import { wiresOf } from '../model/wires-of.ts';
 import type { OtherTopic, OtherTopics } from './left-topic-advice.ts';
 
-/** Finds what may take the place of a topic of the graph, which is an edit like any other. */
+/** Finds replacements for a topic of the graph; using one is an undoable edit. */
 export function useOtherTopics(editor: GraphEditor): (topic: string) => OtherTopics {
   const { client, clients, topics } = useConnection();
   const findPublisher = useFindPublisher();
   const present = computed(() => new Set(clients.list.value?.map(({ id }) => id)));
-  /** Topics of clients, those of this browser first. Counters come all the time; only other topics count. */
+  /**
+   * Topics of clients, those of this browser first. Statistics arrive continuously; recompute only for other topics.
+   */
   const published = computed<readonly OtherTopic[]>((before) => {
     const all = [...(topics.rates.value?.values() ?? [])]
       .map(({ statistic }) => statistic)

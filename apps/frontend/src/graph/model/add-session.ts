@@ -6,24 +6,24 @@ import { placeNew } from './layout/place-graph.ts';
 import { copyText, paste } from './selection/clipboard.ts';
 import { withIds } from './with-ids.ts';
 
-/** How a whole session is put into a graph. */
+/** Options for adding a session to a graph. */
 export interface AddSessionOptions {
   uuid(): string;
-  /** Top left of what is added. */
+  /** Top left of the added nodes. */
   readonly position: Point;
   readonly sizeOf: (node: GraphNode) => Size;
-  /** What the step is called. */
+  /** Label of the undo step. */
   readonly label: string;
-  /** What the graph is called from now on. */
+  /** New name and description of the graph. */
   readonly as?: { readonly name: string; readonly description: string };
 }
 
-/** One step that adds all of a session, or why it cannot be. */
+/** Command that adds a whole session, or the reason why it cannot be added. */
 export type AddedSession =
   | { readonly kind: 'added'; readonly command: GraphCommand; readonly ids: readonly string[] }
   | { readonly kind: 'broken'; readonly reason: string };
 
-/** Modules get ids of their own; topics are the same topics. */
+/** Adds a session to a graph. Modules get new ids; topics stay the same. */
 export function addSession(
   graph: Graph,
   session: Session,

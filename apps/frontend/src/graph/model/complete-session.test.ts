@@ -7,7 +7,7 @@ import { graphOf } from './graph-of.ts';
 const [module] = aSession().processingModules as [ProcessingModule];
 let count = 0;
 const uuid = (): string => `uuid-${(count += 1)}`;
-/** As a file has it that only names its modules. */
+/** Session of a file that only names its modules. */
 const named = () => aSession({ json: { processingModules: [{ id: 'module', name: 'mirror' }] } });
 
 describe('completeSession', () => {

@@ -6,8 +6,8 @@ import { sessionOf } from './session-of.ts';
 import { withIds } from './with-ids.ts';
 
 /**
- * The session with what the library knows of modules that it only names, as a master would fill it in
- * [SE-1]: so a file has all it needs elsewhere.
+ * Fills in modules that a session only names from the library, as a master does [SE-1], so that an exported file is
+ * complete.
  */
 export function completeSession(session: Session, library: readonly ProcessingModule[]): Session {
   const known = new Map(library.map((module) => [module.name, module]));
@@ -21,7 +21,7 @@ export function completeSession(session: Session, library: readonly ProcessingMo
 
 const hasCode = (module: ProcessingModule): boolean => module.onProcessingStringified !== '';
 
-/** What the session says goes first. */
+/** The session's own properties take precedence. */
 function completed(module: ProcessingModule, stored: ProcessingModule): ProcessingModule {
   const said = Object.entries(module).filter(([, value]: [string, unknown]) => !isNothing(value));
   return {
@@ -40,17 +40,17 @@ const isNothing = (value: unknown): boolean =>
   value === 0 ||
   (Array.isArray(value) && value.length === 0);
 
-/** A session in which modules that no node can run are muted. */
+/** A session with unknown modules muted. */
 export interface WithPlaceholders {
   readonly session: Session;
-  /** Names of modules without code that no node offers, each once. */
+  /** Names of modules without code that no node offers, without duplicates. */
   readonly missing: readonly string[];
 }
 
 /**
- * Mutes unknown modules and keeps them completely, with their wires: a master refuses a
- * session that has to run them. [SE-4] They are enabled again when a node offers them.
- * @param uuid gives a new UUID
+ * Mutes unknown modules and keeps them completely, with their wires: a master refuses a session that has to run them.
+ * [SE-4] They are enabled again when a node offers them.
+ * @param uuid returns a new UUID
  */
 export function withPlaceholders(
   session: Session,
@@ -75,7 +75,7 @@ export function withPlaceholders(
   };
 }
 
-/** One clear sentence on what is missing; empty when nothing is. */
+/** One sentence about the missing modules; empty when none is missing. */
 export function missingWords(missing: readonly string[]): string {
   if (missing.length === 0) return '';
   const what = plural(

@@ -5,7 +5,7 @@ import { ioName } from './ports.ts';
 import { asideJson, NOTHING_ASIDE, type Aside } from './standing/set-aside.ts';
 import { wiresOf } from './wires-of.ts';
 
-/** The editor data of a graph, as JSON text; the same graph always gives the same text. */
+/** Serialises the editor data of a graph to JSON; equal graphs give equal text. */
 export function editorDataText(graph: Graph, aside: Aside = NOTHING_ASIDE): string {
   const nodes = new Map<string, JsonObject>();
   for (const node of graph.nodes.values()) nodes.set(node.id, nodeJson(graph, node));
@@ -28,7 +28,7 @@ export function editorDataText(graph: Graph, aside: Aside = NOTHING_ASIDE): stri
   });
 }
 
-/** Ours, with what others have left there, by key. */
+/** Own entries of a section, together with those of other programs, by key. */
 function section(ours: ReadonlyMap<string, JsonValue>, others: JsonValue | undefined): JsonValue {
   const left = isObject(others) ? others : {};
   const keys = [...new Set([...ours.keys(), ...Object.keys(left)])].sort();
@@ -57,7 +57,7 @@ function nodeJson(graph: Graph, node: GraphNode): JsonObject {
   };
 }
 
-/** What the session has no place for. */
+/** Properties of a node that the session cannot represent. */
 function ownJson(graph: Graph, node: GraphNode): JsonObject {
   switch (node.kind) {
     case 'module':

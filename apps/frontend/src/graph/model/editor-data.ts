@@ -3,43 +3,43 @@ import type { Point } from './graph.ts';
 import type { NodeLook } from './make-node.ts';
 import { NOTHING_ASIDE, readAside, type Aside } from './standing/set-aside.ts';
 
-/** Marks the JSON text as ours. */
+/** Value of `format` that marks the JSON text as editor data. */
 export const EDITOR_FORMAT = 'ubi-interact.graph';
 export const EDITOR_VERSION = 1;
 
-/** What the editor keeps of a node: how it stands, and what the session itself has no place for. */
+/** Editor data of a node: its appearance, and properties that the session cannot represent. */
 export interface NodeRecord extends NodeLook {
   readonly kind: string;
-  /** Topics, muxers and demuxers: nothing is wired to them, so that only this record knows them. */
+  /** True for topics, muxers and demuxers without wires, which exist only in the editor data. */
   readonly isLoose: boolean;
   readonly topic?: string;
   readonly format?: DataFormat | undefined;
-  /** A muxer or demuxer as JSON of its message. */
+  /** JSON of the message of a muxer or demuxer. */
   readonly message?: JsonObject;
   readonly name?: string;
   readonly json?: string;
-  /** Inputs a constant is wired to: id of the node and name of the input. */
+  /** Inputs that a constant is wired to: node id and input name. */
   readonly targets?: readonly (readonly [node: string, input: string])[];
   readonly text?: string;
   readonly title?: string;
   readonly color?: string;
 }
 
-/** What graph editors keep in a session. [EX-22] */
+/** Data of graph editors that is stored in a session. [EX-22] */
 export interface EditorData {
   readonly nodes: ReadonlyMap<string, NodeRecord>;
-  /** Points wires are led through, by the ids of the wires. */
+  /** Bend points of wires, by wire id. */
   readonly wires: ReadonlyMap<string, readonly Point[]>;
-  /** Modules that are bypassed or muted. */
+  /** Bypassed or muted modules. */
   readonly aside: Aside;
-  /** What was not understood, as it stood there; all of it when the text is not ours. */
+  /** Unknown members, unchanged; the whole text if it is of another program. */
   readonly foreign: JsonObject;
 }
 
-/** Larger texts are kept as they are and not read: they are no editor data of ours. */
+/** Longest text that is parsed, characters; longer ones are kept unchanged. */
 const MAX_TEXT_LENGTH = 8_000_000;
 
-/** Reads the editor data of a session. What is damaged or foreign is kept, and never throws. */
+/** Parses the editor data of a session. Keeps damaged or unknown parts; never throws. */
 export function parseEditorData(text: string): EditorData {
   const nodes = new Map<string, NodeRecord>();
   const wires = new Map<string, readonly Point[]>();
@@ -55,7 +55,7 @@ export function parseEditorData(text: string): EditorData {
   takeEach(foreign, 'nodes', nodes, readNode);
   takeEach(foreign, 'wires', wires, readPoints);
   const read = readAside(foreign.aside);
-  // Ours has to have its place; theirs has to be kept.
+  // Free the key for own data, and keep the data of the other program.
   if (read === undefined && foreign.aside !== undefined) foreign.foreignAside = foreign.aside;
   delete foreign.aside;
   return { nodes, wires, aside: read ?? aside, foreign };
@@ -73,13 +73,13 @@ function readJson(text: string): unknown {
 const isObject = (value: unknown): value is Record<string, JsonValue> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** What was read of a member, and what is left of it. */
+/** Parsed value of a member, and the rest that was not understood. */
 interface Reading<T> {
   readonly value: T | undefined;
   readonly left: JsonValue | undefined;
 }
 
-/** Reads the members of one section; what cannot be read stays there. */
+/** Parses the members of a section; members that are not understood stay. */
 function takeEach<T>(
   members: Record<string, JsonValue>,
   section: string,
@@ -88,7 +88,7 @@ function takeEach<T>(
 ): void {
   const all = members[section];
   if (!isObject(all)) {
-    // Ours has to have its place; theirs has to be kept.
+    // Free the key for own data, and keep the data of the other program.
     if (all !== undefined) members[section] = { '': { others: all } };
     return;
   }

@@ -11,7 +11,7 @@ const session = (json: object): Session => fromJson('ubii.sessions.Session', jso
 const wires = (graph: Graph): string[] =>
   [...graph.wires.values()].map(({ id, via }) => (via === undefined ? id : `${id} via ${via}`));
 
-/** Many sessions take their time on a busy machine. */
+/** Many sessions take long on a busy computer. */
 const TIMEOUT_MS = 60_000;
 
 describe('a session as a graph', { timeout: TIMEOUT_MS }, () => {

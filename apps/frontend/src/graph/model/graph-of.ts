@@ -32,9 +32,8 @@ import { sessionDetails } from './session-details.ts';
 import { restored, type Aside } from './standing/set-aside.ts';
 
 /**
- * A session as a graph. The same session always gives the same graph; `sessionOf` is the way back.
- * Topics that one module writes and others read have no node of their own, only wires that name
- * them, unless the editor data says otherwise.
+ * Converts a session to a graph; `sessionOf` is the inverse. Equal sessions give equal graphs. Topics that one module
+ * writes and others read have no node, only wires with their name, unless the editor data says otherwise.
  */
 export function graphOf(session: Session): Graph {
   const data = parseEditorData(session.extension?.editorJson ?? '');
@@ -59,7 +58,7 @@ class GraphBuilder {
   readonly #standings: ReadonlyMap<string, Standing>;
   /** Topics without a node, with the output that writes them. */
   readonly #writers: ReadonlyMap<string, PortRef>;
-  /** Muxers and demuxers by what tells them apart. */
+  /** Node ids of muxers and demuxers, by a key of their content. */
   readonly #spreaders = new Map<string, string>();
 
   constructor(
@@ -98,7 +97,7 @@ class GraphBuilder {
     }
   }
 
-  /** Constants, comments, frames, and what nothing is wired to. */
+  /** Adds constants, comments, frames, and nodes without wires. */
   addEditorNodes(): void {
     for (const [id, record] of this.#data.nodes) {
       if (this.nodes.has(id)) continue;
@@ -136,8 +135,8 @@ class GraphBuilder {
   }
 
   /**
-   * One node for what has the same id and says the same. What has no id, as old clients send it, is
-   * known by where it is mapped.
+   * Returns one node for mappings with the same id and content. Without an id, as from old clients, each mapping has
+   * its own node.
    */
   #spreader(key: string, id: string, place: PortRef | undefined): string {
     const wholeKey = place === undefined ? key : `${key} ${place.node} ${place.port}`;
@@ -184,21 +183,21 @@ class GraphBuilder {
   }
 }
 
-/** Of modules that are only in the editor data, by their ids. */
+/** Bypassed and muted modules, which are only in the editor data, by their ids. */
 function standings(session: Session, { modules }: Aside): ReadonlyMap<string, Standing> {
   const ids = new Set(session.processingModules.map(({ id }) => id));
   const resting = modules.filter(({ module }) => module.id !== '' && !ids.has(module.id));
   return new Map(resting.map(({ module, standing }) => [module.id, standing]));
 }
 
-/** Something mapped twice is there twice. */
+/** Appends a number to keys that are taken. */
 function freeKey(taken: ReadonlyMap<string, unknown>, wished: string): string {
   let key = wished;
   for (let number = 2; taken.has(key); number += 1) key = `${wished} #${number}`;
   return key;
 }
 
-/** Topics that only one output writes and some input reads. */
+/** Topics that exactly one output writes and some input reads. */
 function findWriters(
   modules: readonly MappedModule[],
   hasNode: (topic: string) => boolean,
@@ -227,11 +226,11 @@ function findWriters(
 
 function editorNode(id: string, record: NodeRecord): GraphNode | undefined {
   const { kind, isLoose, topic, message, json, name = '', text = '', title = '' } = record;
-  // Ids of one kind are never those of another.
+  // Prevent ids of one kind from being used for another.
   if (!id.startsWith(`${kind}:`)) return undefined;
   if (kind === 'comment') return commentNode(id, text, record);
   if (kind === 'frame') return frameNode(id, title, record);
-  // One without a value says nothing: an input that was wired to it would lose its wire.
+  // Skip constants without a value: an input wired to one would lose its wire.
   if (kind === 'constant') return json ? constantNode(id, json, { ...record, name }) : undefined;
   if (!isLoose) return undefined;
   if (kind === 'topic' && topic !== undefined && id === topicNodeId(topic)) {

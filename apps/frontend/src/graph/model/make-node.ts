@@ -13,7 +13,7 @@ import type {
 } from './graph.ts';
 import { constantPorts, demuxerPorts, modulePorts, muxerPorts, topicPorts } from './ports.ts';
 
-/** How a node stands on the canvas. */
+/** Appearance of a node on the canvas. */
 export interface NodeLook {
   readonly position?: Point | undefined;
   readonly size?: Size | undefined;
@@ -34,7 +34,7 @@ const base = <K extends string>(
   frame: string | undefined;
 } => ({ id, kind, position, size, isCollapsed, frame });
 
-/** Ids follow from what a node stands for, so that a session always gives the same graph. */
+/** Ids of nodes are derived from their content, so that equal sessions give equal graphs. */
 export const topicNodeId = (topic: string): string => `topic:${topic}`;
 export const moduleNodeId = (moduleId: string): string => `module:${moduleId}`;
 export const muxerNodeId = (muxId: string): string => `muxer:${muxId}`;
@@ -48,13 +48,13 @@ export function topicNode(
   return { ...base('topic', topicNodeId(topic), look), topic, format, ports: topicPorts(format) };
 }
 
-/** What a module node has besides the module. */
+/** Parts of a module node besides its module. */
 export interface ModuleNodeParts extends NodeLook {
-  /** Default: follows from the id of the module. */
+  /** Default: derived from the id of the module. */
   readonly id?: string;
   readonly constants?: ReadonlyMap<string, string>;
   readonly standing?: Standing;
-  /** Names in mappings; those the module does not declare get ports too. */
+  /** Names in mappings; undeclared ones get ports, too. */
   readonly mappedInputs?: Iterable<string>;
   readonly mappedOutputs?: Iterable<string>;
 }
@@ -84,7 +84,7 @@ export function demuxerNode(
   return { ...base('demuxer', id, look), demux, ports: demuxerPorts(demux) };
 }
 
-/** @param id a new one, such as `constant:` and a UUID */
+/** @param id new id, such as `constant:` and a UUID */
 export function constantNode(
   id: string,
   json: string,

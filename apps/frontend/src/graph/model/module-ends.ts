@@ -3,13 +3,13 @@ import { ioName } from './ports.ts';
 import { endKey, type InputEnds, type InputSource, type OutputTarget } from './read-mappings.ts';
 import { wiresOf } from './wires-of.ts';
 
-/** What a module is mapped to. */
+/** Mappings of a module. */
 export interface ModuleEnds {
   readonly inputs: ReadonlyMap<string, InputEnds>;
   readonly outputs: ReadonlyMap<string, readonly OutputTarget[]>;
 }
 
-/** What the wires of a module say. */
+/** Returns the mappings that the wires of a module represent. */
 export function moduleEnds(graph: Graph, node: ModuleNode): ModuleEnds {
   const wires = wiresOf(graph, node.id);
   const inputs = new Map<string, { sources: InputSource[]; constantJson: string }>();

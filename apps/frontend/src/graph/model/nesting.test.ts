@@ -22,7 +22,7 @@ const INNER = area('frame:inner', 100, 400);
 const A = { id: 'module:a', x: 200, y: 200, width: 100, height: 50 };
 const framed = (id: string, { x, y, width, height }: typeof OUTER, frame?: string) =>
   frameNode(id, '', { position: { x, y }, size: { width, height }, frame });
-/** A module in a frame in a frame; `b` lies beside all. */
+/** A module in a frame in a frame; `b` is outside. */
 const nested = run(
   graphOf(session),
   {

@@ -2,7 +2,9 @@ import type { Graph, GraphNode } from './graph.ts';
 
 type Nodes = Graph['nodes'];
 
-/** The frames a node is in, the nearest first. Editor data of others may lead in a circle: it ends there. */
+/**
+ * Returns the frames around a node, innermost first. Stops at cycles, which editor data of other programs may contain.
+ */
 export function framesAround(nodes: Nodes, id: string): string[] {
   const around: string[] = [];
   const seen = new Set([id]);
@@ -15,11 +17,11 @@ export function framesAround(nodes: Nodes, id: string): string[] {
   return around;
 }
 
-/** True when putting the node into the frame would put a frame into itself. */
+/** True when adding the node to the frame would make a frame contain itself. */
 export const wouldLoop = (nodes: Nodes, id: string, frame: string): boolean =>
   id === frame || framesAround(nodes, frame).includes(id);
 
-/** These nodes, and all that is in the frames among them, frames in frames too. */
+/** Returns these nodes and, recursively, the contents of the frames among them. */
 export function withContents({ nodes }: Graph, ids: Iterable<string>): Set<string> {
   const chosen = new Set([...ids].filter((id) => nodes.has(id)));
   if (![...chosen].some((id) => nodes.get(id)?.kind === 'frame')) return chosen;
@@ -30,14 +32,14 @@ export function withContents({ nodes }: Graph, ids: Iterable<string>): Set<strin
   return chosen;
 }
 
-/** The nearest frame around a node that is not among those that go. */
+/** Returns the innermost frame around a node that is not removed. */
 export const frameLeft = (
   nodes: Nodes,
   id: string,
   gone: ReadonlySet<string>,
 ): string | undefined => framesAround(nodes, id).find((frame) => !gone.has(frame));
 
-/** Takes frames that lie in each other out of each other: two people can have made that together. */
+/** Breaks cycles of frames, which can result from merging the changes of two users. */
 export function breakLoops(nodes: Map<string, GraphNode>): void {
   for (const node of [...nodes.values()]) {
     const { id, frame } = node;

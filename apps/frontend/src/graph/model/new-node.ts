@@ -9,7 +9,7 @@ import {
 } from './make-node.ts';
 import type { ConstantNode, DemuxerNode, ModuleNode, MuxerNode } from './graph.ts';
 
-/** A module of the library as a new module of a session. */
+/** Creates a module node from a module of the library. */
 export function newModuleNode(
   module: ProcessingModule,
   uuid: string,
@@ -18,7 +18,7 @@ export function newModuleNode(
   return moduleNode({ ...module, id: uuid, nodeId: '', sessionId: '', status: 0 }, parts);
 }
 
-/** What a new muxer or demuxer says, as far as it is known. */
+/** Initial properties of a muxer or demuxer. */
 interface SpreaderInit {
   readonly name?: string;
   readonly dataType?: string;
@@ -40,7 +40,7 @@ export function newDemuxerNode(
   return demuxerNode(fromJson('ubii.devices.TopicDemux', { ...init, id: uuid }), look);
 }
 
-/** A constant with the neutral value of a format. */
+/** Creates a constant with the neutral value of a format. */
 export function newConstantNode(
   uuid: string,
   format: DataFormat,
@@ -49,7 +49,7 @@ export function newConstantNode(
   return constantNode(`constant:${uuid}`, neutralConstant(format), look);
 }
 
-/** JSON text of a neutral value, such as `{"vector2":{"x":0,"y":0}}`. [PM-34] */
+/** JSON text of the neutral value of a format, such as `{"vector2":{"x":0,"y":0}}`. [PM-34] */
 export function neutralConstant(format: DataFormat): string {
   return JSON.stringify({ [format]: DATA_FORMATS[format].createDefault() });
 }

@@ -2,8 +2,8 @@ import type { Graph, GraphNode, Port } from './graph.ts';
 import { wiresAt } from './wires-of.ts';
 
 /**
- * The main input of a module, its first one, while nothing feeds it: no wire, no fixed value and no
- * default. Further inputs without a default may be optional.
+ * Returns the main (first) input of a module if it has no wire, no fixed value and no default. Further inputs without a
+ * default may be optional.
  */
 export function openInput(graph: Graph, node: GraphNode | undefined): Port | undefined {
   if (node?.kind !== 'module') return undefined;

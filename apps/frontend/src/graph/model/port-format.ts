@@ -2,14 +2,14 @@ import type { DataFormat } from '@ubii/proto';
 import type { Graph, Port, PortRef } from './graph.ts';
 import { wiresOf } from './wires-of.ts';
 
-/** A port of a node; undefined when it is not there. */
+/** Returns a port of a node; undefined when it does not exist. */
 export function portOf(graph: Graph, { node, port }: PortRef): Port | undefined {
   return graph.nodes.get(node)?.ports.find(({ id }) => id === port);
 }
 
 /**
- * The data format at a port; where the node does not know it, as topics and muxers may not, that of
- * the modules it is wired to, writers first.
+ * Returns the data format at a port. Topics and muxers without a known format take that of connected modules, writers
+ * first.
  */
 export function portFormat(graph: Graph, ref: PortRef): DataFormat | undefined {
   const node = graph.nodes.get(ref.node);

@@ -8,17 +8,17 @@ import {
 } from '@ubii/proto';
 import type { Port } from './graph.ts';
 
-/** The only ports of topics, muxers, demuxers and constants. */
+/** Ids of the ports of topics, muxers, demuxers and constants. */
 export const IN = 'in';
 export const OUT = 'out';
 
-/** Id of the port of a module's input. */
+/** Port id of a module's input. */
 export const inputPort = (name: string): string => `in:${name}`;
 
-/** Id of the port of a module's output. */
+/** Port id of a module's output. */
 export const outputPort = (name: string): string => `out:${name}`;
 
-/** The internal name of a module's input or output. */
+/** Internal name of a module's input or output. */
 export const ioName = (portId: string): string => portId.slice(portId.indexOf(':') + 1);
 
 interface Direction {
@@ -57,7 +57,7 @@ export function constantPorts(json: string): readonly Port[] {
   return [plain({ direction: 'out' }, constantFormat(json))];
 }
 
-/** The data format of a constant; undefined when it is none. [PM-34] */
+/** Data format of a constant; undefined for other JSON. [PM-34] */
 export function constantFormat(json: string): DataFormat | undefined {
   try {
     const value: unknown = JSON.parse(json);
@@ -69,7 +69,7 @@ export function constantFormat(json: string): DataFormat | undefined {
 }
 
 /**
- * Ports of a module: what it declares, once each name, then what mappings name besides.
+ * Ports of a module: declared ones without duplicates, then undeclared ones that occur in mappings.
  * @param mapped names of inputs and of outputs in mappings and constants
  */
 export function modulePorts(

@@ -9,12 +9,12 @@ import type {
 } from '@ubii/proto';
 import { moduleNodeId } from './make-node.ts';
 
-/** Where the values of an input come from. */
+/** Source of an input. */
 export type InputSource =
   | { readonly kind: 'topic'; readonly topic: string }
   | { readonly kind: 'muxer'; readonly mux: TopicMux };
 
-/** Where the values of an output go. */
+/** Target of an output. */
 export type OutputTarget =
   | { readonly kind: 'topic'; readonly topic: string }
   | { readonly kind: 'demuxer'; readonly demux: TopicDemux };
@@ -30,15 +30,15 @@ export interface InputEnds {
 export interface MappedModule {
   readonly nodeId: string;
   readonly module: ProcessingModule;
-  /** Where its mapping stands in the session; -1: nowhere. */
+  /** Index of its mapping in the session; -1: none. */
   readonly mappingIndex: number;
   readonly inputs: ReadonlyMap<string, InputEnds>;
   readonly outputs: ReadonlyMap<string, readonly OutputTarget[]>;
 }
 
 /**
- * The modules of a session, each with the mapping it has by the rules of the master: that with its id,
- * else the next one of its name that has no id. [SE-2]
+ * Returns the modules of a session with their mappings, assigned by the rules of the master: by id, otherwise the next
+ * mapping with the module's name and no id. [SE-2]
  */
 export function readModules(session: Session): MappedModule[] {
   const { processingModules, ioMappings } = session;
@@ -103,7 +103,7 @@ export function targetOf({ topic, topicDemux }: TopicOutputMapping): OutputTarge
   return topic ? { kind: 'topic', topic } : undefined;
 }
 
-/** What tells ends apart: the same text for what maps the same. */
+/** Key of a source or target: equal for equal mappings. */
 export function endKey(end: InputSource | OutputTarget): string {
   switch (end.kind) {
     case 'topic':

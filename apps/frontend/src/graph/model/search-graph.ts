@@ -2,18 +2,18 @@ import { nodeName } from './commands/command-label.ts';
 import type { Graph, GraphNode } from './graph.ts';
 import { wiresOf } from './wires-of.ts';
 
-/** Something that was searched for. */
+/** A search result. */
 export interface SearchHit {
   readonly node: string;
-  /** What people call the node. */
+  /** Display name of the node. */
   readonly name: string;
-  /** Where it was found: `topic`, `input`, `value`, … */
+  /** Kind of the matching text: `topic`, `input`, `value`, … */
   readonly where: string;
-  /** The text that was found. */
+  /** The matching text. */
   readonly text: string;
 }
 
-/** Finds nodes by all words of a query, in whatever they say; names that begin with it come first. */
+/** Finds nodes whose texts contain all words of a query; names that start with the query come first. */
 export function searchGraph(graph: Graph, query: string): SearchHit[] {
   const words = query.toLocaleLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return [];
@@ -37,7 +37,7 @@ function rankOf(name: string, word: string): number {
   return name.includes(word) ? 100 : 200;
 }
 
-/** What a node says, most telling first. */
+/** Texts of a node, in order of relevance. */
 function* textsOf(graph: Graph, node: GraphNode): Iterable<readonly [where: string, text: string]> {
   yield ['name', nodeName(node)];
   switch (node.kind) {

@@ -7,7 +7,7 @@ export function sessionDetails(session: Session): SessionDetails {
   return { name, description, tags, authors, editable, startWithMaster, lockstepHertz };
 }
 
-/** The session with these details; itself when it has them. */
+/** Returns the session with these details; the session itself if they are equal. */
 export function withDetails(session: Session, details: SessionDetails): Session {
   const { startWithMaster, lockstepHertz, tags, authors, ...rest } = details;
   const { extension } = session;
@@ -23,7 +23,7 @@ export function withDetails(session: Session, details: SessionDetails): Session 
   };
 }
 
-/** The session with this editor data. */
+/** Returns the session with this editor data. */
 export function withEditorJson(session: Session, editorJson: string): Session {
   if (editorJson === (session.extension?.editorJson ?? '')) return session;
   return { ...session, extension: { ...extensionOf(session), editorJson } };

@@ -12,9 +12,8 @@ import { restored, setAside } from './standing/set-aside.ts';
 import { writeMapping } from './write-mapping.ts';
 
 /**
- * The session of a graph. What the graph does not show, and what has not changed, is taken from the
- * session it was made of, so that nothing gets lost: `sessionOf(graphOf(session), session)` equals
- * the session.
+ * Converts a graph to a session. Everything that the graph does not show, or that is unchanged, is taken from the
+ * original session: `sessionOf(graphOf(session), session)` equals the session.
  */
 export function sessionOf(graph: Graph, shown: Session): Session {
   const { aside: wasAside } = parseEditorData(shown.extension?.editorJson ?? '');
@@ -40,7 +39,7 @@ export function sessionOf(graph: Graph, shown: Session): Session {
   const aside = asideOf(graph, full);
   const session = setAside(full, aside);
   const text = editorDataText(graph, aside);
-  // The text that was there says it as well, if it leads to the same graph.
+  // Keep the original text if it gives the same graph.
   return saysTheSame(session, text) ? session : withEditorJson(session, text);
 }
 
@@ -49,7 +48,7 @@ function saysTheSame(session: Session, text: string): boolean {
   return editorDataText(graphOf(session), aside) === text;
 }
 
-/** Whether a mapping that belonged to no module would become that of a new one, by its name. [SE-2] */
+/** Whether a mapping without a module would be assigned to a new module by its name. [SE-2] */
 function takesLeftOver({ module }: ModuleNode, { ioMappings }: Session): boolean {
   return (
     module.id !== '' &&
@@ -67,7 +66,7 @@ const emptyMapping = ({ module }: ModuleNode): IOMapping => ({
   outputMappings: [],
 });
 
-/** Modules in the order they had: outputs of a pass are published in it. [SE-41] */
+/** Keeps the order of modules: outputs of a pass are published in it. [SE-41] */
 function inOrderOf(ids: readonly string[], graph: Graph): ModuleNode[] {
   const known = new Set(ids);
   const old = ids.map((id) => graph.nodes.get(id));
@@ -75,7 +74,7 @@ function inOrderOf(ids: readonly string[], graph: Graph): ModuleNode[] {
   return [...old, ...added].filter((node) => node?.kind === 'module');
 }
 
-/** Mappings in their order: those of modules that are gone are gone, those of none are kept. */
+/** Keeps the order of mappings; drops those of removed modules, and keeps those without a module. */
 function keptMappings(
   base: Session,
   before: ReadonlyMap<string, MappedModule>,

@@ -8,10 +8,10 @@ export interface NodeWires {
 
 const NONE: NodeWires = { in: [], out: [] };
 
-/** One index for each state of the wires, made when it is first asked for. */
+/** Indices of wires by node, created on first use for each version of a graph. */
 const INDICES = new WeakMap<Graph['wires'], ReadonlyMap<string, NodeWires>>();
 
-/** Wires into and out of a node, in the order of the graph. */
+/** Returns the wires into and out of a node, in the order of the graph. */
 export function wiresOf(graph: Pick<Graph, 'wires'>, nodeId: string): NodeWires {
   let index = INDICES.get(graph.wires);
   if (index === undefined) {
@@ -21,7 +21,7 @@ export function wiresOf(graph: Pick<Graph, 'wires'>, nodeId: string): NodeWires 
   return index.get(nodeId) ?? NONE;
 }
 
-/** Wires at one port. */
+/** Returns the wires at a port. */
 export function wiresAt(graph: Pick<Graph, 'wires'>, { node, port }: PortRef): readonly Wire[] {
   const { in: incoming, out } = wiresOf(graph, node);
   return [

@@ -2,10 +2,9 @@ import type { IOMapping, Session, TopicDemux, TopicMux } from '@ubii/proto';
 import { endKey, readModules } from './read-mappings.ts';
 
 /**
- * The session with an id of its own for every module, muxer and demuxer, as a master gives them
- * [SE-2]. Sessions have to go through this before they are edited: without ids, what is moved or
- * removed could not be distinguished.
- * @param uuid gives a new UUID
+ * Adds missing ids to modules, muxers and demuxers, as a master does [SE-2]. Required before editing: without ids,
+ * moved and removed elements could not be distinguished.
+ * @param uuid returns a new UUID
  * @returns the session itself when nothing lacks an id
  */
 export function withIds(session: Session, uuid: () => string): Session {
@@ -31,7 +30,7 @@ export function withIds(session: Session, uuid: () => string): Session {
 
 type IdOf = (spreader: TopicMux | TopicDemux, key: string) => string;
 
-/** What says the same under one id is one; what says something else gets another id. */
+/** Muxers or demuxers with the same id share it only if their content is equal; others get a new id. */
 function spreaderIds(uuid: () => string): IdOf {
   const keys = new Map<string, string>();
   const given = new Map<string, string>();

@@ -16,9 +16,9 @@ import {
 } from './read-mappings.ts';
 
 /**
- * The mapping of a module: what has not changed stays as it was written, in its order.
- * @param old the module before, and `mapping` as it stood then
- * @returns undefined when there is nothing to say and there was none
+ * Returns the mapping of a module; unchanged parts keep their form and order.
+ * @param old the previous module, and `mapping` at that time
+ * @returns undefined when the mapping is empty and there was none
  */
 export function writeMapping(
   module: ProcessingModule,
@@ -43,7 +43,7 @@ export function writeMapping(
     const { id: processingModuleId, name: processingModuleName } = module;
     return { processingModuleId, inputMappings, outputMappings, processingModuleName };
   }
-  // Who is named follows the module, in the way it was named.
+  // Keep the form of the reference to the module: id, name or both.
   const { processingModuleId: id, processingModuleName: name } = mapping;
   const processingModuleId = id !== '' && id === old?.module.id ? module.id : id;
   const processingModuleName = name !== '' && name === old?.module.name ? module.name : name;
@@ -53,7 +53,7 @@ export function writeMapping(
 const union = (a: ReadonlyMap<string, unknown>, b?: ReadonlyMap<string, unknown>): Set<string> =>
   new Set([...(b?.keys() ?? []), ...a.keys()]);
 
-/** Replaces mappings port by port; each port's first one says where they stand. */
+/** Replaces mappings port by port, at the position of the port's first mapping. */
 function writePorts<M>(
   written: readonly M[],
   nameOf: (mapping: M) => string,
@@ -140,7 +140,7 @@ function haveSameEnds(a: readonly End[], b: readonly End[]): boolean {
     .every((key, index) => key === keys[index]);
 }
 
-/** Gives each end the mapping that says the same, else one that is left over. */
+/** Assigns each end the mapping with the same content, otherwise a remaining one. */
 function assign<M, E extends End | undefined>(
   ends: readonly E[],
   written: readonly M[],

@@ -1,7 +1,7 @@
 import { DATA_FORMATS, fromJson, toJson, type DataFormat } from '@ubii/proto';
 import { constantFormat } from '../model/ports.ts';
 
-/** A constant as people type it: `0.35`, `true`, a text, or JSON for all else. */
+/** Formats a constant as users type it: `0.35`, `true`, a text, or JSON for other values. */
 export function constantText(json: string): string {
   const format = constantFormat(json);
   if (format === undefined) return json;
@@ -9,7 +9,7 @@ export function constantText(json: string): string {
   return typeof value === 'object' ? JSON.stringify(value) : String(value);
 }
 
-/** What came of a typed constant: its JSON, or what is wrong with it. */
+/** Result of parsing a typed constant: its JSON, or the reason why it is invalid. */
 export type TypedConstant =
   | { readonly json: string; readonly problem?: undefined }
   | { readonly json?: undefined; readonly problem: string };
@@ -39,7 +39,7 @@ export function typedConstant(format: DataFormat, text: string): TypedConstant {
 
 function constantOf(format: DataFormat, value: unknown): TypedConstant {
   try {
-    // Refuses what the master would refuse.
+    // Throws for values that the master refuses.
     fromJson('ubii.topicData.TopicDataRecord', { [format]: value });
     return { json: JSON.stringify({ [format]: value }) };
   } catch {
@@ -47,7 +47,7 @@ function constantOf(format: DataFormat, value: unknown): TypedConstant {
   }
 }
 
-/** A value of a format to begin with. */
+/** Returns the initial value of a format. */
 export function defaultConstant(format: DataFormat): string {
   const record = { [format]: DATA_FORMATS[format].createDefault() };
   const json = toJson('ubii.topicData.TopicDataRecord', record)[format];

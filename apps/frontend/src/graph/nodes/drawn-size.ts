@@ -5,15 +5,15 @@ import { portFormat } from '../model/port-format.ts';
 import { canCollapse } from './collapse.ts';
 import { NODE } from './node-geometry.ts';
 
-/** Names of modules and ports that are longer are cut. */
+/** Largest width of a module; longer names are shortened. */
 const MAX_WIDTH = 272;
-/** About as wide as a character of a name, with some to spare. */
+/** Average width of a character, with some reserve. */
 const CHARACTER = 7.6;
-/** What stands beside the name of a module: its icon, its life. */
+/** Width beside the name of a module, for icon and status. */
 const HEAD_MARKS = 96;
-/** What stands beside the name of a port: sockets, and a value or its field. */
+/** Width beside the name of a port, for sockets and a value or field. */
 const FIELD_ROW = 108;
-/** The same with a field for each number of a value: what is around them, and each. */
+/** The same for a value with one field per number: fixed part, and part per field. */
 const PARTS_ROW = 52;
 const PART = 56;
 const VALUE_ROW = 74;
@@ -22,13 +22,13 @@ const PICTURE = NODE.pictureHeight + NODE.pictureMargin;
 const ROWS_PADDING = 2 * NODE.rowsPadding;
 const BORDERS = 2 * NODE.border;
 const PATTERN = 28;
-/** Topics that a muxer shows. */
+/** Most topics that a muxer shows. */
 const MATCHES = 3;
 
-/** Without any row. */
+/** Height of a node without rows. */
 const BARE = BORDERS + NODE.head + ROWS_PADDING;
 
-/** How high the rows of a module are together. */
+/** Height of all rows of a module. */
 export const rowsHeight = ({ ports }: ModuleNode): number => ROWS_PADDING + NODE.row * ports.length;
 
 function rowWidth({ name, direction, format, isList }: Port): number {
@@ -40,17 +40,17 @@ function rowWidth({ name, direction, format, isList }: Port): number {
   return text + (isParts ? PARTS_ROW + PART * partNames(format).length : FIELD_ROW);
 }
 
-/** How wide a module is drawn, pixels: as its longest name needs, within limits. */
+/** Width of a module for its longest name, within limits, pixels. */
 export function moduleWidth({ module: { name }, ports }: ModuleNode): number {
   const longest = Math.max(name.length * CHARACTER + HEAD_MARKS, ...ports.map(rowWidth));
   return Math.min(MAX_WIDTH, Math.max(NODE.width, Math.ceil(longest)));
 }
 
-/** Topics that show a picture: their own, or the one in which their things were found. */
+/** Topics that show a picture: their own, or the one that their objects were detected in. */
 const isPicture = (format: DataFormat | undefined): boolean =>
   format === 'image2D' || format === 'object2DList';
 
-/** About how large a node will be drawn, before it is. */
+/** Estimates the size of a node before it is drawn. */
 export function drawnSize(node: GraphNode): Size {
   if (node.isCollapsed && canCollapse(node)) {
     return { width: node.kind === 'module' ? moduleWidth(node) : NODE.width, height: NODE.head };
@@ -74,7 +74,7 @@ export function drawnSize(node: GraphNode): Size {
   }
 }
 
-/** The same for nodes of a graph, in which wires tell the formats of topics. */
+/** The same for nodes of a graph, in which wires determine the formats of topics. */
 export const drawnSizeIn =
   (graph: Graph) =>
   (node: GraphNode): Size => {
@@ -84,7 +84,7 @@ export const drawnSizeIn =
   };
 
 /**
- * About where a socket will be drawn, seen from the top left of its node.
+ * Estimates the position of a socket relative to the top left of its node.
  * @param size of the node
  */
 export function drawnSocket(node: GraphNode, port: string, { width, height }: Size): Point {

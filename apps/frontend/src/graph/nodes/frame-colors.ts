@@ -1,4 +1,4 @@
-/** Colours of frames, by the words people see; each is drawn with the tokens of a family. */
+/** Colours of frames by display name; each uses the style tokens of a data format family. */
 export const FRAME_COLORS: Readonly<Record<string, string>> = {
   teal: 'number',
   blue: 'vector',
@@ -10,7 +10,7 @@ export const FRAME_COLORS: Readonly<Record<string, string>> = {
   plum: 'pose',
 };
 
-/** The tokens of a colour: of its edge and title, and of its ground. */
+/** Style tokens of a colour: for border and title, and for the background. */
 export function frameTokens(color: string): { edge: string; ground: string } | undefined {
   const family = FRAME_COLORS[color];
   if (family === undefined) return undefined;

@@ -18,7 +18,7 @@ import {
 import type { ProcessingModule } from '@ubii/proto';
 import type { Component } from 'vue';
 
-/** Words in the name or the tags of a module, and the picture for it; the first that is found counts. */
+/** Icons by words in the name or tags of a module; the first match counts. */
 const ICONS: readonly (readonly [RegExp, Component])[] = [
   [/proximity|near/, Radar],
   [/detect|recogni|track/, ScanSearch],
@@ -36,7 +36,7 @@ const ICONS: readonly (readonly [RegExp, Component])[] = [
   [/wave|generator|audio/, AudioWaveform],
 ];
 
-/** A picture for what a module does, so that nodes are distinguished from afar. */
+/** Icon for the purpose of a module, so that nodes are distinguishable at a far zoom. */
 export function moduleIcon({ name, tags }: Pick<ProcessingModule, 'name' | 'tags'>): Component {
   const find = (text: string): Component | undefined =>
     ICONS.find(([words]) => words.test(text.toLowerCase()))?.[1];

@@ -2,7 +2,7 @@ import type { GraphNode } from '../model/graph.ts';
 import { constantText } from './constant-value.ts';
 import { shortTopic } from './topic-words.ts';
 
-/** What a node is called in lists and by those who read aloud. */
+/** Name of a node in lists and for screen readers. */
 export function nodeTitle(node: GraphNode): string {
   switch (node.kind) {
     case 'topic':
@@ -34,7 +34,7 @@ const KINDS: Readonly<Record<GraphNode['kind'], string>> = {
 
 export const nodeKind = ({ kind }: GraphNode): string => KINDS[kind];
 
-/** `Module Proximity`. */
+/** Kind and name: `Module Proximity`. */
 export function nodeLabel(node: GraphNode): string {
   const title = node.kind === 'topic' ? node.topic : nodeTitle(node);
   return title === nodeKind(node) ? title : `${nodeKind(node)} ${title}`;

@@ -8,14 +8,14 @@ export interface HostedModule {
   readonly session: string;
 }
 
-/** How full a node is: modules it runs, how many it likes, and the share of that. */
+/** Load of a node: number of modules, its preferred maximum, and the ratio. */
 export interface HostLoad {
   readonly text: string;
-  /** 0 to 1; undefined when it does not say how many it likes. */
+  /** 0 to 1; undefined when the node states no maximum. */
   readonly share: number | undefined;
 }
 
-/** What runs on a node, or is to run there, by the sessions there are. */
+/** Modules that run or are assigned on a node, from all sessions. */
 export function hostedModules(
   { clientId }: Pick<NodeInfo, 'clientId'>,
   sessions: readonly Session[],

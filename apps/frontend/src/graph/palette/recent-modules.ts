@@ -5,11 +5,11 @@ import { storedAs } from '../../json/read-stored.ts';
 import { validElements } from '../../json/schemas.ts';
 import { isDeletable, type ModuleEntry } from '../../modules/library/module-entry.ts';
 
-/** Modules that come first. */
+/** Number of recently used modules at the top. */
 const MAX_RECENT = 5;
 const STORED = storedAs(validElements(v.string(), MAX_RECENT), []);
 
-/** Names of the modules used last, newest first; this browser remembers. */
+/** Names of recently used modules, newest first; stored in this browser. */
 export function useRecentModules(): {
   readonly names: Readonly<Ref<readonly string[]>>;
   note(name: string): void;
@@ -25,7 +25,7 @@ export function withRecent(names: readonly string[], name: string): string[] {
   return [name, ...names.filter((one) => one !== name)].slice(0, MAX_RECENT);
 }
 
-/** Those that people of this master wrote, those used last, then the others, each in their order. */
+/** Groups modules: written on this master, recently used, others; each in the original order. */
 export function groupModules(
   entries: readonly ModuleEntry[],
   recentNames: readonly string[],

@@ -1,19 +1,19 @@
 import { onScopeDispose, shallowRef, type Ref } from 'vue';
 import type { ModuleEntry } from '../../modules/library/module-entry.ts';
 
-/** About as high as a card is drawn, pixels: its words, and a row for each input and output. */
+/** Estimated height of a card, pixels: texts, and a row per input and output. */
 const CARD_WORDS = 150;
 const CARD_ROW = 21;
 const CARD_DELAY_MS = 350;
 
-/** A module and where its card stands on the page, pixels. */
+/** A module, and the position of its card on the page, pixels. */
 export interface ShownCard {
   readonly entry: ModuleEntry;
   readonly left: number;
   readonly top: number;
 }
 
-/** Shows the card of a module beside its row, while the pointer rests on it or keys lead to it. */
+/** Shows the card of a module beside its row, on hover or keyboard focus. */
 export function useModuleCard(): {
   readonly card: Readonly<Ref<ShownCard | undefined>>;
   showSoon(event: PointerEvent, entry: ModuleEntry): void;
@@ -28,7 +28,7 @@ export function useModuleCard(): {
     card.value = undefined;
   }
   onScopeDispose(hideCard);
-  /** A pointer that moves on a row asks for its card; one that rested there when the page came does not. */
+  /** Requires a pointer movement: a pointer that is there when the page opens shows no card. */
   function showSoon({ currentTarget, pointerType }: PointerEvent, entry: ModuleEntry): void {
     if (pointerType !== 'mouse' || card.value !== undefined || waiting !== undefined) return;
     waiting = setTimeout(() => showCard(currentTarget as HTMLElement, entry), CARD_DELAY_MS);

@@ -2,26 +2,29 @@ import type { Graph, ModuleNode } from '../model/graph.ts';
 import { wiresOf } from '../model/wires-of.ts';
 import { topicOfWire } from '../live/topics-in-graph.ts';
 
-/** One module that looks at pictures, and where it puts what it finds. */
+/** A module that reads pictures, and the topics of its results. */
 interface Looker {
   readonly images: readonly string[];
-  /** Topics of its outputs of things in pictures. The first is what the module is for. */
+  /** Topics of its outputs with detected objects, main output first. */
   readonly found: readonly string[];
 }
 
-/** Topics with what the modules of a session find in the pictures of a topic. */
+/** Returns the topics with objects that modules of a session detect in the pictures of a topic. */
 export function foundIn(graph: Graph, image: string): string[] {
   return lookersOf(graph).flatMap(({ images, found }) =>
     images.includes(image) ? found.slice(0, 1) : [],
   );
 }
 
-/** The topic whose pictures these things were found in; `undefined` when no module of the session says so. */
+/**
+ * Returns the topic of the pictures that objects were detected in; `undefined` when no module of the session connects
+ * them.
+ */
 export function pictureOf(graph: Graph, found: string): string | undefined {
   return lookersOf(graph).find((looker) => looker.found.includes(found))?.images[0];
 }
 
-/** One list for each state of the wires. */
+/** Cached by version of the wires. */
 const LOOKERS = new WeakMap<Graph['wires'], readonly Looker[]>();
 
 function lookersOf(graph: Graph): readonly Looker[] {

@@ -1,12 +1,12 @@
 import { isCompressedImage, type Image2D } from '@ubii/proto';
 import { rgbaPixels } from '../../topics/viewers/picture/image-pixels.ts';
 
-/** Pixels across at most: as large as it is drawn, on a screen of double density. */
+/** Largest width, pixels: the drawn width on a screen of double density. */
 export const THUMB_WIDTH = 320;
 
 /**
- * A raw picture made smaller by leaving out pixels: what is drawn as large as a stamp is not worth
- * more. Pictures that are too short for the size they claim are given back as they are.
+ * Shrinks a raw picture by skipping pixels, which suffices for thumbnails. Returns pictures whose data is too short for
+ * their size unchanged.
  */
 export function shrunk(image: Image2D, maxWidth = THUMB_WIDTH): Image2D {
   const { width, height, data } = image;
@@ -25,7 +25,7 @@ export function shrunk(image: Image2D, maxWidth = THUMB_WIDTH): Image2D {
   return { ...image, width: w, height: h, data: small };
 }
 
-/** A picture as a canvas draws it, small; encoded ones are decoded beside the page. */
+/** Converts a picture to a thumbnail that a canvas can draw; encoded pictures are decoded off the main thread. */
 export async function thumbnail(image: Image2D): Promise<ImageBitmap | ImageData | undefined> {
   if (isCompressedImage(image.data)) {
     return createImageBitmap(new Blob([image.data as Uint8Array<ArrayBuffer>]), {

@@ -4,17 +4,17 @@ import { useGraphContext } from '../live/useGraphContext.ts';
 import { imageOf } from './image-of.ts';
 import { foundIn, pictureOf } from './picture-links.ts';
 
-/** A picture and what was found in it; things whose picture is not known have none. */
+/** A picture and the objects detected in it; no picture when it is unknown. */
 export interface ShownPicture {
   readonly image: Image2D | undefined;
   readonly found: readonly TopicRecord[];
 }
 
 /**
- * The picture that a topic shows on the canvas: its own with what modules of the session find in it, or the one its
- * things were found in; `undefined` for other values.
+ * Returns the picture that a topic shows on the canvas: its own with objects that modules of the session detect in it,
+ * or the one that its objects were detected in; `undefined` for other values.
  *
- * @param isReadable values that cannot be read stay as they are
+ * @param isReadable false: the result stays unchanged
  */
 export function useShownPicture(
   topic: () => string | undefined,

@@ -2,15 +2,15 @@ import { valueOf } from '../../formats/value-parts.ts';
 import type { Port } from '../model/graph.ts';
 import { defaultText } from './default-text.ts';
 
-/** One entry of the list of an input that understands certain texts. [PM-7] */
+/** Option of an input with a list of accepted texts. [PM-7] */
 export interface ChoiceOption {
   readonly value: string;
   readonly text: string;
-  /** The input does not understand it: it is kept and marked. */
+  /** True when the input does not accept it: it is kept and marked. */
   readonly isUnknown: boolean;
 }
 
-/** Whether a constant is none of the texts that its input understands. */
+/** Whether a constant is not among the texts that its input accepts. */
 export function isUnknownChoice(
   { choices = [], defaultJson }: Pick<Port, 'choices' | 'defaultJson'>,
   json: string,
@@ -19,19 +19,20 @@ export function isUnknownChoice(
   return choices.length > 0 && first?.isUnknown === true;
 }
 
-/** The text of a constant such as `{"string":"auto"}`; of another one, how it is written. */
+/** Returns the text of a constant such as `{"string":"auto"}`; for other constants, the JSON. */
 export function textOf(json: string): string {
   const value = valueOf('string', json);
   return typeof value === 'string' ? value : json;
 }
 
-/** What stands for a text without letters. */
+/** Label for an empty text. */
 const EMPTY = 'empty';
 
 /**
- * The texts to choose from: an unknown one that is set, the choices, and the default where it is none of them.
+ * Returns the options: the current text if it is not accepted, the accepted texts, and the default if it is not among
+ * them.
  *
- * @param current the text that is set; undefined: none
+ * @param current current text; undefined: not set
  * @param fallback the default as JSON such as `{"string":"auto"}`; undefined: none
  */
 export function choiceOptions(

@@ -1,4 +1,4 @@
-/** The default of an input for people: of `{"double":1}` the 1; undefined where there is none. */
+/** Formats the default of an input: `1` for `{"double":1}`; undefined without one. */
 export function defaultText(json: string | undefined): string | undefined {
   if (json === undefined) return undefined;
   try {

@@ -1,15 +1,15 @@
-/** Keys that are held while a number is dragged. */
+/** Modifier keys while a number is dragged. */
 export interface ScrubKeys {
   readonly shiftKey: boolean;
   readonly altKey: boolean;
 }
 
-/** Pixels for one step. */
+/** Pixels per step. */
 const STEP_PX = 3;
 
 /**
- * How far one step of dragging goes: between a tenth and a hundredth of the number, so that 0.3 and 300 are both in reach.
- * Shift goes ten times as far, Alt a tenth.
+ * Step of dragging: between a tenth and a hundredth of the number, so that 0.3 and 300 are both in reach. Shift
+ * multiplies by ten, Alt divides by ten.
  */
 export function stepOf(value: number, isInteger: boolean, keys: ScrubKeys): number {
   const factor = keys.shiftKey ? 10 : keys.altKey ? 0.1 : 1;
@@ -20,16 +20,16 @@ export function stepOf(value: number, isInteger: boolean, keys: ScrubKeys): numb
 }
 
 /**
- * The number after dragging.
- * @param start where it began
- * @param dx pixels to the right
+ * Returns the number after dragging.
+ * @param start initial value
+ * @param dx distance to the right, pixels
  */
 export function scrubbed(start: number, dx: number, isInteger: boolean, keys: ScrubKeys): number {
   const step = stepOf(start, isInteger, keys);
   return rounded(start + Math.trunc(dx / STEP_PX) * step, step);
 }
 
-/** A number without the noise of binary fractions, to the decimals of a step. */
+/** Rounds to the decimals of a step, without artefacts of binary fractions. */
 export function rounded(value: number, step: number): number {
   const decimals = Math.max(0, Math.min(9, Math.ceil(-Math.log10(step) - 1e-9)));
   return Number(value.toFixed(decimals));

@@ -11,22 +11,19 @@ import {
 import { sameValue } from './same-value.ts';
 import { wishedNode } from './wished-node.ts';
 
-/**
- * What a change does to a session that runs [SE-15]: it counts at once, a module starts, restarts or
- * ends, or nothing that runs notices.
- */
+/** Effect of a change on a running session [SE-15]: applied live, a module starts, restarts or ends, or none. */
 export type ChangeEffect = 'live' | 'start' | 'restart' | 'end' | 'none';
 
-/** One difference between a session as it runs and as it was edited. */
+/** Difference between the running and the edited session. */
 export interface SessionChange {
   readonly effect: ChangeEffect;
-  /** Id of the module it is about, if any. */
+  /** Id of the affected module, if any. */
   readonly moduleId: string | undefined;
-  /** One sentence for people. */
+  /** One sentence for users. */
   readonly words: string;
 }
 
-/** What would happen if the edited session took the place of the running one. */
+/** Returns the effects of replacing the running session by the edited one. */
 export function changesBetween(running: Session, edited: Session): SessionChange[] {
   const before = new Map(readModules(running).map((module) => [module.nodeId, module]));
   const after = new Map(readModules(edited).map((module) => [module.nodeId, module]));
@@ -78,7 +75,7 @@ function* moduleChanges(old: MappedModule, next: MappedModule): Iterable<Session
   }
 }
 
-/** What makes it the same, but for its session and whether it is trusted: those the master knows. */
+/** Identity of a module without its session and trust, which only the master knows. */
 const identityOf = (module: ProcessingModule): ReturnType<typeof moduleIdentity> =>
   moduleIdentity({ module: { ...module, sessionId: '' }, isTrusted: false });
 
@@ -87,12 +84,12 @@ function restartReason(field: IdentityField, old: ProcessingModule): string {
   return field === 'inputs' || field === 'outputs' ? `its ${field} changed` : 'its code changed';
 }
 
-/** Why a module cannot go on as it is. */
+/** Returns the reasons why a module must restart. */
 function restartReasons(old: ProcessingModule, next: ProcessingModule): string[] {
   const changed = identityChanges(identityOf(old), identityOf(next));
   const reasons = [...new Set(changed.map((field) => restartReason(field, old)))];
   const [was, is] = [wishedNode(old), wishedNode(next)];
-  // Who asks for the node it is on anyway moves nothing.
+  // Choosing the node that already runs the module moves nothing.
   if (was !== is && is !== old.nodeId) {
     reasons.push(is === '' ? 'the master chooses its node' : 'it moves to another node');
   }
@@ -110,7 +107,7 @@ function inputWords(ends: InputEnds | undefined): string {
   const words = (ends?.sources ?? []).map((source) =>
     source.kind === 'topic' ? source.topic : `the muxer ${muxWords(source.mux)}`,
   );
-  // A constant only counts where nothing else feeds the input. [PM-34]
+  // A constant is used only when nothing else is mapped to the input. [PM-34]
   if (words.length > 0) return words.join(' and ');
   return ends?.constantJson ? `the constant ${ends.constantJson}` : 'nothing';
 }
@@ -129,7 +126,7 @@ function outputWords(targets: readonly OutputTarget[] | undefined): string {
   return words.length > 0 ? words.join(' and ') : 'nothing';
 }
 
-/** What muxers and demuxers say beside their patterns, but their ids and names. */
+/** Settings of muxers and demuxers apart from patterns, ids and names, as text for comparison. */
 function spreadersOf({ inputs, outputs }: MappedModule): string {
   const muxes = [...inputs].flatMap(([input, { sources }]) =>
     sources.flatMap((source) => {

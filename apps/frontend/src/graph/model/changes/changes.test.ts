@@ -16,7 +16,7 @@ import { draftIds, draftText, findDraft, parseDraft, removeDraft, saveDraft } fr
 import { keepEditorData } from './keep-editor-data.ts';
 import { mergeGraphs } from './merge-graphs.ts';
 
-/** Many graphs take their time on a busy machine. */
+/** Many graphs take long on a busy computer. */
 const TIMEOUT_MS = 60_000;
 const modules = [
   aModule('a', { i: 'double' }, { o: 'double' }),

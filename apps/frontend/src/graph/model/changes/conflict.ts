@@ -1,21 +1,21 @@
 import type { GraphCommand } from '../commands/graph-command.ts';
 
 /**
- * Where two people changed the same thing in different ways. The merged graph has it my way, but for
- * what I removed and they changed: that is there.
+ * Conflict: both users changed the same element in different ways. The merged graph keeps the own change, except for
+ * elements that the user removed and the other one changed, which stay.
  */
 export interface Conflict {
-  /** Ids of what it is about. */
+  /** Ids of the affected elements. */
   readonly node: string | undefined;
   readonly wire: string | undefined;
-  /** What both changed, in words: `the mode of mirror`. */
+  /** Changed property, in words: `the mode of mirror`. */
   readonly what: string;
-  /** Their way, as it was before the merge; undefined: they removed it. */
+  /** The other user's value before the merge; undefined: removed. */
   readonly theirs: unknown;
-  /** My way; undefined: I removed it. */
+  /** The own value; undefined: removed. */
   readonly mine: unknown;
-  /** Does it their way; nothing, where it is their way already. */
+  /** Applies the other user's change; empty if the merged graph has it already. */
   readonly takeTheirs: GraphCommand;
-  /** Does it my way where the merged graph has it theirs: removes it again. */
+  /** Removes an element again that the merged graph kept; undefined if the merged graph has the own change. */
   readonly takeMine: GraphCommand | undefined;
 }

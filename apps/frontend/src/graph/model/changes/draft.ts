@@ -7,22 +7,22 @@ const SESSION = 'ubii.sessions.Session';
 const PREFIX = 'ubii.graph.draft.';
 const VERSION = 1;
 
-/** Work on a session that is not saved. */
+/** Unsaved changes of a session. */
 export interface Draft {
   readonly sessionId: string;
-  /** Revision of the session it began with. */
+  /** Revision of the session that the changes are based on. */
   readonly revision: number;
-  /** The session it began with: what others did since can be merged. */
+  /** Session that the changes are based on, for merging with later changes of others. */
   readonly base: Session;
   readonly edited: Session;
   /** Epoch milliseconds. */
   readonly savedMs: number;
 }
 
-/** Where drafts are kept; `localStorage` is one. */
+/** Storage for drafts, such as `localStorage`. */
 export type DraftStorage = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
 
-/** A draft as text. */
+/** Serialises a draft. */
 export function draftText({ sessionId, revision, base, edited, savedMs }: Draft): string {
   return JSON.stringify({
     version: VERSION,
@@ -46,10 +46,10 @@ const DRAFT = v.pipe(
   v.transform(({ version: _, ...draft }): Draft => draft),
 );
 
-/** A draft of its text; undefined when it is none of ours. */
+/** Parses a draft; undefined for other texts. */
 export const parseDraft = (text: string): Draft | undefined => readStored(DRAFT, text);
 
-/** @returns false when there is no room, or storing is not allowed: people have to know */
+/** @returns false when the storage is full or not allowed; the user must be told */
 export function saveDraft(storage: DraftStorage, draft: Draft): boolean {
   try {
     storage.setItem(`${PREFIX}${draft.sessionId}`, draftText(draft));
@@ -73,11 +73,11 @@ export function removeDraft(storage: DraftStorage, sessionId: string): void {
   try {
     storage.removeItem(`${PREFIX}${sessionId}`);
   } catch {
-    // Where nothing can be stored there is nothing to remove.
+    // Nothing to remove when storing is not allowed.
   }
 }
 
-/** The sessions that drafts are kept of, by their ids. */
+/** Returns the ids of sessions with drafts. */
 export function draftIds(storage: DraftStorage): ReadonlySet<string> {
   try {
     const keys = Array.from({ length: storage.length }, (_, index) => storage.key(index) ?? '');

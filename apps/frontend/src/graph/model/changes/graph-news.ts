@@ -5,11 +5,11 @@ import type { Graph, GraphNode } from '../graph.ts';
 import { sameValue } from './same-value.ts';
 import { wishedNode } from './wished-node.ts';
 
-/** Something that became different in a graph, in words, and where. */
+/** A change of a graph, in words, and its node. */
 export interface GraphNews {
-  /** `added statistics`, to stand behind a name. */
+  /** Text to follow the name of a user: `added statistics`. */
   readonly words: string;
-  /** The node it is about; undefined: it is gone, or it is about the whole. */
+  /** Id of the changed node; undefined when it was removed or the whole graph is concerned. */
   readonly node: string | undefined;
 }
 
@@ -61,12 +61,12 @@ function* nodeNews(before: Graph, after: Graph): Iterable<GraphNews> {
   }
 }
 
-/** A node without how it lies, and without what only the master says of it. */
+/** Node without position and without properties that only the master sets. */
 function essence(node: GraphNode): unknown {
   const { position: _p, size: _s, isCollapsed: _c, frame: _f, ports: _o, ...rest } = node;
   if (rest.kind !== 'module') return rest;
   const { status: _status, sessionId: _session, extension: _extension, ...module } = rest.module;
-  // Where the master had the choice, its choice is no change of a person.
+  // A node chosen by the master is no change of the user.
   return { ...rest, module: { ...module, nodeId: wishedNode(rest.module) } };
 }
 
@@ -77,7 +77,7 @@ function* wireNews(before: Graph, after: Graph): Iterable<GraphNews> {
   }
   for (const [id, { from, to }] of before.wires) {
     if (after.wires.has(id)) continue;
-    // A wire of a node that went has gone with it
+    // Wires of removed nodes are removed with them.
     if (!after.nodes.has(from.node) || !after.nodes.has(to.node)) continue;
     const words = `took ${portName(before, to)} off ${portName(before, from)}`;
     yield { words, node: to.node };

@@ -12,18 +12,18 @@ import { mergeNode } from './merge-node.ts';
 import { sameValue } from './same-value.ts';
 import { mergeMembers, threeWay } from './three-way.ts';
 
-/** Two people's work in one graph. */
+/** Result of merging the changes of two users. */
 export interface Merged {
   readonly graph: Graph;
-  /** What both changed; the graph has my way, each conflict knows theirs. */
+  /** Elements that both changed; the graph has the own change. */
   readonly conflicts: readonly Conflict[];
 }
 
 /**
- * Merges the changes of another user into own changes, element by element. What one user changed and the
- * other did not is as it was changed; what one removed and the other changed or used stays.
+ * Merges the changes of another user into own changes, element by element. An element that one user changed and the
+ * other did not has that change; one that one user removed and the other changed or used stays.
  *
- * @param base what both began with
+ * @param base common ancestor of both versions
  */
 export function mergeGraphs(base: Graph, mine: Graph, theirs: Graph): Merged {
   const conflicts: Conflict[] = [];
@@ -68,7 +68,7 @@ function mergeNodes(
   return nodes;
 }
 
-/** Theirs or mine itself, where that is all there is to it: what is the same stays the same object. */
+/** Returns one of the two nodes itself if it is the result, so that equal nodes stay the same object. */
 function mergedNode(
   base: GraphNode,
   mine: GraphNode,
@@ -80,7 +80,7 @@ function mergedNode(
   return whole.kind === 'mine' ? mine : mergeNode(base, mine, theirs, conflicts);
 }
 
-/** Where something lies does not count as a change of it. */
+/** Positions are not compared. */
 function sameNode(a: GraphNode, b: GraphNode): boolean {
   const { position: _p, size: _s, isCollapsed: _c, frame: _f, ports: _o, ...ours } = a;
   const { position: _q, size: _t, isCollapsed: _d, frame: _g, ports: _r, ...others } = b;
@@ -97,7 +97,7 @@ const removedByThem = (node: GraphNode): Conflict => ({
   takeMine: undefined,
 });
 
-/** They went on with what I removed: it is there again, and I am asked. */
+/** The other user changed a node that this user removed: keep it and ask. */
 const removedByMe = (node: GraphNode): Conflict => ({
   node: node.id,
   wire: undefined,
@@ -135,7 +135,7 @@ function mergeWires(
       const merged = { ...m, via: via.value, points };
       wires.set(id, sameValue(merged, t) ? t : merged);
     } else {
-      // A wire that one of us added stays, one that one of us removed goes.
+      // Keep wires that one user added, drop wires that one user removed.
       const wire = m ?? t;
       if (wire !== undefined && b === undefined) wires.set(id, wire);
     }
@@ -143,7 +143,7 @@ function mergeWires(
   return wires;
 }
 
-/** A wire that one of us made keeps its ends, also when the other removed them. */
+/** A wire added by one user keeps its end nodes, also if the other user removed them. */
 function keepEnds(
   nodes: Map<string, GraphNode>,
   wires: ReadonlyMap<string, Wire>,
@@ -169,7 +169,7 @@ function keepEnds(
   breakLoops(nodes);
 }
 
-/** The graph by the rules of every graph: one wire an input, one writer a topic without a node. */
+/** Restores the rules of graphs: one wire per input, one writer per topic without a node. */
 function settled(
   graph: Graph,
   both: { readonly mine: Graph; readonly theirs: Graph },
@@ -194,7 +194,7 @@ function settled(
   return edit.graph;
 }
 
-/** Both of us wired one input: mine stays. */
+/** Both users wired the same input: keep the own wire. */
 function settleInput(
   edit: GraphEdit,
   wire: Wire,

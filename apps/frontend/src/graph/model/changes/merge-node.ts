@@ -7,10 +7,10 @@ import type { Conflict } from './conflict.ts';
 import { mergeEntries, mergeMembers, threeWay } from './three-way.ts';
 import { wishedNode } from './wished-node.ts';
 
-/** What conflicts of a node are said to. */
+/** Receives the conflicts of a node. */
 type Report = (what: string, theirs: unknown, mine: unknown, takeTheirs: GraphCommand) => void;
 
-/** A node that both of us may have changed: member by member. How it lies is no matter for conflicts. */
+/** Merges the changes of two users to a node, property by property. Positions cause no conflicts. */
 export function mergeNode(
   base: GraphNode,
   mine: GraphNode,
@@ -71,7 +71,7 @@ function mergeModules(
     asWished(mine.module),
     asWished(theirs.module),
     (member, theirValue, myValue) => {
-      // What only the master says is as it says it.
+      // Properties that only the master sets have the master's value.
       if (MASTERS.has(member)) return;
       report(MODULE_WORDS[member] ?? `The ${member}`, theirValue, myValue, {
         kind: 'setModule',
@@ -81,7 +81,7 @@ function mergeModules(
     },
   );
   for (const member of MASTERS) Object.assign(module, { [member]: theirs.module[member] });
-  // Where the master chooses, it stays where the master has put it.
+  // When the master chooses the node, keep its choice.
   if (module.nodeId === wishedNode(theirs.module)) {
     const { nodeId, extension } = theirs.module;
     const replaceable = extension?.replaceable ?? false;

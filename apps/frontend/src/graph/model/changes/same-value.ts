@@ -1,11 +1,11 @@
-/** Whether two values say the same: plain objects, lists, maps and bytes, at any depth. */
+/** Deep equality of plain objects, lists, maps and bytes. */
 export function sameValue(a: unknown, b: unknown): boolean {
   if (Object.is(a, b)) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;
   if (a instanceof Map || b instanceof Map) return sameMap(a, b);
   if (Array.isArray(a) || a instanceof Uint8Array) return sameList(a, b);
   if (Array.isArray(b)) return false;
-  // A member that is undefined is none.
+  // Undefined members count as missing.
   const [left, right] = [definedKeys(a), definedKeys(b)];
   return (
     left.length === right.length &&

@@ -1,9 +1,9 @@
 import { sameValue } from './same-value.ts';
 
-/** What becomes of one thing that two people may have changed. */
+/** Result of a three-way merge of one value. */
 export type ThreeWay<T> =
   | { readonly kind: 'same' | 'mine' | 'theirs'; readonly value: T }
-  /** Both, in different ways. */
+  /** Changed by both, in different ways. */
   | { readonly kind: 'conflict'; readonly value: T };
 
 /** Takes the changed value; when both users changed it, keeps the own one. */
@@ -14,7 +14,7 @@ export function threeWay<T>(base: T, mine: T, theirs: T): ThreeWay<T> {
   return { kind: 'conflict', value: mine };
 }
 
-/** Members of an object, each on its own. */
+/** Merges the members of an object, each separately. */
 export function mergeMembers<T extends object>(
   base: T,
   mine: T,
@@ -31,7 +31,7 @@ export function mergeMembers<T extends object>(
   return merged as T;
 }
 
-/** Entries of a map, each on its own. */
+/** Merges the entries of a map, each separately. */
 export function mergeEntries<V>(
   base: ReadonlyMap<string, V>,
   mine: ReadonlyMap<string, V>,

@@ -1,6 +1,6 @@
 import type { ProcessingModule } from '@ubii/proto';
 
-/** The node a person chose for a module; empty where the master chooses, whatever it chose. [SE-30] */
+/** Returns the node that the user chose for a module; empty when the master chooses. [SE-30] */
 export function wishedNode({
   nodeId,
   extension,

@@ -20,16 +20,16 @@ import { GraphEdit, type GraphPatch } from './graph-edit.ts';
 import { revealTopic } from './reveal-topic.ts';
 import { hideTopic, placeTopics, renameTopic, setVia, showTopic } from './topic-commands.ts';
 
-/** A graph after a command. */
+/** Result of a command. */
 export interface Applied {
   readonly graph: Graph;
-  /** Leads back, whatever the command was. */
+  /** Command that reverts it. */
   readonly inverse: CommandOf<'patch'>;
-  /** Leads there again. */
+  /** Patch that applies it again. */
   readonly redo: GraphPatch;
 }
 
-/** Does what the command says. The graph given stays as it is; without a change it is the result. */
+/** Applies a command and returns a new graph; the given graph itself if nothing changes. */
 export function applyCommand(graph: Graph, command: GraphCommand): Applied {
   const edit = new GraphEdit(graph);
   const label = commandLabel(graph, command);
@@ -100,7 +100,7 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
   setDetails: (edit, { changes }) => edit.setDetails({ ...edit.graph.details, ...changes }),
 };
 
-/** No frame goes into itself, nor into what is in it. */
+/** Prevents frames from containing themselves, directly or indirectly. */
 function putInto(edit: GraphEdit, nodes: readonly string[], frame: string | undefined): void {
   for (const id of nodes) {
     if (frame !== undefined && wouldLoop(edit.graph.nodes, id, frame)) continue;

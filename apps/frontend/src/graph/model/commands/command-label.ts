@@ -2,7 +2,7 @@ import type { Graph, GraphNode, PortRef, Standing } from '../graph.ts';
 import { ioName } from '../ports.ts';
 import type { GraphCommand } from './graph-command.ts';
 
-/** What a command does, in words for the history: `Connect pointer to mirror · position`. */
+/** Label of a command in the history: `Connect pointer to mirror · position`. */
 export function commandLabel(graph: Graph, command: GraphCommand): string {
   const name = (id: string): string => nodeName(graph.nodes.get(id));
   switch (command.kind) {
@@ -58,7 +58,7 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
   }
 }
 
-/** What people call a node. */
+/** Display name of a node. */
 export function nodeName(node: GraphNode | undefined): string {
   switch (node?.kind) {
     case undefined:
@@ -80,7 +80,7 @@ export function nodeName(node: GraphNode | undefined): string {
   }
 }
 
-/** `mirror · position`, or only the node where it has one port. */
+/** `mirror · position`, or only the node's name when it has one port. */
 export function portName(graph: Graph, { node, port }: PortRef): string {
   const owner = graph.nodes.get(node);
   const name = nodeName(owner);
@@ -109,7 +109,7 @@ const STANDING_WORDS: Readonly<Record<Standing, string>> = {
 const MODULE_WORDS: Readonly<Record<string, string>> = {
   name: 'the name',
   nodeId: 'the place',
-  // Whether the master may move it.
+  // Contains whether the master may move the module.
   extension: 'the place',
   processingMode: 'the mode',
   inputs: 'the inputs',

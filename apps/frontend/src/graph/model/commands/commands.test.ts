@@ -18,7 +18,7 @@ function counter(): () => string {
   return () => `id${(count += 1)}`;
 }
 
-/** A graph after some commands, as it came to be. */
+/** Returns a graph after random commands, with its history. */
 function edited(graph: Graph, list: readonly number[]): EditState {
   const next = numbersOf(list);
   let state = startEditing(graph);
@@ -26,12 +26,12 @@ function edited(graph: Graph, list: readonly number[]): EditState {
   return state;
 }
 
-/** What a session says of a graph: ports that nothing is mapped to are not there. */
+/** Returns the content of a graph that a session stores: without ports that are not mapped. */
 function told(graph: Graph): object {
   const nodes = [...graph.nodes].map(([id, { ports: _ports, ...node }]) => [id, node] as const);
   return {
     nodes: new Map(nodes),
-    // Of two that are the same, either may be the second, and only the first keeps its points.
+    // Two equal wires have no defined order, and only the first keeps its bend points.
     wires: [...graph.wires.values()]
       .map(({ id, ...wire }) => JSON.stringify(id.includes('#') ? { ...wire, points: [] } : wire))
       .sort(),
@@ -40,7 +40,7 @@ function told(graph: Graph): object {
   };
 }
 
-/** Many sessions take their time on a busy machine. */
+/** Many sessions take long on a busy computer. */
 const TIMEOUT_MS = 60_000;
 
 describe('commands on any graph', { timeout: TIMEOUT_MS }, () => {

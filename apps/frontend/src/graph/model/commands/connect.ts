@@ -10,7 +10,7 @@ import type { CommandOf } from './graph-command.ts';
 import type { GraphEdit } from './graph-edit.ts';
 import { revealTopic, viaWires } from './reveal-topic.ts';
 
-/** What can be wired to what at all; whether it fits is another question. */
+/** Pairs of node kinds that a wire can connect, independent of data formats. */
 const LEGAL: ReadonlySet<string> = new Set<`${NodeKind} ${NodeKind}`>([
   'topic module',
   'muxer module',
@@ -20,7 +20,7 @@ const LEGAL: ReadonlySet<string> = new Set<`${NodeKind} ${NodeKind}`>([
   'module demuxer',
 ]);
 
-/** True when a session can say it: a value goes into a module, or comes out of one. */
+/** True when a session can represent the wire: one end is a module. */
 export function isLegal(graph: Graph, from: PortRef, to: PortRef): boolean {
   const source = graph.nodes.get(from.node);
   const target = graph.nodes.get(to.node);
@@ -62,7 +62,7 @@ function connectModules(
   putWire(edit, { node, port: OUT }, to);
 }
 
-/** Topics an output goes to: those without a node first. */
+/** Topics that an output writes to: those without a node first. */
 export function writtenTopics(graph: Graph, from: PortRef): string[] {
   const wires = wiresAt(graph, from);
   const hidden = wires.flatMap(({ via }) => via ?? []);
@@ -73,7 +73,7 @@ export function writtenTopics(graph: Graph, from: PortRef): string[] {
   return [...hidden, ...shown];
 }
 
-/** An input takes one wire; the one that was there goes. */
+/** Adds a wire to an input, which takes only one, and removes the previous one. */
 export function putWire(edit: GraphEdit, from: PortRef, to: PortRef, via?: string): void {
   const id = wireId(from, to);
   const old = edit.graph.wires.get(id);
@@ -87,7 +87,7 @@ export function putWire(edit: GraphEdit, from: PortRef, to: PortRef, via?: strin
   replaceValue(edit, wire);
 }
 
-/** A constant that is wired to an input takes the place of the value set there. */
+/** A constant node wired to an input replaces the value set there. */
 export function replaceValue(edit: GraphEdit, { from, to }: Wire): void {
   if (edit.graph.nodes.get(from.node)?.kind !== 'constant') return;
   setConstant(edit, {

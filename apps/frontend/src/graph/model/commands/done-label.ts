@@ -1,4 +1,4 @@
-/** Verbs of the labels of commands, as they are said afterwards. */
+/** Past tense of the verbs in labels of commands. */
 const DONE: Readonly<Record<string, string>> = {
   Add: 'Added',
   Arrange: 'Arranged',
@@ -26,7 +26,7 @@ const DONE: Readonly<Record<string, string>> = {
   Use: 'Enabled',
 };
 
-/** The label of a command once it is done: `Connected pointer to mirror · position`. */
+/** Label of a completed command: `Connected pointer to mirror · position`. */
 export function doneLabel(label: string): string {
   const [verb = '', ...rest] = label.split(' ');
   return [Object.hasOwn(DONE, verb) ? DONE[verb] : verb, ...rest].join(' ');

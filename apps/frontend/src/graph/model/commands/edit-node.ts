@@ -8,7 +8,7 @@ import type { GraphEdit } from './graph-edit.ts';
 
 type NodeOf<K extends NodeKind> = Extract<GraphNode, { readonly kind: K }>;
 
-/** Puts another node in the place of a node, if it is there. */
+/** Replaces a node, if it exists. */
 export function editNode(
   edit: GraphEdit,
   id: string,
@@ -27,7 +27,7 @@ function editOf<K extends NodeKind>(
   editNode(edit, id, (node) => (node.kind === kind ? change(node as NodeOf<K>) : node));
 }
 
-/** Nodes at their new places; frames take along what is in them and is not moved by itself. */
+/** Returns nodes at new positions; frames take along the nodes in them that are not moved themselves. */
 export function moved(graph: Graph, positions: ReadonlyMap<string, Point>): GraphNode[] {
   const frames = new Map<string, Point>();
   const nodes: GraphNode[] = [];
@@ -41,7 +41,7 @@ export function moved(graph: Graph, positions: ReadonlyMap<string, Point>): Grap
   if (frames.size === 0) return nodes;
   for (const node of graph.nodes.values()) {
     if (node.frame === undefined || node.position === undefined || positions.has(node.id)) continue;
-    // The nearest frame that was given a place says how far.
+    // The distance is that of the nearest frame with a new position.
     const frame = framesAround(graph.nodes, node.id).find((id) => positions.has(id));
     const by = frame === undefined ? undefined : frames.get(frame);
     if (by === undefined) continue;
@@ -54,7 +54,7 @@ const isSamePlace = (a: Point | undefined, b: Point): boolean => a?.x === b.x &&
 
 export const setModule = (edit: GraphEdit, { node, changes }: CommandOf<'setModule'>): void =>
   editOf(edit, node, 'module', (old) => {
-    // Ids are what others know it by.
+    // Keep the id, by which other clients know the module.
     const module = { ...old.module, ...changes, id: old.module.id };
     const wires = wiresOf(edit.graph, node);
     return moduleNode(module, {
@@ -67,7 +67,7 @@ export const setModule = (edit: GraphEdit, { node, changes }: CommandOf<'setModu
 const names = (wires: readonly Wire[], portOf: (wire: Wire) => string): string[] =>
   wires.map((wire) => ioName(portOf(wire)));
 
-/** A value set at an input takes the place of a constant that is wired to it. */
+/** A value set at an input replaces a constant node wired to it. */
 export const setConstant = (
   edit: GraphEdit,
   { node, input, json = '' }: CommandOf<'setConstant'>,

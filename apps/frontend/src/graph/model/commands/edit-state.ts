@@ -3,25 +3,25 @@ import { applyCommand } from './apply-command.ts';
 import type { GraphCommand } from './graph-command.ts';
 import { GraphEdit, isEmptyPatch, type GraphPatch } from './graph-edit.ts';
 
-/** One thing a person did, in words, with the ways back and there again. */
+/** One step of the history, with its label, and the patches for undo and redo. */
 export interface Step {
   readonly label: string;
-  /** Steps with the same key that follow each other are one: the parts of a drag, letters typed. */
+  /** Consecutive steps with the same key are one: movements of a drag, typed letters. */
   readonly key: string | undefined;
   readonly undo: GraphPatch;
   readonly redo: GraphPatch;
 }
 
-/** A graph being edited, and how it came to be. Never changed: each step makes a new one. */
+/** A graph with its history. Immutable: each step returns a new state. */
 export interface EditState {
   readonly graph: Graph;
   /** Oldest first. */
   readonly past: readonly Step[];
-  /** What can be done again, next one last. */
+  /** Steps that can be redone, next one last. */
   readonly future: readonly Step[];
 }
 
-/** Steps that are kept. */
+/** Most steps kept. */
 export const MAX_STEPS = 500;
 
 export function startEditing(graph: Graph): EditState {
@@ -29,8 +29,8 @@ export function startEditing(graph: Graph): EditState {
 }
 
 /**
- * Does a command, as a step that can be undone. Nothing happens when it would change nothing.
- * @param key the same for all commands of one drag
+ * Applies a command as a step that can be undone. Does nothing if the command changes nothing.
+ * @param key equal for all commands of one drag
  */
 export function perform(state: EditState, command: GraphCommand, key?: string): EditState {
   const { graph, inverse, redo } = applyCommand(state.graph, command);
@@ -44,7 +44,7 @@ export function perform(state: EditState, command: GraphCommand, key?: string): 
   return { graph, past, future: [] };
 }
 
-/** Ends a drag: what comes next with the same key is a step of its own. */
+/** Ends a drag: a next command with the same key is a new step. */
 export function seal(state: EditState): EditState {
   const last = state.past.at(-1);
   if (last?.key === undefined) return state;
@@ -77,7 +77,7 @@ function patched(graph: Graph, patch: GraphPatch): Graph {
   return edit.graph;
 }
 
-/** Two steps as one: the older one says what was, the newer one what is. */
+/** Joins two steps: undo patch of the older one, redo patch of the newer one. */
 function joined(older: Step, newer: Step): Step {
   return {
     ...older,

@@ -1,7 +1,7 @@
 import type { Graph, PortRef } from '../graph.ts';
 import { ioName } from '../ports.ts';
 
-/** Every topic of a graph, with a node or without. */
+/** All topics of a graph, with and without a node. */
 export function topicsOf(graph: Graph): Set<string> {
   const topics = new Set<string>();
   for (const node of graph.nodes.values()) if (node.kind === 'topic') topics.add(node.topic);
@@ -9,7 +9,7 @@ export function topicsOf(graph: Graph): Set<string> {
   return topics;
 }
 
-/** A topic for what comes out of a module, which the graph does not have yet. */
+/** Returns an unused topic for an output of a module. */
 export function freeTopic(graph: Graph, { node, port }: PortRef): string {
   const source = graph.nodes.get(node);
   const name = source?.kind === 'module' ? source.module.name : '';
@@ -18,22 +18,22 @@ export function freeTopic(graph: Graph, { node, port }: PortRef): string {
 }
 
 /**
- * A short topic for what comes out of a module, for those who are shown it and may choose another.
- * Modules that are wired to each other get longer ones: two people may do that at the same time.
+ * Returns a short topic for an output of a module, for display: the user may change it. Wires between modules use
+ * longer topics, because two users may add them at the same time.
  */
 export function proposedTopic(graph: Graph, ref: PortRef): string {
   const short = `/${topicPart(graph.details.name || 'session')}/${topicPart(ioName(ref.port))}`;
   return topicsOf(graph).has(short) ? freeTopic(graph, ref) : short;
 }
 
-/** The topic itself, or with the first number that makes it new. */
+/** Returns the topic, with the first number appended that makes it unused. */
 export function unusedTopic(taken: ReadonlySet<string>, wished: string): string {
   let topic = wished;
   for (let number = 2; taken.has(topic); number += 1) topic = `${wished}-${number}`;
   return topic;
 }
 
-/** Text as one part of a topic, between slashes and without signs that patterns know. */
+/** Converts a text to one level of a topic: without slashes and pattern characters. */
 export function topicPart(text: string): string {
   const part = text
     .normalize('NFC')

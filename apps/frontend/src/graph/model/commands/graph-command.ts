@@ -11,9 +11,9 @@ import type {
 } from '../graph.ts';
 import type { GraphPatch } from './graph-edit.ts';
 
-/** Whatever a person does to a graph. What names something that is not there does nothing. */
+/** Edit of a graph. Commands that refer to missing elements have no effect. */
 export type GraphCommand =
-  /** Several as one step, with words for what they are together. */
+  /** Several commands as one step, with its label. */
   | { readonly kind: 'all'; readonly commands: readonly GraphCommand[]; readonly label: string }
   | { readonly kind: 'patch'; readonly patch: GraphPatch; readonly label: string }
   | {
@@ -35,12 +35,12 @@ export type GraphCommand =
       readonly position?: Point;
     }
   | { readonly kind: 'collapse'; readonly nodes: readonly string[]; readonly isCollapsed: boolean }
-  /** To an input that has a wire it takes the place of that wire. */
+  /** Adds a wire; to an input that has one, replaces it. */
   | {
       readonly kind: 'connect';
       readonly from: PortRef;
       readonly to: PortRef;
-      /** Between modules: the topic in between; without it one is found or made up. */
+      /** Topic of a wire between modules; default: an existing or generated one. */
       readonly via?: string;
     }
   | { readonly kind: 'reroute'; readonly wire: string; readonly points: readonly Point[] }
@@ -49,14 +49,14 @@ export type GraphCommand =
       readonly node: string;
       readonly changes: Partial<ProcessingModule>;
     }
-  /** A value at an input itself; undefined: the default of the module. */
+  /** Sets a value at an input; undefined: the default of the module. */
   | {
       readonly kind: 'setConstant';
       readonly node: string;
       readonly input: string;
       readonly json: string | undefined;
     }
-  /** Bypasses or mutes modules, or puts them to work again. */
+  /** Bypasses, mutes or enables modules. */
   | {
       readonly kind: 'setStanding';
       readonly nodes: readonly string[];
@@ -64,18 +64,18 @@ export type GraphCommand =
     }
   | { readonly kind: 'setMuxer'; readonly node: string; readonly changes: Partial<TopicMux> }
   | { readonly kind: 'setDemuxer'; readonly node: string; readonly changes: Partial<TopicDemux> }
-  /** The value of a constant node. */
+  /** Sets the value of a constant node. */
   | { readonly kind: 'setValue'; readonly node: string; readonly json: string }
-  /** The text of a comment, the title of a frame, the name of a constant. */
+  /** Sets the text of a comment, the title of a frame or the name of a constant. */
   | { readonly kind: 'setText'; readonly node: string; readonly text: string }
   /** One of `FRAME_COLORS`, or empty. */
   | { readonly kind: 'setColor'; readonly frame: string; readonly color: string }
   | { readonly kind: 'renameTopic'; readonly node: string; readonly topic: string }
-  /** Another topic between two modules, for all wires that share it. */
+  /** Changes the topic between two modules, for all wires that share it. */
   | { readonly kind: 'setVia'; readonly wire: string; readonly topic: string }
-  /** Gives the topic of a wire between modules a node of its own. */
+  /** Adds a node for the topic of a wire between modules. */
   | { readonly kind: 'showTopic'; readonly wire: string; readonly position?: Point | undefined }
-  /** Makes wires of a topic that one module writes and others read. */
+  /** Replaces the node of a topic that one module writes and others read by wires. */
   | { readonly kind: 'hideTopic'; readonly node: string }
   | { readonly kind: 'group'; readonly frame: FrameNode; readonly nodes: readonly string[] }
   | { readonly kind: 'ungroup'; readonly frame: string }

@@ -2,14 +2,14 @@ import type { Graph, GraphNode, SessionDetails, Wire } from '../graph.ts';
 import { frameLeft } from '../nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 
-/** Elements of a graph as they shall be; undefined: not there. */
+/** New state of elements of a graph; undefined: removed. */
 export interface GraphPatch {
   readonly nodes: ReadonlyMap<string, GraphNode | undefined>;
   readonly wires: ReadonlyMap<string, Wire | undefined>;
   readonly details: SessionDetails | undefined;
 }
 
-/** A graph being changed: remembers how everything that it touches was before. */
+/** Mutable copy of a graph that records the previous state of changed elements. */
 export class GraphEdit {
   readonly #before: Graph;
   #graph: Graph;
@@ -21,7 +21,7 @@ export class GraphEdit {
     this.#graph = graph;
   }
 
-  /** As it is by now. */
+  /** Current state. */
   get graph(): Graph {
     return this.#graph;
   }
@@ -30,7 +30,7 @@ export class GraphEdit {
     this.#changeNodes([...nodes].map((node) => [node.id, node]));
   }
 
-  /** Removes nodes and their wires; what was in a frame that goes is in the one around it. */
+  /** Removes nodes and their wires; nodes in a removed frame move to the frame around it. */
   removeNodes(ids: Iterable<string>): void {
     const gone = new Set([...ids].filter((id) => this.#graph.nodes.has(id)));
     if (gone.size === 0) return;
@@ -72,12 +72,12 @@ export class GraphEdit {
     if (details !== undefined) this.setDetails(details);
   }
 
-  /** What leads from the graph as it is to what it was. */
+  /** Patch from the current state to the original one. */
   undoing(): GraphPatch {
     return this.#patch(this.#before, this.#graph);
   }
 
-  /** What leads from the graph as it was to what it is. */
+  /** Patch from the original state to the current one. */
   redoing(): GraphPatch {
     return this.#patch(this.#graph, this.#before);
   }
@@ -101,7 +101,7 @@ export class GraphEdit {
   }
 }
 
-/** Undefined when nothing changes. */
+/** Returns undefined when nothing changes. */
 function changed<T>(
   map: ReadonlyMap<string, T>,
   changes: readonly (readonly [id: string, value: T | undefined])[],
@@ -127,7 +127,7 @@ function differing<T>(
   return new Map(entries.filter(([id, value]) => from.get(id) !== value));
 }
 
-/** True when it would change nothing. */
+/** True when the patch changes nothing. */
 export function isEmptyPatch({ nodes, wires, details }: GraphPatch): boolean {
   return nodes.size === 0 && wires.size === 0 && details === undefined;
 }

@@ -1,7 +1,7 @@
 import type { GraphCommand } from './graph-command.ts';
 import type { ModuleNode } from '../graph.ts';
 
-/** Makes a module run on a node. @param nodeId empty: the master chooses */
+/** Assigns a module to a node. @param nodeId empty: the master chooses */
 export function placeCommand(node: ModuleNode, nodeId: string): GraphCommand {
   const { extension } = node.module;
   return {

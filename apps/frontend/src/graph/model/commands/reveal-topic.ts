@@ -3,12 +3,12 @@ import { topicNode, topicNodeId } from '../make-node.ts';
 import { IN, OUT } from '../ports.ts';
 import type { GraphEdit } from './graph-edit.ts';
 
-/** Wires between modules that go over a topic. */
+/** Returns the wires between modules that use a topic. */
 export function viaWires(graph: Graph, topic: string): Wire[] {
   return [...graph.wires.values()].filter(({ via }) => via === topic);
 }
 
-/** Gives a topic a node, and leads the wires between modules over it. */
+/** Adds a node for a topic, and reroutes the wires between modules through it. */
 export function revealTopic(edit: GraphEdit, topic: string, position?: Point): void {
   const node = topicNodeId(topic);
   const wires = viaWires(edit.graph, topic);

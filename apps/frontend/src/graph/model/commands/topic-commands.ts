@@ -5,7 +5,7 @@ import type { CommandOf } from './graph-command.ts';
 import type { GraphEdit } from './graph-edit.ts';
 import { plainWire, revealTopic, viaWires } from './reveal-topic.ts';
 
-/** Nodes that are about to be there take the wires of their topics. */
+/** Reroutes the wires of topics that are about to get nodes. */
 export function placeTopics(edit: GraphEdit, nodes: readonly GraphNode[]): void {
   for (const node of nodes) {
     if (node.kind === 'topic' && !edit.graph.nodes.has(node.id)) {
@@ -15,7 +15,7 @@ export function placeTopics(edit: GraphEdit, nodes: readonly GraphNode[]): void 
   }
 }
 
-/** All that is wired to a topic goes to another one; a node of that topic takes it all. */
+/** Reconnects all wires of a topic to another topic, whose node is used if there is one. */
 export function renameTopic(edit: GraphEdit, { node, topic }: CommandOf<'renameTopic'>): void {
   const old = edit.graph.nodes.get(node);
   if (old?.kind !== 'topic' || topic === '' || topic === old.topic) return;
@@ -23,7 +23,7 @@ export function renameTopic(edit: GraphEdit, { node, topic }: CommandOf<'renameT
   const wires = wiresOf(edit.graph, node);
   if (viaWires(edit.graph, topic).length > 0) revealTopic(edit, topic, old.position);
   edit.removeNodes([node]);
-  // What is known of the format was known of the old topic.
+  // Drop the format: it belongs to the old topic.
   if (!edit.graph.nodes.has(id)) edit.putNodes([topicNode(topic, { ...old, format: undefined })]);
   edit.putWires([
     ...wires.in.map(({ from, to }) => plainWire(from, { ...to, node: id })),
@@ -46,7 +46,7 @@ export function showTopic(edit: GraphEdit, { wire, position }: CommandOf<'showTo
   if (via !== undefined) revealTopic(edit, via, position);
 }
 
-/** True when a topic can be shown as wires between modules. */
+/** True when a topic node can be replaced by wires between modules. */
 export function canHide(graph: Graph, node: GraphNode): node is TopicNode {
   return node.kind === 'topic' && onlyWriter(graph, node) !== undefined;
 }

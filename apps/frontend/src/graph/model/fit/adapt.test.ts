@@ -18,7 +18,7 @@ const graph = aGraphOf([
   aModule('all', { points: 'vector2[]', one: 'vector2' }),
 ]);
 
-/** The graph with the first offer taken. */
+/** Returns the graph with the first adapter applied. */
 function adapted(from: PortRef, to: PortRef): Graph {
   const fit = fitOf(graph, from, to, library);
   if (fit.fits) throw new Error('it fits as it is');

@@ -9,15 +9,15 @@ import { portFormat } from '../port-format.ts';
 import type { Adapter } from './adapter.ts';
 import { PICK_PATH } from './offers.ts';
 
-/** What new nodes need. */
+/** Options for new nodes. */
 export interface NewNodes {
-  /** Gives a new UUID. */
+  /** Returns a new UUID. */
   uuid(): string;
-  /** Where; default: in the middle between the ends. */
+  /** Default: half way between the ends. */
   readonly position?: Point;
 }
 
-/** Puts what was offered between two ports, wired to both, as one step. */
+/** Inserts an adapter between two ports, wired to both, as one step. */
 export function adaptCommand(
   graph: Graph,
   from: PortRef,
@@ -53,7 +53,7 @@ export function adaptCommand(
       const mux = newMuxerNode(uuid(), { topicGlob, dataType }, look);
       const wires: [PortRef, PortRef][] = [[{ node: mux.id, port: OUT }, to]];
       if (graph.nodes.get(from.node)?.kind !== 'module') return all([mux], wires);
-      // The muxer can only gather what is on a topic.
+      // A muxer reads topics, so the output needs one.
       const topic = topicNode(topicGlob, { position: shifted(position, -200) });
       return all([topic, mux], [[from, { node: topic.id, port: IN }], ...wires]);
     }
@@ -86,7 +86,7 @@ function adapterModule(
   look: { readonly position: Point | undefined },
 ): GraphNode {
   if (adapter.kind === 'module') return newModuleNode(adapter.module, uuid, look);
-  // It reads any format; the session says which.
+  // The demuxer accepts any format; use that of the output.
   const format = portFormat(graph, from);
   const inputs = adapter.module.inputs.map((io) =>
     io.internalName === adapter.input && format !== undefined

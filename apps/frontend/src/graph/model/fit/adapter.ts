@@ -1,8 +1,8 @@
 import type { ProcessingModule } from '@ubii/proto';
 
-/** What can be put between two ports that do not fit. */
+/** Adapter between two ports that do not fit. */
 export type Adapter =
-  /** Takes one part of the value: `position.x`. */
+  /** Extracts a part of the value: `position.x`. */
   | {
       readonly kind: 'field';
       readonly label: string;
@@ -11,7 +11,7 @@ export type Adapter =
       readonly input: string;
       readonly output: string;
     }
-  /** A module of the library that turns the one into the other. */
+  /** Module of the library that converts between the formats. */
   | {
       readonly kind: 'module';
       readonly label: string;
@@ -19,21 +19,21 @@ export type Adapter =
       readonly input: string;
       readonly output: string;
     }
-  /** Gathers the topic, and those like it, into a list. */
+  /** Muxer that collects the topic and similar ones into a list. */
   | {
       readonly kind: 'muxer';
       readonly label: string;
       readonly topicGlob: string;
       readonly dataType: string;
     }
-  /** Spreads a list over topics. */
+  /** Demuxer that distributes a list to topics. */
   | {
       readonly kind: 'demuxer';
       readonly label: string;
       readonly outputTopicFormat: string;
       readonly dataType: string;
     }
-  /** Both: one topic for each element on the way from module to module. */
+  /** Demuxer and muxer between two modules: one topic per element. */
   | {
       readonly kind: 'spread';
       readonly label: string;
@@ -42,13 +42,13 @@ export type Adapter =
       readonly dataType: string;
     };
 
-/** Whether a wire from one port to another makes sense. */
+/** Whether a wire between two ports is possible. */
 export type Fit =
   | { readonly fits: true }
   | {
       readonly fits: false;
-      /** One sentence: what is wrong. */
+      /** Reason, one sentence. */
       readonly reason: string;
-      /** What would make it fit, best first. */
+      /** Adapters that would make it fit, best first. */
       readonly offers: readonly Adapter[];
     };

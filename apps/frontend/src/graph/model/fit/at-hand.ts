@@ -4,7 +4,7 @@ import { portFormat } from '../port-format.ts';
 import { OUT } from '../ports.ts';
 import { wiresOf } from '../wires-of.ts';
 
-/** Formats of the topics that nothing reads yet: what is added next is likely to take one of them. */
+/** Formats of the topics without a reader: the next added node probably reads one of them. */
 export function formatsAtHand(graph: Graph): ReadonlySet<DataFormat> {
   const formats = new Set<DataFormat>();
   for (const { id, kind } of graph.nodes.values()) {

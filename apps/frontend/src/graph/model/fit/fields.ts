@@ -1,8 +1,8 @@
 import { DATA_FORMATS, isDataFormat, type DataFormat } from '@ubii/proto';
 
-/** A part of a value that is itself a value of a data format. */
+/** Part of a value that is a value of a data format itself. */
 export interface Field {
-  /** As in `position.x`. */
+  /** Path such as `position.x`. */
   readonly path: string;
   readonly format: DataFormat;
 }
@@ -42,7 +42,7 @@ function* fieldsIn(value: unknown, prefix: string): Iterable<Field> {
   for (const [path, member] of inner) if (!Array.isArray(member)) yield* fieldsIn(member, path);
 }
 
-/** Members that are known by what they consist of. */
+/** Data formats of members, by the names of their members. */
 const SHAPES: Readonly<Record<string, DataFormat>> = {
   'x y': 'vector2',
   'x y z': 'vector3',

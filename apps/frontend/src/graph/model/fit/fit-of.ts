@@ -9,8 +9,8 @@ import { endOf, type WireEnd } from './wire-end.ts';
 const FITS: Fit = { fits: true };
 
 /**
- * Whether a wire from one port to another makes sense, by the rules of the master. [SE-4] [PM-31]
- * @param library modules that may be offered to go in between
+ * Whether a wire between two ports is possible, by the rules of the master. [SE-4] [PM-31]
+ * @param library modules that can be offered as adapters
  */
 export function fitOf(
   graph: Graph,
@@ -24,7 +24,7 @@ export function fitOf(
   return fitEnds(graph, from, to, library);
 }
 
-/** The same for ends that need not be in the graph yet, in either order. */
+/** The same for ends in either order, which need not be in the graph. */
 export function fitEnds(
   graph: Graph,
   from: WireEnd,
@@ -48,7 +48,7 @@ function misfit(reason: string, offers: readonly Adapter[] = []): Fit {
   return { fits: false, reason, offers };
 }
 
-/** Wires a session cannot say, and why. */
+/** Pairs of node kinds that a session cannot connect, with the reason. */
 const NONSENSE: Readonly<Partial<Record<`${NodeKind} ${NodeKind}`, string>>> = {
   'topic topic': 'Topics get values from modules. Add a module between the two topics.',
   'topic demuxer': 'A demuxer publishes the output of a module. Add a module before it.',
@@ -64,7 +64,7 @@ function kindFault(from: WireEnd, to: WireEnd): Fit | undefined {
   return reason === undefined ? undefined : misfit(reason);
 }
 
-/** A module says that something is no list only by having something that is. [SE-4] */
+/** Modules declare lists only: a port counts as not a list when another port of the module is one. [SE-4] */
 function saysWhatIsAList(node: GraphNode): boolean {
   return node.ports.some(({ isList }) => isList);
 }
@@ -72,14 +72,14 @@ function saysWhatIsAList(node: GraphNode): boolean {
 function listFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
   if (!from.port.isDeclared || !to.port.isDeclared) return undefined;
   if (from.port.isList === to.port.isList) {
-    // A list goes over many topics, and a wire between modules over one.
+    // A list uses several topics, a wire between modules only one.
     if (!from.port.isList || from.node.kind !== 'module' || to.node.kind !== 'module') {
       return undefined;
     }
     const reason = `${portName(graph, from.ref)} outputs a list. Connect it to ${portName(graph, to.ref)} through one topic for each element.`;
     return misfit(reason, listOffers(graph, from, to));
   }
-  // What says that it is a list surely is one; the other end may only have said nothing.
+  // The end that is declared as a list is one; the other end may just lack the declaration.
   const doubtful = from.node.kind === 'muxer' ? to.node : from.node;
   const goesOverATopic = from.node.kind !== 'muxer' && to.node.kind !== 'demuxer';
   if (!goesOverATopic && !saysWhatIsAList(doubtful)) return undefined;

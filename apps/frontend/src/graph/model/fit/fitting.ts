@@ -13,7 +13,7 @@ import type { KnownTopic, NodeOffer } from './node-offer.ts';
 import { rankOffers } from './rank-offers.ts';
 import { endOf, type WireEnd } from './wire-end.ts';
 
-/** All ports a wire from this port may go to; the others are to be dimmed. */
+/** Returns all ports that a wire from this port can end at; the others are dimmed. */
 export function fittingPorts(graph: Graph, ref: PortRef): PortRef[] {
   const own = endOf(graph, ref);
   if (own === undefined) return [];
@@ -29,9 +29,9 @@ export function fittingPorts(graph: Graph, ref: PortRef): PortRef[] {
 }
 
 /**
- * What a wire that was dropped on nothing can lead to, best first; modules with their first fitting
- * port. [SE-70]
- * @param topics those that have a publisher; those of the graph are offered, too
+ * Returns the nodes that a wire dropped on empty canvas can lead to, best first; modules with their first fitting port.
+ * [SE-70]
+ * @param topics topics with a publisher; topics of the graph are offered, too
  */
 export function fittingNodes(
   graph: Graph,
@@ -49,7 +49,7 @@ export function fittingNodes(
   return rankOffers(graph, ref, offers, topics);
 }
 
-/** Topics of the graph before others: they are what the session is about. */
+/** Topics of the graph come first: they belong to the session. */
 function topicsToOffer(graph: Graph, topics: readonly KnownTopic[]): KnownTopic[] {
   const all = new Map<string, KnownTopic>();
   for (const node of graph.nodes.values()) {
@@ -93,7 +93,7 @@ function topicOffer(graph: Graph, own: WireEnd, known: KnownTopic): NodeOffer | 
   return { kind: 'topic', label: topic, topic, isNew: false, format };
 }
 
-/** The first port of a node, which need not be in the graph, that the wire fits. */
+/** Returns the first port of a node that the wire fits; the node need not be in the graph. */
 export function fitsNode(graph: Graph, own: WireEnd, node: GraphNode): string | undefined {
   return node.ports.find((port) => {
     if (port.direction === own.port.direction) return false;
@@ -102,7 +102,7 @@ export function fitsNode(graph: Graph, own: WireEnd, node: GraphNode): string | 
   })?.id;
 }
 
-/** Makes what was offered, wired to where the wire came from, as one step. */
+/** Adds an offered node, wired to the start of the wire, as one step. */
 export function offerCommand(
   graph: Graph,
   ref: PortRef,

@@ -1,9 +1,9 @@
 import type { DataFormat, ProcessingModule } from '@ubii/proto';
 
-/** A topic that is there, for offering it. */
+/** An existing topic that can be offered. */
 export interface KnownTopic {
   readonly topic: string;
-  /** In any spelling; empty: not known. */
+  /** Data format in any spelling; empty: unknown. */
   readonly format: string;
 }
 

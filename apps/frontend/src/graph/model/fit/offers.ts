@@ -7,17 +7,17 @@ import type { Adapter } from './adapter.ts';
 import { fieldsOf } from './fields.ts';
 import type { WireEnd } from './wire-end.ts';
 
-/** The module of the library that takes a part of a value. */
+/** Name of the library module that extracts a part of a value. */
 export const PICK_FIELD = 'pick-field';
-/** Its inputs. */
+/** Names of its inputs. */
 export const PICK_VALUE = 'value';
 export const PICK_PATH = 'path';
 
-/** More are no help. */
+/** Most parts of a value that are offered. */
 const MAX_FIELDS = 8;
 const MAX_MODULES = 5;
 
-/** What leads from single records to lists, and back. */
+/** Adapters between single records and lists. */
 export function listOffers(graph: Graph, from: WireEnd, to: WireEnd): Adapter[] {
   const dataType = from.format ?? to.format ?? '';
   if (!formatsFit(from.format, to.format)) return [];
@@ -51,7 +51,7 @@ export function listOffers(graph: Graph, from: WireEnd, to: WireEnd): Adapter[] 
   return [];
 }
 
-/** The topic that values of an output are on, or would be. */
+/** Topic of an output, or the one it would get. */
 function topicAt(graph: Graph, { node, ref }: WireEnd): string | undefined {
   if (node.kind === 'topic') return node.topic;
   if (node.kind !== 'module') return undefined;
@@ -66,14 +66,14 @@ function topicAt(graph: Graph, { node, ref }: WireEnd): string | undefined {
 // eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
 const UUID = new RegExp(UUID_PATTERN, 'i');
 
-/** The same topic of all clients or devices; undefined when nothing in it says which one it is of. */
+/** Glob for the same topic of all clients or devices; undefined when no level identifies a client or device. */
 export function globOfAlike(topic: string): string | undefined {
   const parts = topic.split('/');
   const glob = parts.map((part) => (UUID.test(part) ? '*' : part)).join('/');
   return glob === topic ? undefined : glob;
 }
 
-/** What leads from one data format to another. */
+/** Adapters between data formats. */
 export function formatOffers(
   from: WireEnd,
   to: WireEnd,
@@ -110,7 +110,7 @@ function moduleOffers(from: WireEnd, to: WireEnd, library: readonly ProcessingMo
         !io.isList && io.format !== undefined && formatsFit(io.format, from.format);
       const gives = (io: { format: DataFormat | undefined; isList: boolean }): boolean =>
         !io.isList && io.format !== undefined && formatsFit(io.format, to.format);
-      // The first input is what a module is about; the others are its parameters.
+      // The first input takes the data; the others are parameters.
       const [input] = inputs;
       const output = outputs.find(gives);
       if (input === undefined || output === undefined || !takes(input)) return [];

@@ -4,18 +4,18 @@ import { wiresOf } from '../wires-of.ts';
 import type { KnownTopic, NodeOffer } from './node-offer.ts';
 import { endOf, type WireEnd } from './wire-end.ts';
 
-/** How well a wire goes with what it fits; lower is better. [SE-70] */
+/** Rank of a connection; lower is better. [SE-70] */
 const CLOSENESS = {
   sameFormat: 0,
-  /** A number of another type. [PM-31] */
+  /** Conversion between number types. [PM-31] */
   converted: 1,
   unknownFormat: 2,
-  /** Any port of a module but its first: those are parameters and by-products. */
+  /** A port of a module other than the first: parameters and by-products. */
   sidePort: 3,
 } as const;
 const GROUPS = { existing: 0, fresh: 1, module: 2, used: 3, unknown: 4 } as const;
 
-/** How well a wire goes with a port that it fits; lower is better. */
+/** Returns the rank of a wire to a fitting port; lower is better. */
 export function closeness(own: WireEnd, { node, port, format }: Omit<WireEnd, 'ref'>): number {
   const main = node.ports.find(({ direction }) => direction === port.direction);
   return main?.id === port.id ? formatCloseness(own, format) : CLOSENESS.sidePort;
@@ -27,7 +27,7 @@ function formatCloseness(own: WireEnd, format: WireEnd['format']): number {
 }
 
 /**
- * Best first; what is equally good keeps its order. [SE-70]
+ * Sorts by rank, best first; stable. [SE-70]
  * @param published topics that have a publisher
  */
 export function rankOffers(

@@ -10,7 +10,7 @@ export interface WireEnd {
   readonly format: DataFormat | undefined;
 }
 
-/** A port of a graph as an end of a wire. */
+/** Returns a port of a graph as the end of a wire. */
 export function endOf(graph: Graph, ref: PortRef): WireEnd | undefined {
   const node = graph.nodes.get(ref.node);
   const port = portOf(graph, ref);

@@ -10,7 +10,7 @@ const OPTIONS: Readonly<Record<string, string>> = {
   'elk.layered.spacing.nodeNodeBetweenLayers': String(COLUMN_GAP),
   'elk.spacing.componentComponent': String(2 * ROW_GAP),
   'elk.layered.nodePlacement.strategy': 'NETWORK_SIMPLEX',
-  // The same graph shall come out the same, and near to what people see in lists.
+  // Keeps the result deterministic, and close to the order of lists.
   'elk.layered.considerModelOrder.strategy': 'NODES_AND_EDGES',
   'elk.randomSeed': '1',
 };
@@ -20,7 +20,7 @@ export async function elkLayout(
   elk: Pick<ELK, 'layout'>,
   { nodes, wires }: LayoutGraph,
 ): Promise<Map<string, Point>> {
-  // Its ids may not be just any text.
+  // ELK restricts the characters of ids.
   const idOf = new Map(nodes.map(({ id }, index) => [id, `n${index}`]));
   const root: ElkNode = {
     id: 'root',

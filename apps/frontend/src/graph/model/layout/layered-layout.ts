@@ -1,17 +1,14 @@
 import type { Point } from '../graph.ts';
 import type { LayoutGraph, LayoutNode } from './layout-graph.ts';
 
-/** Between columns, and between nodes of one column. */
+/** Gaps between columns, and between nodes of a column. */
 export const COLUMN_GAP = 96;
 export const ROW_GAP = 32;
 
-/** Rounds in which nodes are put level with what they are wired to. */
+/** Number of passes that align nodes vertically with their neighbours. */
 const ROUNDS = 4;
 
-/**
- * Places nodes in columns from left to right, so that wires go rightwards where they can. Simple and
- * quick; the same graph always comes out the same.
- */
+/** Places nodes in columns so that wires lead to the right where possible. Simple, fast and deterministic. */
 export function layeredLayout({ nodes, wires }: LayoutGraph): Map<string, Point> {
   const columns = columnsOf(nodes, wires);
   const neighbours = neighboursOf(nodes, wires);
@@ -34,7 +31,7 @@ export function layeredLayout({ nodes, wires }: LayoutGraph): Map<string, Point>
 const heightOf = (column: readonly LayoutNode[]): number =>
   column.reduce((sum, { height }) => sum + height, 0) + ROW_GAP * Math.max(0, column.length - 1);
 
-/** Each node right of what flows into it, by the longest way; wires that close a cycle do not count. */
+/** Assigns each node to a column right of its sources, by the longest path; ignores wires that close a cycle. */
 function columnsOf(nodes: LayoutGraph['nodes'], wires: LayoutGraph['wires']): LayoutNode[][] {
   const next = new Map<string, string[]>();
   for (const { from, to } of wires) next.set(from, [...(next.get(from) ?? []), to]);
@@ -53,7 +50,7 @@ function columnsOf(nodes: LayoutGraph['nodes'], wires: LayoutGraph['wires']): La
   return columns.filter((one) => one !== undefined);
 }
 
-/** What nothing flows into stands next to what it flows into, not at the far left. */
+/** Moves nodes without sources next to their targets, instead of to the far left. */
 function pullSources(wires: LayoutGraph['wires'], column: Map<string, number>): void {
   const fed = new Set(wires.map(({ to }) => to));
   const nearest = new Map<string, number>();
@@ -64,7 +61,7 @@ function pullSources(wires: LayoutGraph['wires'], column: Map<string, number>): 
   for (const [id, target] of nearest) column.set(id, Math.max(0, target - 1));
 }
 
-/** An order in which what flows into a node comes before it; depth first, without recursion. */
+/** Topological order; depth first, without recursion. */
 function topologicalOrder(
   nodes: LayoutGraph['nodes'],
   next: ReadonlyMap<string, readonly string[]>,
@@ -101,7 +98,7 @@ function neighboursOf(
   return neighbours;
 }
 
-/** Orders each column by the mean height of what its nodes are wired to, so that fewer wires cross. */
+/** Sorts each column by the mean height of the neighbours, to reduce crossings. */
 function sortColumns(
   columns: LayoutNode[][],
   neighbours: ReadonlyMap<string, readonly string[]>,

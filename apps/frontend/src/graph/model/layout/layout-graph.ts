@@ -1,17 +1,17 @@
 import type { Graph, GraphNode, Point, Size } from '../graph.ts';
 
-/** A node as a layout sees it. */
+/** Node as input of a layout. */
 export interface LayoutNode extends Size {
   readonly id: string;
 }
 
-/** What is to be laid out; plain, so that it can be sent to a worker. */
+/** Graph as input of a layout; a plain object, so that it can be sent to a worker. */
 export interface LayoutGraph {
   readonly nodes: readonly LayoutNode[];
   readonly wires: readonly { readonly from: string; readonly to: string }[];
 }
 
-/** Nodes and wires that a layout places: all that values flow through. */
+/** Returns the nodes and wires to lay out: all that take part in the data flow. */
 export function layoutGraphOf(
   graph: Graph,
   sizeOf: (node: GraphNode) => Size,
@@ -28,7 +28,7 @@ export function layoutGraphOf(
   };
 }
 
-/** Comments and frames stay where people put them. */
+/** Comments and frames stay where the user put them. */
 const isFlow = ({ kind }: GraphNode): boolean => kind !== 'comment' && kind !== 'frame';
 
 const WIDTH = 224;
@@ -43,7 +43,7 @@ export function usualSize(node: GraphNode): Size {
   return { width: WIDTH, height: HEAD + ROW * rows };
 }
 
-/** Places on whole units of a grid. */
+/** Rounds positions to a grid. */
 export function onGrid(places: ReadonlyMap<string, Point>, grid: number): Map<string, Point> {
   const to = (value: number): number => Math.round(value / grid) * grid + 0;
   return new Map([...places].map(([id, { x, y }]) => [id, { x: to(x), y: to(y) }]));

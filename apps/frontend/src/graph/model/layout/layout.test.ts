@@ -11,7 +11,7 @@ import { layoutGraphOf, usualSize } from './layout-graph.ts';
 import { threadLayouter, type LayoutThread } from './worker-layouter.ts';
 import { layoutGraph, placeNew } from './place-graph.ts';
 
-/** The first start of the layout library takes its time on a busy machine. */
+/** The layout library starts slowly on a busy computer. */
 const TIMEOUT_MS = 60_000;
 const elk = new ELK();
 const io = { i: 'double' };
@@ -104,7 +104,7 @@ describe('the thread', { timeout: TIMEOUT_MS }, () => {
 
   it('lays out as the page itself would, and ends', async () => {
     let ended = 0;
-    // Where there is a document, the library gives a thread that is none.
+    // With a DOM, elkjs exports a worker that runs in the same thread.
     const { default: inPage } = (await import('elkjs/lib/elk-worker.js')) as unknown as {
       default: { readonly Worker: new () => LayoutThread };
     };

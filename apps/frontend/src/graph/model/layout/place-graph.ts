@@ -4,19 +4,19 @@ import { COLUMN_GAP, layeredLayout, ROW_GAP } from './layered-layout.ts';
 import { layoutGraphOf, onGrid, usualSize } from './layout-graph.ts';
 import type { Layouter } from './worker-layouter.ts';
 
-/** How a graph is laid out. */
+/** Options of a layout. */
 export interface LayoutOptions {
-  /** Of the drawn node; default: about as large as it will be. */
+  /** Size of a drawn node; default: an estimate. */
   readonly sizeOf?: (node: GraphNode) => Size;
-  /** Only these, around the middle of where they are; default: all. */
+  /** Lays out only these nodes, around their current centre; default: all. */
   readonly only?: ReadonlySet<string>;
-  /** Places lie on it; default 8. */
+  /** Grid of positions; default 8. */
   readonly grid?: number;
 }
 
 /**
- * Places for all nodes that values flow through, wires going rightwards.
- * @param layouter such as `workerLayouter`; when it fails, the simple layout does
+ * Returns positions for all nodes in the data flow, with wires leading to the right.
+ * @param layouter such as `workerLayouter`; when it fails, `layeredLayout` is used
  */
 export async function layoutGraph(
   graph: Graph,
@@ -33,8 +33,8 @@ export async function layoutGraph(
 }
 
 /**
- * The graph with places for the nodes that have none, at once: a graph without any is laid out, and
- * what came to one that has some is put below it.
+ * Places nodes without a position, synchronously: lays out a graph without any position, otherwise puts new nodes below
+ * the existing ones.
  */
 export function placeNew(graph: Graph, sizeOf: (node: GraphNode) => Size = usualSize): Graph {
   const homeless = [...graph.nodes.values()].filter(({ position }) => position === undefined);

@@ -3,15 +3,15 @@ import type { Point } from '../graph.ts';
 import { elkLayout } from './elk-layout.ts';
 import type { LayoutGraph } from './layout-graph.ts';
 
-/** Lays out; rejects when it cannot. */
+/** Lays out a graph; rejects on failure. */
 export type Layouter = (graph: LayoutGraph) => Promise<ReadonlyMap<string, Point>>;
 
-/** What is used of a Worker. */
+/** The part of `Worker` that is used. */
 export type LayoutThread = Pick<Worker, 'postMessage' | 'onmessage' | 'onerror' | 'terminate'>;
 
 type ElkConstructor = typeof ELK;
 
-/** Bundlers and Node differ in what the default of a CommonJS module is. */
+/** Bundlers and Node.js disagree about the default export of a CommonJS module. */
 async function loadElk(): Promise<ElkConstructor> {
   const { default: whole } = (await import('elkjs/lib/elk-api.js')) as {
     default: ElkConstructor | { readonly default: ElkConstructor };
@@ -19,12 +19,12 @@ async function loadElk(): Promise<ElkConstructor> {
   return 'default' in whole ? whole.default : whole;
 }
 
-/** Lays out in a thread that is started for each question and ends with its answer. */
+/** Starts a thread for each layout, and terminates it afterwards. */
 export function threadLayouter(startThread: () => Promise<LayoutThread>): Layouter {
   return async (graph) => {
     const [Elk, thread] = await Promise.all([loadElk(), startThread()]);
     try {
-      // The library gets no event for a worker that cannot start, and would wait forever.
+      // elkjs does not notice a worker that cannot start, and would wait forever.
       const failed = new Promise<never>((_resolve, reject) => {
         thread.onerror = () => reject(new Error('The layout could not be computed in a worker.'));
       });
@@ -36,7 +36,7 @@ export function threadLayouter(startThread: () => Promise<LayoutThread>): Layout
   };
 }
 
-/** In a worker of this page, which is loaded when it is first needed. */
+/** Lays out in a web worker, which is loaded on first use. */
 export const workerLayouter: Layouter = threadLayouter(async () => {
   const { default: url } = await import('elkjs/lib/elk-worker.min.js?url');
   return new Worker(url);

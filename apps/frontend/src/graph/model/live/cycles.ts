@@ -1,14 +1,14 @@
 import type { Graph } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
 
-/** Modules that feed each other, with the wires between them. */
+/** Cycle of modules, with the wires between them. */
 export interface Cycle {
   /** Ids of module nodes. */
   readonly nodes: readonly string[];
   readonly wires: readonly string[];
 }
 
-/** Modules of a graph that feed each other, directly or over topics (Tarjan 1972, without recursion). */
+/** Returns the cycles of modules in a graph, direct or through topics (Tarjan 1972, without recursion). */
 export function cyclesIn(graph: Graph): Cycle[] {
   const order = new Map<string, number>();
   const low = new Map<string, number>();

@@ -1,34 +1,34 @@
 import type { SessionRef } from '../../../sessions/words/shared-topics.ts';
 
-/** What ends a problem, on another page or on this one. */
+/** Action that solves a problem, on this page or on another. */
 export interface Remedy {
-  /** What is wrong and what to do, in place of the message of the problem. */
+  /** Replaces the message of the problem: what is wrong and what to do. */
   readonly message: string;
-  /** Of the link or button. */
+  /** Label of the link or button. */
   readonly text: string;
-  /** Path of the page; undefined: `run` does it here. */
+  /** Path of the page; undefined: call `run`. */
   readonly to?: string;
   readonly run?: () => void;
 }
 
-/** What is wrong with a topic without a value, in place of the message of the problem, and what ends it. */
+/** Advice about a topic without a value: replaces the message of the problem, with an action if there is one. */
 export type TopicAdvice =
   Remedy | { readonly message: string; readonly text?: undefined; readonly run?: undefined };
 
-/** Something wrong in a graph, at its place. */
+/** Problem of a graph, with its element. */
 export interface GraphProblem {
-  /** As the master names it. [SE-4] [SE-5] */
+  /** Code of the master's problem. [SE-4] [SE-5] */
   readonly code: string;
   readonly isError: boolean;
-  /** One sentence for people. */
+  /** One sentence for users. */
   readonly message: string;
-  /** Undefined: about the session as a whole. */
+  /** Undefined: concerns the session as a whole. */
   readonly node: string | undefined;
   readonly port: string | undefined;
   readonly wires: readonly string[];
-  /** Said of something else already, and shown here because it is about this, too. */
+  /** True when another problem reports the same and this element is affected, too. */
   readonly isEcho?: boolean;
   readonly remedy?: Remedy;
-  /** Sessions it has to do with. */
+  /** Other sessions that are involved. */
   readonly others?: readonly SessionRef[];
 }

@@ -5,20 +5,20 @@ import type { GraphProblem } from './graph-problem.ts';
 import { ownProblems, type Surroundings } from './own-problems.ts';
 import { problemsInGraph, type PlacedProblem } from './problems-in-graph.ts';
 
-/** All that is wrong, by where it is. */
+/** All problems of a graph, by element. */
 
 export interface GraphProblems {
-  /** Each once, errors first. */
+  /** Without duplicates, errors first. */
   readonly all: readonly GraphProblem[];
   readonly ofNode: ReadonlyMap<string, readonly GraphProblem[]>;
-  /** By node and port, a space between them. */
+  /** By node and port, separated by a space. */
   readonly ofPort: ReadonlyMap<string, readonly GraphProblem[]>;
   readonly ofWire: ReadonlyMap<string, readonly GraphProblem[]>;
 }
 
 /**
- * What the master says of a session as it is saved, and what can be seen of it as it is edited.
- * @param session as the master has it
+ * Combines the master's problems of the saved session with those detected in the edited graph.
+ * @param session as stored on the master
  */
 export function graphProblems(
   graph: Graph,
@@ -47,10 +47,7 @@ export function graphProblems(
   };
 }
 
-/**
- * Undefined when it has been dealt with since: the wire it was about is gone or leads to another topic, or its topic
- * only rests.
- */
+/** Returns undefined when the problem is solved by unsaved changes, or its topic only waits for a touch. */
 function toldProblem(
   graph: Graph,
   placed: PlacedProblem,
@@ -75,7 +72,7 @@ function toldProblem(
 
 const INPUT_TOPIC = /^ioMappings\[(\d+)\]\.inputMappings\[(\d+)\]\.topic$/;
 
-/** Whether the input that a problem is about has this topic in the session as it is saved. */
+/** Whether the input of a problem has this topic in the saved session. */
 function isSavedInput(
   { ioMappings }: Pick<Session, 'ioMappings'>,
   path: string,
@@ -100,7 +97,7 @@ function grouped(
     for (const key of keysOf(problem)) {
       const group = groups.get(key);
       if (group === undefined) groups.set(key, [problem]);
-      // The master says of the module what the editor says of the topic; once is enough in one place.
+      // Master and editor report the same problem, for the module and for the topic: show it once per element.
       else if (group.every(({ code }) => code !== problem.code)) group.push(problem);
     }
   }

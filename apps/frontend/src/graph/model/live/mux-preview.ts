@@ -11,35 +11,35 @@ import {
 } from '@ubii/pm-sandbox';
 import { parseDataFormat, type Component, type TopicDemux, type TopicMux } from '@ubii/proto';
 
-/** A topic that is there, with what is known of it. */
+/** An existing topic. */
 export interface LiveTopic {
   readonly topic: string;
-  /** In any spelling; empty: not known. */
+  /** Data format in any spelling; empty: unknown. */
   readonly format: string;
-  /** Id of the client that publishes it, if that is known. */
+  /** Id of the client that publishes it, if known. */
   readonly publisherId?: string;
-  /** Id of the device whose component has it, if that is known. */
+  /** Id of the device that has its component, if known. */
   readonly deviceId?: string;
 }
 
-/** One element the list of a muxer has now. */
+/** One element of a muxer's list. */
 export interface MuxMatch {
   readonly topic: string;
-  /** Undefined: none, so that what it goes to cannot tell it apart. [PM-43] */
+  /** Undefined: none, so that the receiving module cannot identify the element. [PM-43] */
   readonly identity: string | undefined;
-  /** False: another data format, which the muxer leaves out. [PM-42] */
+  /** False for another data format, which the muxer ignores. [PM-42] */
   readonly fits: boolean;
 }
 
-/** What a muxer selects at the moment, or why it selects nothing. */
+/** Topics that a muxer matches now, or the reason why it matches none. */
 export type MuxPreview =
   | { readonly kind: 'matches'; readonly matches: readonly MuxMatch[] }
   | { readonly kind: 'fault'; readonly reason: string };
 
 /**
- * What a muxer would gather of the topics that are there, by the rules of the nodes [PM-41] [PM-43].
- * @param patterns matches regular expressions; undefined: that is being loaded
- * @param topicsOf topics of the components that match a profile; without it profiles match nothing
+ * Returns the existing topics that a muxer would match, by the rules of the nodes [PM-41] [PM-43].
+ * @param patterns matches regular expressions; undefined while it is loading
+ * @param topicsOf returns the topics of components that match a profile; default: profiles match nothing
  */
 export function muxPreview(
   mux: TopicMux,
@@ -82,7 +82,7 @@ export function muxPreview(
 
 const NO_BYTES = new Uint8Array(0);
 
-/** For muxers that need none. */
+/** For muxers without regular expressions. */
 const NO_PATTERNS: PatternCompiler = {
   compile(source) {
     throw new Error(`"${source}" was not expected`);
@@ -103,7 +103,9 @@ function selectionOf(
   return patterns.compile(selector.source).test;
 }
 
-/** Topics a demuxer would publish on for elements with these identities, or why it would not. [PM-45] */
+/**
+ * Topics that a demuxer would publish on for elements with these identities, or the reason why it would not. [PM-45]
+ */
 export type DemuxPreview =
   | { readonly kind: 'topics'; readonly topics: readonly string[] }
   | { readonly kind: 'fault'; readonly reason: string };

@@ -3,10 +3,10 @@ import type { Graph } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
 import type { GraphProblem } from './graph-problem.ts';
 
-/** Who else writes a topic, by the topic: sessions that run. */
+/** Other running sessions that write a topic, by topic. */
 export type OtherWriters = ReadonlyMap<string, readonly SessionRef[]>;
 
-/** Topics that modules of this graph write and other sessions, too: at the topic, or at its wires. */
+/** Problems of topics that modules of this graph and other sessions write, at the topic or its wires. */
 export function* writtenElsewhere(graph: Graph, writers: OtherWriters): Iterable<GraphProblem> {
   if (writers.size === 0) return;
   const wires = new Map<string, string[]>();

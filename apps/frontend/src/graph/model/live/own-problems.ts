@@ -7,21 +7,21 @@ import { cyclesIn } from './cycles.ts';
 import type { GraphProblem, TopicAdvice } from './graph-problem.ts';
 import { writtenElsewhere, type OtherWriters } from './other-sessions.ts';
 
-/** What is known of modules and nodes elsewhere; undefined while it is not known. */
+/** Known modules and nodes; undefined while unknown. */
 export interface Surroundings {
-  /** Names of modules that the library or a node has. */
+  /** Names of modules that the library or a node offers. */
   readonly modules: ReadonlySet<string> | undefined;
-  /** Ids of nodes that can be given modules now. */
+  /** Ids of nodes that can run modules now. */
   readonly nodes: ReadonlySet<string> | undefined;
-  /** What other sessions write that run. */
+  /** Topics that other running sessions write. */
   readonly writers: OtherWriters;
-  /** What to say and do of a topic on which nothing is sent. */
+  /** Returns advice about a topic without a value. */
   readonly remedyOf?: (topic: string) => TopicAdvice | undefined;
-  /** Whether a topic without a value only waits for a finger: no problem. */
+  /** Whether a topic has no value only because the pad is not touched, which is no problem. */
   readonly isResting?: (topic: string) => boolean;
 }
 
-/** What can be seen to be wrong before the master has seen it. */
+/** Returns the problems that the editor detects before saving. */
 export function ownProblems(graph: Graph, around: Surroundings): GraphProblem[] {
   return [
     ...misfits(graph),
@@ -32,7 +32,7 @@ export function ownProblems(graph: Graph, around: Surroundings): GraphProblem[] 
   ];
 }
 
-/** True when there is no code of a module anywhere. */
+/** True when no code exists for a module. */
 export function isMissing({ module }: ModuleNode, { modules }: Surroundings): boolean {
   return (
     module.onProcessingStringified === '' && modules !== undefined && !modules.has(module.name)

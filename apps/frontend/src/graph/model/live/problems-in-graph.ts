@@ -5,18 +5,18 @@ import { moduleNodeId } from '../make-node.ts';
 import { inputPort, outputPort } from '../ports.ts';
 import { wiresAt } from '../wires-of.ts';
 
-/** A problem where it is. */
+/** A problem with its element. */
 export interface PlacedProblem {
   readonly problem: SessionProblem;
-  /** Undefined: about the session as a whole, or about what is not in the graph any more. */
+  /** Undefined: concerns the session as a whole, or an element that was removed. */
   readonly node: string | undefined;
   readonly port: string | undefined;
   readonly wires: readonly string[];
 }
 
 /**
- * Puts what the master says about a session where it belongs in the graph.
- * @param session the one the problems are about, as the master has it
+ * Assigns the master's problems of a session to the elements of its graph.
+ * @param session the session that the problems refer to, as stored on the master
  */
 export function problemsInGraph(
   graph: Graph,

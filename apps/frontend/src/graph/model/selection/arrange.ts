@@ -1,6 +1,6 @@
 import type { Point, Size } from '../graph.ts';
 
-/** A node as it lies on the canvas. */
+/** Box of a node on the canvas. */
 export interface Box extends Point, Size {
   readonly id: string;
 }
@@ -8,10 +8,10 @@ export interface Box extends Point, Size {
 export type Alignment = 'left' | 'center' | 'right' | 'top' | 'middle' | 'bottom';
 export type Axis = 'x' | 'y';
 
-/** Where nodes come to lie; those that stay are left out. */
+/** New positions by node id, without nodes that stay. */
 export type Places = ReadonlyMap<string, Point>;
 
-/** Lines nodes up with the outermost of them, or with their common middle. */
+/** Aligns nodes with the outermost of them, or with their common centre. */
 export function align(boxes: readonly Box[], alignment: Alignment): Places {
   const around = bounds(boxes);
   return placed(boxes, (box) => {
@@ -32,7 +32,7 @@ export function align(boxes: readonly Box[], alignment: Alignment): Places {
   });
 }
 
-/** Makes the gaps between nodes equal; the outermost ones stay. Fewer than three stay as they are. */
+/** Makes the gaps between nodes equal; the outermost ones stay. No effect on fewer than three. */
 export function distribute(boxes: readonly Box[], axis: Axis): Places {
   if (boxes.length < 3) return new Map();
   const extent = axis === 'x' ? 'width' : 'height';
@@ -54,14 +54,14 @@ export function snap({ x, y }: Point, grid: number): Point {
   return { x: to(x), y: to(y) };
 }
 
-/** How a dragged node would line up with others, for lines that show it. */
+/** Guide line along which a dragged node would align with others. */
 export interface Guide {
   readonly axis: Axis;
-  /** Where the line is. */
+  /** Coordinate of the line. */
   readonly at: number;
 }
 
-/** Moves a box to where one of its edges or its middle lines up with another's, if that is near. */
+/** Moves a box so that an edge or its centre aligns with another box, if one is near. */
 export function snapToOthers(
   box: Box,
   others: readonly Box[],
@@ -98,7 +98,7 @@ function nearest(
   return best;
 }
 
-/** The smallest area around all of them; nothing is around none. */
+/** Bounding box; empty for no boxes. */
 export function bounds(boxes: readonly (Point & Size)[]): Point & Size {
   if (boxes.length === 0) return { x: 0, y: 0, width: 0, height: 0 };
   let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];

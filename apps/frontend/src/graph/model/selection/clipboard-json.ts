@@ -12,7 +12,7 @@ import {
   topicNode,
 } from '../make-node.ts';
 
-/** A node as text of the clipboard has it. */
+/** Converts a node to the JSON of the clipboard. */
 export function nodeToJson(node: GraphNode): JsonObject {
   const { id, kind, position, size, isCollapsed, frame } = node;
   const look: JsonObject = {
@@ -54,7 +54,7 @@ export const wireToJson = ({ from, to, via, points }: Wire): JsonObject => ({
   points: points.map(({ x, y }) => [x, y]),
 });
 
-/** Members that cannot be read, such as those of another version, are as in a new node. */
+/** Members that cannot be read, such as those of another version, get the defaults of new nodes. */
 const LOOK = {
   id: v.string(),
   x: maybe(finite),
@@ -86,15 +86,15 @@ type NodeJson = v.InferOutput<typeof NODE>;
 
 const END = v.tuple([v.string(), v.string()]);
 
-/** Nodes and wires in the text of the clipboard; wires that cannot be read are left out. */
+/** Schema of the clipboard: nodes and wires; wires that cannot be read are omitted. */
 export const CLIPBOARD = v.object({
   nodes: v.array(NODE),
   wires: validElements(v.object({ from: END, to: END, via: maybe(v.string()) })),
 });
 
 /**
- * A new node like the one that was copied.
- * @param ids gets the new id by the old one
+ * Creates a node from a copied one.
+ * @param ids receives the new id, by the old one
  */
 export function nodeFromJson(
   json: NodeJson,
@@ -146,6 +146,6 @@ function newNode(
   }
 }
 
-/** Names that only mappings contain, mostly of unknown modules. */
+/** Names that occur only in mappings, mostly of unknown modules. */
 const undeclared = ({ ports }: ModuleNode, direction: 'in' | 'out'): string[] =>
   ports.filter((port) => port.direction === direction && !port.isDeclared).map(({ name }) => name);

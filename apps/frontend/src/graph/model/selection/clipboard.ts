@@ -10,11 +10,11 @@ import { CLIPBOARD, nodeFromJson, nodeToJson, wireToJson } from './clipboard-jso
 import { withContents } from '../nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 
-/** Marks a text as nodes of a graph. */
+/** Value of `format` that marks a text as copied nodes. */
 export const CLIPBOARD_FORMAT = 'ubi-interact.nodes';
 const VERSION = 1;
 
-/** Longer texts are no nodes. */
+/** Longest text that is parsed, characters. */
 const MAX_LENGTH = 8_000_000;
 
 const KIND: ImportKind = {
@@ -25,7 +25,7 @@ const KIND: ImportKind = {
 };
 const OURS = v.looseObject({ format: v.literal(CLIPBOARD_FORMAT) });
 
-/** Nodes and the wires between them as text, for this session, another one, or a message. */
+/** Serialises nodes and the wires between them. */
 export function copyText(graph: Graph, ids: Iterable<string>): string {
   const chosen = withContents(graph, ids);
   const nodes = [...graph.nodes.values()].filter(({ id }) => chosen.has(id));
@@ -44,16 +44,16 @@ export function copyText(graph: Graph, ids: Iterable<string>): string {
   );
 }
 
-/** Where and how nodes are pasted. */
+/** Options for pasting nodes. */
 export interface PasteOptions {
-  /** Gives a new UUID. */
+  /** Returns a new UUID. */
   uuid(): string;
-  /** Top left of what is pasted; default: a little beside where it was. */
+  /** Top left of the pasted nodes; default: slightly offset from the originals. */
   readonly position?: Point | undefined;
   readonly label?: string;
 }
 
-/** What a text would paste, or why it cannot. */
+/** Result of pasting a text, or the reason why it cannot be pasted. */
 export type Pasted =
   | { readonly kind: 'nodes'; readonly command: GraphCommand; readonly ids: readonly string[] }
   /** Text of another program, which this editor does not paste. */
@@ -63,8 +63,8 @@ export type Pasted =
 const OFFSET = 32;
 
 /**
- * Pastes nodes as new ones: modules, muxers and all else get ids of their own, topics are the same
- * topics, and topics between modules get new names, so that the copy does not talk into the original.
+ * Pastes nodes with new ids. Topic nodes keep their topic; topics between modules get new names, so that the copy does
+ * not write to the original.
  */
 export function paste(graph: Graph, text: string, options: PasteOptions): Pasted {
   const json = text.includes(CLIPBOARD_FORMAT) ? readStored(OURS, text, MAX_LENGTH) : undefined;
@@ -86,7 +86,7 @@ export function paste(graph: Graph, text: string, options: PasteOptions): Pasted
   };
 }
 
-/** Nodes once more, beside themselves. */
+/** Duplicates nodes beside the originals. */
 export function duplicate(
   graph: Graph,
   ids: Iterable<string>,
@@ -141,7 +141,7 @@ function inPlace(
   }));
 }
 
-/** The copy of its frame; a copy without it stays in the frame, where there is one. */
+/** The copied frame if it was copied, too; otherwise the original frame, if it exists. */
 function frameOf(
   graph: Graph,
   { frame }: GraphNode,

@@ -8,29 +8,29 @@ import { insertOnWire } from './insert.ts';
 import { moveTogether } from './move.ts';
 import { detach } from './reconnect.ts';
 
-/** A place on a wire. */
+/** Position on a wire. */
 export interface InsertPlace {
   readonly wire: string;
-  /** How many of the points of the wire come before it. */
+  /** Number of the wire's bend points before this position. */
   readonly leg: number;
 }
 
-/** What became of nodes that were dragged. */
+/** Result of dragging nodes. */
 export interface NodeDrop {
-  /** All that were moved, as they lie now. */
+  /** Final boxes of all moved nodes. */
   readonly boxes: readonly Box[];
-  /** All frames, as they lie now. */
+  /** Final boxes of all frames. */
   readonly frames: readonly Box[];
   readonly by: Point;
-  /** Their wires came off on the way. */
+  /** True when their wires were disconnected during the drag. */
   readonly isDetached: boolean;
-  /** Where it was dropped on a wire, when it was one node. */
+  /** Position on the wire that a single node was dropped on. */
   readonly on: InsertPlace | undefined;
-  /** All nodes as they are drawn: on a wire, nodes downstream move aside. */
+  /** Drawn boxes of all nodes; after insertion into a wire, nodes downstream move aside. */
   readonly others?: readonly Box[];
 }
 
-/** All that a drag did, as one step. */
+/** Returns all changes of a drag as one step. */
 export function dropNodes(graph: Graph, drop: NodeDrop): GraphCommand {
   const { boxes, frames, by, isDetached, on } = drop;
   const moved = new Set(boxes.map(({ id }) => id));
@@ -41,7 +41,7 @@ export function dropNodes(graph: Graph, drop: NodeDrop): GraphCommand {
   const node = only && rest.nodes.get(only.id);
   const around = drop.others === undefined || only === undefined ? [] : [...drop.others, only];
   const insert = on && node && insertOnWire(rest, on.wire, node, on.leg, around);
-  // What moved with its frame stays in it.
+  // Nodes that moved with their frame stay in it.
   const loose = boxes.filter(({ id }) => {
     const frame = rest.nodes.get(id)?.frame;
     return frame === undefined || !moved.has(frame);

@@ -5,10 +5,10 @@ import { bounds, type Box } from './arrange.ts';
 import { framesAround, wouldLoop } from '../nesting.ts';
 
 const PADDING = 24;
-/** Room for the title. */
+/** Height of the title. */
 const TITLE = 36;
 
-/** Where a frame around boxes lies. */
+/** Area of a frame around boxes. */
 export function areaAround(boxes: readonly Box[]): Point & Size {
   const { x, y, width, height } = bounds(boxes);
   return {
@@ -20,7 +20,7 @@ export function areaAround(boxes: readonly Box[]): Point & Size {
 }
 
 /**
- * Puts a new frame around nodes, frames among them. It lies in the frame that all of them lie in.
+ * Adds a frame around nodes, which may be frames. It becomes part of the frame that contains all of them.
  * @param id such as `frame:` and a UUID
  */
 export function frameAround({ nodes }: Graph, boxes: readonly Box[], id: string): GraphCommand {
@@ -35,7 +35,7 @@ export function frameAround({ nodes }: Graph, boxes: readonly Box[], id: string)
   return { kind: 'group', frame: frameNode(id, '', look), nodes: outermost };
 }
 
-/** The smallest of these areas that has the middle of a box in it. */
+/** Returns the smallest area that contains the centre of a box. */
 export function areaUnder(box: Point & Size, areas: readonly Box[]): Box | undefined {
   const x = box.x + box.width / 2;
   const y = box.y + box.height / 2;
@@ -49,7 +49,7 @@ export function areaUnder(box: Point & Size, areas: readonly Box[]): Box | undef
   return best;
 }
 
-/** The frame that a box comes to lie in: a frame goes into larger ones only, and never into itself. */
+/** Returns the frame that a box belongs to: frames only go into larger ones, and never into themselves. */
 export function frameUnder(
   nodes: Graph['nodes'],
   box: Box,
@@ -66,10 +66,10 @@ export function frameUnder(
 const isLarger = (a: Size, b: Size): boolean => a.width * a.height > b.width * b.height;
 
 /**
- * Puts nodes into the frames they lie in now, and takes them out of those they have left. Frames lie
- * in frames, too; what moved with its frame stays in it.
- * @param boxes the nodes, where they come to lie
- * @param frames all frames, where they come to lie
+ * Assigns nodes to the frames they are in now, and removes them from those they left. Frames can be nested; nodes that
+ * moved with their frame stay in it.
+ * @param boxes final boxes of the nodes
+ * @param frames final boxes of all frames
  */
 export function frameChanges(
   { nodes }: Graph,
@@ -87,7 +87,7 @@ export function frameChanges(
   return [...joining].map(([frame, ids]) => ({ kind: 'setFrame', nodes: ids, frame }));
 }
 
-/** A frame in another size: what lies in it then is in it, what left it is in the one around it. */
+/** Resizes a frame: adds the nodes now inside, and moves those outside to the frame around it. */
 export function resizeFrame(
   graph: Graph,
   frame: FrameNode,
@@ -101,7 +101,7 @@ export function resizeFrame(
     const node = graph.nodes.get(box.id);
     if (node === undefined || node.id === frame.id || outer.has(box)) return false;
     if (node.frame === frame.id) return true;
-    // Members of other frames stay where they are.
+    // Members of other frames stay there.
     const isFree = node.frame === undefined || around.includes(node.frame);
     return isFree && frameUnder(graph.nodes, box, [own]) !== undefined;
   });

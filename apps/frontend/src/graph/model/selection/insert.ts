@@ -15,15 +15,15 @@ import { wiresAt, wiresOf } from '../wires-of.ts';
 import type { Box } from './arrange.ts';
 import { makeRoom } from './make-room.ts';
 
-/** Through which ports a node would take a wire. */
+/** Ports through which a wire passes a node. */
 export interface Insertion {
   readonly input: string;
   readonly output: string;
 }
 
 /**
- * Where a wire would go through a node that is dropped on it; undefined when it would not fit. Inputs
- * that have a wire already are left alone. The node need not be in the graph yet.
+ * Returns the ports through which a wire would pass a node that is dropped on it; undefined when it does not fit. Skips
+ * inputs that are wired. The node need not be in the graph.
  */
 export function insertionOf(graph: Graph, wire: Wire, node: GraphNode): Insertion | undefined {
   if (wire.from.node === node.id || wire.to.node === node.id) return undefined;
@@ -49,9 +49,9 @@ export function insertionOf(graph: Graph, wire: Wire, node: GraphNode): Insertio
 }
 
 /**
- * Leads a wire through a node, which is added when it is not there; undefined when it does not fit.
- * @param leg how many of the points of the wire come before the node
- * @param boxes of all nodes and of this one, where it should go: nodes downstream move aside
+ * Inserts a node into a wire, and adds it to the graph if necessary; undefined when it does not fit.
+ * @param leg number of bend points of the wire before the node
+ * @param boxes of all nodes, with the new one at its position: nodes downstream move aside
  */
 export function insertOnWire(
   graph: Graph,
@@ -92,7 +92,7 @@ export function insertOnWire(
   };
 }
 
-/** The frame that both ends of a wire are in. */
+/** The frame that contains both ends of a wire. */
 function frameOf({ nodes }: Graph, { from, to }: Wire): string | undefined {
   const frame = nodes.get(from.node)?.frame;
   return frame === nodes.get(to.node)?.frame ? frame : undefined;
@@ -104,12 +104,12 @@ const reroute = (from: PortRef, to: PortRef, points: readonly Point[]): GraphCom
   points,
 });
 
-/** What comes before the node stays on the topic it was on. */
+/** The wire before the node keeps its topic. */
 function connectKeepingTopic(graph: Graph, { from, via }: Wire, to: PortRef): GraphCommand {
   return { kind: 'connect', from, to, ...(via !== undefined && { via }) };
 }
 
-/** Wires that a node dropped on them would fit. */
+/** Returns the wires that a node fits into. */
 export function wiresToInsertOn(graph: Graph, node: GraphNode): Wire[] {
   const own = new Set(wiresOf(graph, node.id).out.map(({ id }) => id));
   return [...graph.wires.values()].filter(

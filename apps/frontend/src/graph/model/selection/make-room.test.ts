@@ -25,7 +25,7 @@ const near = boxesAt({
 });
 const inserted = moduleNode(aModule('m', number, out));
 
-/** Inserts `m` on the wire from `a` to `b`. */
+/** Inserts `m` into the wire from `a` to `b`. */
 function insert(boxes: readonly Box[], at: Point): { after: Graph; before: Graph } {
   const node: GraphNode = { ...inserted, position: at };
   const command = insertOnWire(graph, wire.id, node, 0, [

@@ -5,24 +5,24 @@ import { bounds, type Box } from './arrange.ts';
 import { moveTogether } from './move.ts';
 import { withContents } from '../nesting.ts';
 
-/** Between nodes that a wire connects: room for its rate. */
+/** Gap between connected nodes, wide enough for the rate of the wire. */
 export const WIRE_GAP = 90;
-/** Between a node and one below it. */
+/** Vertical gap between nodes. */
 const GAP = 20;
 
-/** Where a node goes that is put on a wire, and which nodes move aside. */
+/** Position of a node inserted into a wire, and the nodes that move aside. */
 export interface Room {
   readonly position: Point;
-  /** How far the nodes behind it move to the right. */
+  /** Distance by which the nodes behind it move to the right. */
   readonly shift: number;
   readonly commands: readonly GraphCommand[];
 }
 
 /**
- * Frees the space of a node on a wire: what is downstream moves to the right, with its frames, and pushes
- * what it would cover. Wires that go back leave everything where it is.
- * @param box of the node, where it should go
- * @param boxes of all nodes, as they are drawn
+ * Makes space for a node in a wire: nodes downstream move to the right with their frames, and push nodes that they
+ * would cover. Nothing moves for wires that lead back.
+ * @param box of the node at its position
+ * @param boxes drawn boxes of all nodes
  */
 export function makeRoom(graph: Graph, wire: Wire, box: Box, boxes: readonly Box[]): Room {
   const others = boxes.filter(({ id }) => id !== box.id);
@@ -43,7 +43,7 @@ export function makeRoom(graph: Graph, wire: Wire, box: Box, boxes: readonly Box
   return { position, shift, commands: moveAll(graph, moved, shift, others) };
 }
 
-/** The nodes downstream of a wire that lie right of its start, and all that those would cover. */
+/** The nodes downstream of a wire to the right of its start, and all that they would cover. */
 function pushed(
   graph: Graph,
   wire: Wire,
@@ -68,7 +68,7 @@ function pushed(
   return moved;
 }
 
-/** Nearest to where it should be, above or below what is in the way. */
+/** Returns the nearest free position, above or below the obstacles. */
 function freeHeight(box: Box, others: readonly Box[]): number {
   const go = (way: 1 | -1): number => {
     let { y } = box;
@@ -111,7 +111,7 @@ function moveAll(
   const places = new Map(
     boxes.flatMap(({ id, x, y }) => {
       if (all.has(id)) return [[id, { x: x + shift, y }] as const];
-      // Nodes without a stored position would be laid out again.
+      // The layout would move nodes without a stored position.
       return graph.nodes.get(id)?.position === undefined ? [[id, { x, y }] as const] : [];
     }),
   );

@@ -4,7 +4,7 @@ import type { Graph, Point } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
 import type { Places } from './arrange.ts';
 
-/** Wires that lie between these nodes and are led through points: those move along. */
+/** Returns the wires between these nodes that have bend points, which move along. */
 export function pointsGoingAlong(graph: Graph, ids: ReadonlySet<string>): string[] {
   return [...ids].flatMap((id) =>
     wiresOf(graph, id).out.flatMap((wire) =>
@@ -13,7 +13,7 @@ export function pointsGoingAlong(graph: Graph, ids: ReadonlySet<string>): string
   );
 }
 
-/** Moves nodes by the same way, with the points of the wires between them. */
+/** Moves nodes by the same distance, with the bend points of the wires between them. */
 export function moveTogether(graph: Graph, places: Places, by: Point): GraphCommand {
   const move: GraphCommand = { kind: 'move', positions: places };
   const ids = pointsGoingAlong(graph, new Set(places.keys()));

@@ -4,14 +4,14 @@ import { fitOf } from '../fit/fit-of.ts';
 import type { Graph, PortRef, Wire } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
 
-/** A wire in place of a way over nodes that go. */
+/** Wire that replaces a path through removed nodes. */
 interface Reconnection {
   readonly from: PortRef;
   readonly to: PortRef;
   readonly via: string | undefined;
 }
 
-/** Removes nodes, and wires what fed them to what they fed, where it fits. */
+/** Removes nodes, and connects their sources to their targets where they fit. */
 export function removeAndReconnect(graph: Graph, ids: readonly string[]): GraphCommand {
   const gone = new Set(ids.filter((id) => graph.nodes.has(id)));
   return {
@@ -21,7 +21,7 @@ export function removeAndReconnect(graph: Graph, ids: readonly string[]): GraphC
   };
 }
 
-/** Takes the wires off nodes, and wires what fed them to what they fed, where it fits. */
+/** Disconnects nodes, and connects their sources to their targets where they fit. */
 export function detach(graph: Graph, ids: readonly string[]): GraphCommand {
   const free = new Set(ids.filter((id) => graph.nodes.has(id)));
   const wires = [...free].flatMap((id) => {
@@ -53,7 +53,7 @@ function words(graph: Graph, ids: readonly string[]): string {
   return ids.length === 1 ? nodeName(graph.nodes.get(only)) : `${ids.length} nodes`;
 }
 
-/** Wires that keep values flowing when nodes are gone. */
+/** Returns the wires that replace paths through removed nodes. */
 export function reconnections(graph: Graph, gone: ReadonlySet<string>): Reconnection[] {
   const found: Reconnection[] = [];
   for (const id of gone) {
@@ -66,7 +66,7 @@ export function reconnections(graph: Graph, gone: ReadonlySet<string>): Reconnec
   return found;
 }
 
-/** The nearest output before the nodes that go, whose values fit the input. */
+/** Returns the nearest output before the removed nodes that fits the input. */
 function findSource(
   graph: Graph,
   gone: ReadonlySet<string>,
@@ -77,7 +77,7 @@ function findSource(
   if (visited.has(id)) return undefined;
   visited.add(id);
   const node = graph.nodes.get(id);
-  // What is published stays on its topic; a topic that goes leaves its name to the wires.
+  // Values stay on their topic; a removed topic node passes its topic to the wires.
   const topic = node?.kind === 'topic' ? node.topic : undefined;
   for (const { from, via = topic } of feeding(graph, id)) {
     if (gone.has(from.node)) {
@@ -88,7 +88,7 @@ function findSource(
   return undefined;
 }
 
-/** What feeds a node, its first input first: what a module is about; constants are parameters. */
+/** Returns the wires into a node, that of its main (first) input first; without constants, which are parameters. */
 export function feeding(graph: Graph, id: string): Wire[] {
   const order = new Map(graph.nodes.get(id)?.ports.map((port, index) => [port.id, index]));
   return wiresOf(graph, id)

@@ -1,7 +1,7 @@
 import type { GraphCommand } from '../commands/graph-command.ts';
 import type { Point, Wire } from '../graph.ts';
 
-/** Leads a wire through one more point. @param leg which of its points comes after it */
+/** Adds a bend point to a wire. @param leg index of the bend point that comes after it */
 export function addPoint({ id, points }: Wire, leg: number, at: Point): GraphCommand {
   return rerouted('Add bend point', id, points.toSpliced(leg, 0, at));
 }
@@ -18,7 +18,7 @@ export function removePoint({ id, points }: Wire, index: number): GraphCommand {
   return rerouted('Remove bend point', id, points.toSpliced(index, 1));
 }
 
-/** Lets a wire go its own way again. */
+/** Removes all bend points of a wire. */
 export function removePoints({ id }: Wire): GraphCommand {
   return rerouted('Remove bend points', id, []);
 }

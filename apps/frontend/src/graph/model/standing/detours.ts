@@ -10,13 +10,13 @@ import { wiresOf } from '../wires-of.ts';
 import type { Aside, Detour, SetAside } from './set-aside.ts';
 
 /**
- * What has to be set aside for the modules of a graph that do not work.
- * @param full the session with all of them
+ * Returns the bypassed and muted modules of a graph, with the detours around them.
+ * @param full the session with all modules
  */
 export function asideOf(graph: Graph, full: Session): Aside {
   const resting = new Map<string, ModuleNode>();
   for (const node of graph.nodes.values()) {
-    // What has no id of its own could not be found again.
+    // Modules without an id could not be identified later.
     if (node.kind !== 'module' || node.standing === 'active') continue;
     if (node.module.id !== '' && node.id === moduleNodeId(node.module.id)) {
       resting.set(node.id, node);
@@ -62,7 +62,7 @@ function detoursOf(
 const mappingOf = (mapping: IOMapping | undefined, input: string): TopicInputMapping | undefined =>
   mapping?.inputMappings.find((one) => one.inputName === input && sourceOf(one) !== undefined);
 
-/** Where values come from when those that rest let them through; undefined: nowhere. */
+/** Returns the source of an input with bypassed modules passed through; undefined: none. */
 function findSource(
   graph: Graph,
   resting: ReadonlyMap<string, ModuleNode>,

@@ -6,24 +6,24 @@ import { message } from '../../../json/schemas.ts';
 import { sameValue } from '../changes/same-value.ts';
 import type { Standing } from '../graph.ts';
 
-/** An input that reads something else while a module is set aside. */
+/** Input with a replaced mapping while a module is bypassed. */
 export interface Detour {
   readonly moduleId: string;
   readonly was: TopicInputMapping;
   readonly now: TopicInputMapping;
 }
 
-/** A module that a session knows of and does not run. Old clients do not see it at all. */
+/** Bypassed or muted module, stored in the editor data only. Old clients do not see it. */
 export interface SetAside {
   readonly standing: Exclude<Standing, 'active'>;
   readonly module: ProcessingModule;
   readonly mapping: IOMapping | undefined;
-  /** Where both stand in the lists of the session when nothing is set aside. */
+  /** Original positions in the lists of the session. */
   readonly moduleIndex: number;
   readonly mappingIndex: number;
 }
 
-/** All that is set aside in a session. */
+/** All bypassed and muted modules of a session. */
 export interface Aside {
   readonly modules: readonly SetAside[];
   readonly detours: readonly Detour[];
@@ -31,7 +31,7 @@ export interface Aside {
 
 export const NOTHING_ASIDE: Aside = { modules: [], detours: [] };
 
-/** The session as it would be with all its modules at work. */
+/** Returns the session with all modules enabled. */
 export function restored(session: Session, { modules, detours }: Aside): Session {
   const taken = new Set(session.processingModules.map(({ id }) => id));
   const back = modules.filter(({ module: { id } }) => {
@@ -59,14 +59,14 @@ function withoutDetours(mapping: IOMapping, detours: readonly Detour[]): IOMappi
   if (own.length === 0) return mapping;
   return {
     ...mapping,
-    // Keep mappings that were changed since.
+    // Keep mappings that were changed in the meantime.
     inputMappings: mapping.inputMappings.map(
       (one) => own.find(({ now }) => sameValue(now, one))?.was ?? one,
     ),
   };
 }
 
-/** The session without the modules, and with the detours. */
+/** Returns the session without the modules, and with the detours. */
 export function setAside(session: Session, { modules, detours }: Aside): Session {
   if (modules.length === 0) return session;
   const resting = new Set(modules.map(({ module }) => module));
@@ -91,7 +91,7 @@ const MODULE = 'ubii.processing.ProcessingModule';
 const MAPPING = 'ubii.sessions.IOMapping';
 const INPUT = 'ubii.sessions.TopicInputMapping';
 
-/** For the editor data; undefined when nothing is set aside. */
+/** JSON for the editor data; undefined without modules. */
 export function asideJson({ modules, detours }: Aside): JsonObject | undefined {
   if (modules.length === 0) return undefined;
   return {
@@ -128,6 +128,6 @@ const ASIDE = v.object({
   detours: v.array(v.object({ moduleId: v.string(), was: message(INPUT), now: message(INPUT) })),
 });
 
-/** Undefined when it is nothing of ours. */
+/** Returns undefined for unknown JSON. */
 export const readAside = (json: JsonValue | undefined): Aside | undefined =>
   storedValue(ASIDE, json);

@@ -17,7 +17,7 @@ const put = (start: Graph, standing: Standing, ...names: string[]): Graph =>
     nodes: names.map((name) => `module:${name}`),
     standing,
   }).graph;
-/** What old clients see of a session. */
+/** The session as old clients see it, without the extension. */
 const plain = (one: typeof session): Graph => graphOf({ ...one, extension: undefined });
 
 describe('a module that is bypassed', () => {

@@ -1,7 +1,7 @@
 import { fromJson, type Session } from '@ubii/proto';
 import fc from 'fast-check';
 
-/** Few of each, so that they meet. */
+/** Few values, so that references match. */
 const ids = fc.constantFrom('', 'a', 'b', 'c', '6f1c');
 const names = fc.constantFrom('', 'mirror', 'smooth', '__proto__', 'näme');
 const ios = fc.constantFrom('', 'x', 'y', 'z', 'constructor');
@@ -120,7 +120,7 @@ const nodeIds = fc.constantFrom(
   ],
 );
 
-/** Editor data: of this editor, of another editor, and none. */
+/** Editor data of this editor, of another one, or none. */
 export const arbitraryEditorJson = fc.oneof(
   fc.constant(''),
   fc.constantFrom('{"litegraph":{"nodes":[]}}', '{', 'null', '[1]', '"text"', '\0'),

@@ -11,7 +11,7 @@ import {
   topicNode,
 } from '../make-node.ts';
 
-/** Numbers in a row, for choosing. */
+/** Returns the next number of a sequence, for random choices. */
 export type Numbers = () => number;
 
 export function numbersOf(list: readonly number[]): Numbers {
@@ -19,7 +19,7 @@ export function numbersOf(list: readonly number[]): Numbers {
   return () => list[index++ % Math.max(1, list.length)] ?? 0;
 }
 
-/** Some command, mostly about what is there, made of numbers so that a failure can be made smaller. */
+/** Returns a command, mostly about existing elements. Derived from numbers, so that fast-check can shrink failures. */
 export function randomCommand(graph: Graph, next: Numbers): GraphCommand {
   const kinds = Object.keys(MAKERS) as CommandKind[];
   const kind = kinds[next() % kinds.length]!;

@@ -2,10 +2,10 @@ import { fromJson, type ProcessingModule, type Session } from '@ubii/proto';
 import { graphOf } from '../graph-of.ts';
 import type { Graph } from '../graph.ts';
 
-/** `name: format`, with `[]` behind a list. */
+/** Data formats by port name; `[]` after the format marks a list. */
 export type Ios = Readonly<Record<string, string>>;
 
-/** A module for tests, with its name as its id. */
+/** Returns a module for tests, with its name as its id. */
 export function aModule(name: string, inputs: Ios = {}, outputs: Ios = {}): ProcessingModule {
   const ios = (all: Ios): object[] =>
     Object.entries(all).map(([internalName, format]) => ({
@@ -22,7 +22,7 @@ export function aModule(name: string, inputs: Ios = {}, outputs: Ios = {}): Proc
   });
 }
 
-/** A session of these modules; mappings are `module.io: /topic`, or a muxer, demuxer or constant. */
+/** Returns a session of these modules; mappings are `module.io: /topic`, or a muxer, demuxer or constant. */
 export function aSessionOf(
   modules: readonly ProcessingModule[],
   mappings: Readonly<Record<string, string | object>> = {},
@@ -63,7 +63,7 @@ export function wiresIn(graph: Graph): string[] {
     .sort();
 }
 
-/** A port of a module in short: `a.in`. */
+/** Returns the port with a short name: `a.in`. */
 export function ref(graph: Graph, short: string): { node: string; port: string } {
   const at = short.lastIndexOf('.');
   const node = `module:${short.slice(0, at)}`;
