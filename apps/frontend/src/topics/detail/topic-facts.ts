@@ -5,17 +5,17 @@ import { formatRate } from '../../ui/readouts/format-rate.ts';
 import { formatAge } from '../../ui/readouts/format-time.ts';
 import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
 
-/** What the master counts of one topic, as text. */
+/** Statistics of a topic, as text. */
 export interface TopicFacts {
   readonly rate: Readout;
   readonly age: Readout;
   readonly bandwidth: Readout;
-  /** Records slow subscribers did not get, since the topic appeared. */
+  /** Records that slow subscribers did not receive, since the topic appeared. */
   readonly dropped: Readout;
   readonly isDropping: boolean;
   readonly subscribers: Readout;
   readonly publisherId: string;
-  /** There was a record. */
+  /** True when the topic has had a record. */
   readonly isPublished: boolean;
 }
 
@@ -30,7 +30,7 @@ const NOTHING: TopicFacts = {
   isPublished: false,
 };
 
-/** @param nowMs milliseconds since the Unix epoch, master's clock */
+/** @param nowMs epoch milliseconds, master's clock */
 export function topicFacts(rate: TopicRate | undefined, nowMs: number): TopicFacts {
   if (rate === undefined) return NOTHING;
   const { statistic, hz, bytesPerSecond, droppedPerSecond } = rate;
@@ -46,13 +46,13 @@ export function topicFacts(rate: TopicRate | undefined, nowMs: number): TopicFac
   };
 }
 
-/** How a topic stands from the reader's side. */
+/** State of a topic for a reader. */
 export type TopicLife = 'waiting' | 'live' | 'ended';
 
 /**
- * @param rate what the master counts; `undefined` when it does not know the topic
- * @param heardMs when the newest record came here; `undefined` before the first
- * @param countedMs when the master counted, by the same clock; 0 when it did not yet
+ * @param rate the master's statistics; `undefined` when it does not know the topic
+ * @param heardMs time at which the newest record arrived; `undefined` before the first
+ * @param countedMs time of the statistics, by the same clock; 0 before the first
  */
 export function lifeOf(
   rate: TopicRate | undefined,
@@ -62,6 +62,6 @@ export function lifeOf(
   const hasValue = rate !== undefined && rate.statistic.dataFormat !== '';
   if (hasValue) return 'live';
   if (heardMs === undefined) return 'waiting';
-  // What was counted before the record came says nothing of it.
+  // Statistics older than the record say nothing about it.
   return heardMs > countedMs ? 'live' : 'ended';
 }

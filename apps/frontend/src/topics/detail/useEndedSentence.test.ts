@@ -19,7 +19,7 @@ it('tells a restart of the master from the end of a value', async () => {
   )!;
   count.value = 1;
   await nextTick();
-  // The state of the master may come after the record.
+  // The state of the master may arrive after the record.
   masterMs.value = 1000;
   await nextTick();
   expect(sentence.value).toMatch(ENDED);

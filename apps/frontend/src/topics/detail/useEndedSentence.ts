@@ -1,17 +1,17 @@
 import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 
 /**
- * Says why a topic that had a value has none.
+ * Returns the reason why a topic that had a value has none.
  *
- * @param count records seen of the topic
- * @param masterMs when the master started that runs now; `undefined` while unknown
+ * @param count number of records received
+ * @param masterMs start time of the running master; `undefined` while unknown
  */
 export function useEndedSentence(
   topic: () => string,
   count: () => number,
   masterMs: () => number | undefined,
 ): ComputedRef<string> {
-  /** When the master started that sent the last record. */
+  /** Start time of the master that sent the last record. */
   const sentByMs = shallowRef<number>();
   watch(
     [topic, count, masterMs] as const,

@@ -1,4 +1,4 @@
-/** A field of a table; what spreadsheets take for a formula is made a text. */
+/** Escapes a CSV field; texts that spreadsheets would evaluate as a formula are quoted as text. */
 export function csvText(value: string): string {
   const text = /^[=+@\t\r-]/.test(value) ? `'${value}` : value;
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;

@@ -7,34 +7,37 @@ import {
   type TouchEventMessage,
 } from '@ubii/proto';
 
-/** Something that happened. */
+/** An event. */
 export interface EventEntry {
-  /** Counts up from 1. */
+  /** Sequence number, from 1. */
   readonly number: number;
-  /** This machine's clock. */
+  /** This computer's clock. */
   readonly timeMs: number;
-  /** Which key, button, finger, gesture or module. */
+  /** Key, button, finger, gesture or module. */
   readonly name: string;
   readonly action: string;
-  /** More about it, such as where; empty when there is no more. */
+  /** Details, such as a position; may be empty. */
   readonly detail: string;
-  /** Moves of one finger in a row are one entry. */
+  /** Number of merged events: consecutive moves of one finger are one entry. */
   readonly times: number;
 }
 
-/** What is known of one key, button, finger, gesture or module. */
+/** Statistics of one key, button, finger, gesture or module. */
 export interface EventTally {
   readonly name: string;
   readonly isDown: boolean;
-  /** Presses, touches, or simply how often it happened. */
+  /** Number of presses, touches, or other events. */
   readonly downs: number;
   readonly ups: number;
   readonly lastMs: number;
-  /** While it was down, oldest first; the last one is open while it is. Those without a length are moments. */
+  /**
+   * Intervals of being pressed, oldest first; the last one is open while pressed. Events without a duration have zero
+   * length.
+   */
   readonly spans: readonly { readonly fromMs: number; readonly toMs: number | undefined }[];
 }
 
-/** Where a finger is, or where it left. */
+/** Position of a finger, or where it was lifted. */
 export interface Finger {
   readonly id: string;
   readonly x: number;
@@ -71,7 +74,7 @@ const nameOf = (names: Readonly<Record<string, number>>, value: number): string 
     ?.toLowerCase()
     .replaceAll('_', ' ') ?? String(value);
 
-/** Formats whose records are something that happens. */
+/** Data formats whose records are events. */
 export const EVENT_FORMATS: ReadonlySet<string> = new Set<TopicRecord['format']>([
   'bool',
   'keyEvent',
@@ -82,7 +85,7 @@ export const EVENT_FORMATS: ReadonlySet<string> = new Set<TopicRecord['format']>
   'moduleEvent',
 ]);
 
-/** What happened on a topic since it is looked at: counts of all, the newest one by one. Bounded. */
+/** Events on a topic since it was opened: tallies of all, and the newest as a list. Bounded. */
 export class EventLog {
   readonly #entries: EventEntry[] = [];
   readonly #tallies = new Map<string, Tally>();
@@ -90,7 +93,7 @@ export class EventLog {
   #count = 0;
   #last: string | undefined;
 
-  /** Everything that happened, moves one by one. */
+  /** Number of all events, with each move. */
   get count(): number {
     return this.#count;
   }
@@ -100,7 +103,7 @@ export class EventLog {
     return [...this.#entries].reverse();
   }
 
-  /** What happened last first. */
+  /** Most recent first. */
   get tallies(): readonly EventTally[] {
     return [...this.#tallies.values()]
       .map((tally) => ({ ...tally, spans: [...tally.spans] }))
@@ -111,7 +114,7 @@ export class EventLog {
     return [...this.#fingers.values()];
   }
 
-  /** @param timeMs this machine's clock */
+  /** @param timeMs this computer's clock */
   add(record: TopicRecord, timeMs: number): void {
     const { format, value } = record;
     if (format === 'touchEvent') this.#touch(value, timeMs);
@@ -191,7 +194,7 @@ export class EventLog {
     tally.lastMs = timeMs;
     if (kind === 'down' || kind === 'move') {
       if (kind === 'down') tally.downs += 1;
-      // A key that is held repeats, and a finger that moves is down: from now on, if the first event was missed.
+      // Key repeats and finger moves imply a press: start the interval now if that event was missed.
       if (!tally.isDown) tally.spans.push({ fromMs: timeMs, toMs: undefined });
       tally.isDown = true;
     } else if (kind === 'up') {
@@ -212,7 +215,7 @@ export class EventLog {
     tally.isDown = false;
   }
 
-  /** Fingers take turns: the last entry of this one may be a few back. */
+  /** Events of several fingers alternate: the last entry of this one may be further back. */
   #lastMoveOf(name: string): number {
     const at = this.#entries.findLastIndex((entry) => entry.name === name);
     const isNear = at >= this.#entries.length - MAX_FINGERS;

@@ -3,8 +3,8 @@ import { plotCsv } from './plot-csv.ts';
 import type { TopicHistory } from './topic-history.ts';
 
 /**
- * What is kept of a topic as a table, oldest first (RFC 4180): every point of values that are numbers,
- * else the records by their one line, with both times in milliseconds since the Unix epoch.
+ * Exports the history of a topic as CSV, oldest first (RFC 4180): each point of numeric values, otherwise the records
+ * as text, with both times in epoch milliseconds.
  */
 export function historyCsv(history: TopicHistory): string {
   const { points, series, records } = history;
@@ -26,12 +26,12 @@ export function historyCsv(history: TopicHistory): string {
   return `${rows.join('\r\n')}\r\n`;
 }
 
-/** The name of the file with the table of a topic. */
+/** Filename of the table of a topic. */
 export function csvName(topic: string): string {
   return `${fileNameOf(topic)}.csv`;
 }
 
-/** A topic as the name of a file, without its ending. */
+/** Converts a topic to a filename without extension. */
 export function fileNameOf(topic: string): string {
   return topic.replace(/^\/+/, '').replace(/[^\w.-]+/g, '-') || 'topic';
 }

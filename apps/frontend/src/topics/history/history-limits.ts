@@ -1,9 +1,9 @@
 import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 
-/** How much of a topic a page keeps: older records, and those beyond the memory, are dropped. */
+/** Limits of a topic's history: records that are older or exceed the memory are dropped. */
 export interface HistoryLimits {
   readonly maxAgeMs: number;
-  /** Points of the lines and records, half of it each. */
+  /** Memory for points of charts and for records, half each. */
   readonly maxBytes: number;
 }
 
@@ -13,13 +13,13 @@ const MEGABYTE = 1_000_000;
 export const KEPT_MINUTES: readonly number[] = [1, 2, 5, 10];
 export const KEPT_MEGABYTES: readonly number[] = [4, 16, 64, 256];
 
-/** Ten minutes of five numbers at 60 Hz need about 2 MB of it, with their records 15 MB. */
+/** Ten minutes of five numbers at 60 Hz need about 2 MB, with their records 15 MB. */
 export const DEFAULT_LIMITS: HistoryLimits = {
   maxAgeMs: 10 * MINUTE_MS,
   maxBytes: 64 * MEGABYTE,
 };
 
-/** @param stored what was kept from an earlier visit; anything */
+/** @param stored value from an earlier visit, not validated */
 export function readLimits(stored: unknown): HistoryLimits {
   if (typeof stored !== 'object' || stored === null) return DEFAULT_LIMITS;
   const { minutes, megabytes } = stored as { minutes?: unknown; megabytes?: unknown };

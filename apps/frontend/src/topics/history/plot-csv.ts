@@ -1,16 +1,16 @@
 import { csvText } from './csv-text.ts';
 import type { LinePoints } from './series-ring.ts';
 
-/** A column of the table. */
+/** A column of the CSV. */
 export interface CsvColumn {
   readonly name: string;
   readonly points: LinePoints | undefined;
 }
 
 /**
- * What a window shows as a table (RFC 4180), one row for each moment at which any line has a point.
- * An empty field: the line has no point then. What is no number is written as NaN, Infinity or
- * -Infinity. Times are ISO 8601 with milliseconds, and milliseconds since the Unix epoch.
+ * Exports the visible part of a plot as CSV (RFC 4180), one row for each time at which any line has a point. Empty
+ * fields: no point at that time. NaN, Infinity and -Infinity are written as such. Times are ISO 8601 with milliseconds,
+ * and epoch milliseconds.
  */
 export function plotCsv(columns: readonly CsvColumn[], startMs: number, endMs: number): string {
   const header = ['time', 'time_ms', ...columns.map(({ name }) => csvText(name))];
@@ -38,5 +38,5 @@ export function plotCsv(columns: readonly CsvColumn[], startMs: number, endMs: n
   return `${rows.join('\r\n')}\r\n`;
 }
 
-/** Microseconds are enough. */
+/** Rounds to microseconds. */
 const roundMs = (timeMs: number): number => Math.round(timeMs * 1000) / 1000;

@@ -2,39 +2,39 @@ import type { DataFormat, TopicRecord } from '@ubii/proto';
 import { formatValue } from '../values/format-value.ts';
 import { valueBytes } from '../values/value-bytes.ts';
 
-/** A record that was kept. */
+/** A record in the history. */
 export interface KeptRecord {
-  /** Counts up from 1 with every record of the topic seen here. */
+  /** Sequence number of the record since the topic was opened, from 1. */
   readonly number: number;
-  /** The publisher's clock: milliseconds since the Unix epoch; `undefined` when it does not say. */
+  /** Timestamp of the publisher, epoch milliseconds; `undefined` without one. */
   readonly timestampMs: number | undefined;
-  /** When it came here, this machine's clock. */
+  /** Time of arrival, this computer's clock. */
   readonly arrivalMs: number;
-  /** When the value was taken, as well as can be told, this machine's clock. */
+  /** Estimated time of measurement, this computer's clock. */
   readonly localMs: number;
   readonly format: DataFormat;
-  /** `undefined` for what is too large to keep: pictures and long texts. */
+  /** `undefined` for values that are too large to keep: pictures and long texts. */
   readonly value: unknown;
-  /** The one line of a value that is not kept. */
+  /** Text of a value that is not kept, in one line. */
   readonly line: string | undefined;
   readonly clientId: string;
   readonly bytes: number;
 }
 
-/** Larger values are not kept, only their one line, bytes. */
+/** Largest value that is kept, bytes; of larger ones only the text in one line. */
 export const MAX_VALUE_BYTES = 16_384;
-/** What a record needs beside its value, bytes, about. */
+/** Estimated memory of a record without its value, bytes. */
 const OVERHEAD_BYTES = 160;
 
-/** The newest records of a topic within a memory. */
+/** The newest records of a topic within a memory limit. */
 export class RecordLog {
-  /** Oldest first, from `#start` on; the part before it is cut off now and then. */
+  /** Oldest first, from `#start`; the unused part before it is removed from time to time. */
   #entries: KeptRecord[] = [];
   #start = 0;
   #count = 0;
   #bytes = 0;
 
-  /** Records ever added; the newest has this number. */
+  /** Number of records added, which is the number of the newest one. */
   get count(): number {
     return this.#count;
   }
@@ -43,7 +43,7 @@ export class RecordLog {
     return this.#entries.length - this.#start;
   }
 
-  /** Of the oldest record kept; `count + 1` when none is. */
+  /** Number of the oldest record kept; `count + 1` when there is none. */
   get firstNumber(): number {
     return this.#count - this.size + 1;
   }
@@ -94,7 +94,7 @@ export class RecordLog {
     }
   }
 
-  /** The record nearest to a moment, this machine's clock, up to a number. */
+  /** Returns the record nearest to a time of this computer's clock, up to a number. */
   nearest(localMs: number, upTo = this.#count): KeptRecord | undefined {
     let [low, high] = [this.firstNumber, Math.min(upTo, this.#count)];
     if (low > high) return undefined;

@@ -1,12 +1,11 @@
-/** A jump of the publisher's clock larger than this starts over, milliseconds. */
+/** Largest jump of the publisher's clock before the estimate is reset, milliseconds. */
 const MAX_JUMP_MS = 5000;
-/** How fast the estimate may follow a publisher whose clock runs slow: milliseconds per millisecond. */
+/** Rate at which the estimate follows a slow publisher's clock: milliseconds per millisecond. */
 const DRIFT = 0.001;
 
 /**
- * Puts the moments a publisher wrote into its records on this machine's time axis. Records travel in
- * bundles, so their arrival says little about when values were taken; the fastest of them tells how
- * far the two clocks are apart.
+ * Converts timestamps of a publisher to this computer's clock. Records arrive in batches, so arrival times say little
+ * about measurement times; the record with the shortest delay gives the offset of the two clocks.
  */
 export class SampleClock {
   #offsetMs: number | undefined;
@@ -15,8 +14,8 @@ export class SampleClock {
 
   /**
    * @param timestampMs publisher's clock; `undefined` when the record has none
-   * @param arrivalMs this machine's clock
-   * @returns when the value was taken, this machine's clock; never before the one before it
+   * @param arrivalMs this computer's clock
+   * @returns time of measurement, this computer's clock; never before the previous one
    */
   toLocalMs(timestampMs: number | undefined, arrivalMs: number): number {
     if (timestampMs === undefined) return arrivalMs;

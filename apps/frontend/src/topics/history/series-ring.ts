@@ -1,34 +1,34 @@
 const FIRST_CAPACITY = 1024;
-/** A number in memory, bytes. */
+/** Size of a number in memory, bytes. */
 const NUMBER_BYTES = 8;
 
-/** One line of numbers over time. A moment may have no number: NaN. */
+/** Series of numbers over time. NaN: no number at that time. */
 export interface LinePoints {
   readonly size: number;
-  /** Points ever pushed: the newest has this number, the oldest kept `pushed - size + 1`. */
+  /** Number of points ever pushed: the newest has this number, the oldest kept `pushed - size + 1`. */
   readonly pushed: number;
   /** @param index 0 is the oldest point */
   timeAt(index: number): number;
   valueAt(index: number): number;
-  /** The first point at or after a moment; `size` when there is none. */
+  /** Index of the first point at or after a time; `size` when there is none. */
   indexAtOrAfter(timeMs: number): number;
 }
 
 /**
- * The newest points of some lines over one time axis, in typed arrays. Grows up to `maxPoints`, then
- * the oldest point is dropped.
+ * The newest points of several series with a common time axis, in typed arrays. Grows up to `maxPoints`, then drops the
+ * oldest points.
  */
 export class SeriesRing {
   #maxPoints: number;
   #capacity: number;
   #times: Float64Array;
   #columns: Float64Array[];
-  /** Where the next point goes. */
+  /** Index of the next point to write. */
   #next = 0;
   #size = 0;
   #pushed = 0;
 
-  /** @param lines how many numbers a point has at first */
+  /** @param lines initial number of series */
   constructor(lines: number, maxPoints: number) {
     this.#maxPoints = Math.max(1, Math.floor(maxPoints));
     this.#capacity = Math.min(FIRST_CAPACITY, this.#maxPoints);
@@ -52,12 +52,12 @@ export class SeriesRing {
     return this.#maxPoints;
   }
 
-  /** Memory set aside. */
+  /** Allocated memory. */
   get bytes(): number {
     return (this.#columns.length + 1) * this.#capacity * NUMBER_BYTES;
   }
 
-  /** @param timeMs not before the last point's; a point that claims to be is put beside it */
+  /** @param timeMs earlier times are set to that of the last point */
   push(timeMs: number, numbers: readonly number[]): void {
     if (this.#size === this.#capacity && this.#capacity < this.#maxPoints) {
       this.#resize(Math.min(this.#capacity * 2, this.#maxPoints));
@@ -72,13 +72,13 @@ export class SeriesRing {
     if (this.#size < this.#capacity) this.#size++;
   }
 
-  /** Another line from the next point on. @returns its index */
+  /** Adds a series, starting with the next point. @returns its index */
   addLine(): number {
     this.#columns.push(new Float64Array(this.#capacity).fill(Number.NaN));
     return this.#columns.length - 1;
   }
 
-  /** Keeps so many points from now on; the oldest ones are dropped at once. */
+  /** Changes the limit; drops the oldest points at once. */
   setMaxPoints(maxPoints: number): void {
     this.#maxPoints = Math.max(1, Math.floor(maxPoints));
     if (this.#capacity <= this.#maxPoints) return;
@@ -86,7 +86,7 @@ export class SeriesRing {
     this.#resize(this.#maxPoints);
   }
 
-  /** Forgets the points before a moment. */
+  /** Drops the points before a time. */
   dropBefore(timeMs: number): void {
     this.#size -= this.indexAtOrAfter(timeMs);
   }
@@ -100,7 +100,7 @@ export class SeriesRing {
     return this.#columns[line]![this.#slot(index)]!;
   }
 
-  /** The first point at or after a moment; `size` when there is none. */
+  /** Index of the first point at or after a time; `size` when there is none. */
   indexAtOrAfter(timeMs: number): number {
     let [low, high] = [0, this.#size];
     while (low < high) {
@@ -111,7 +111,7 @@ export class SeriesRing {
     return low;
   }
 
-  /** One of the lines by itself. */
+  /** Returns one of the series. */
   line(line: number): LinePoints {
     return new RingLine(this, line);
   }
@@ -120,7 +120,7 @@ export class SeriesRing {
     return (this.#next - this.#size + index + this.#capacity) % this.#capacity;
   }
 
-  /** Nothing is lost as long as `capacity` is not below the size. */
+  /** Requires `capacity` of at least the size; otherwise points would be lost. */
   #resize(capacity: number): void {
     const unrolled = (ring: Float64Array): Float64Array => {
       const copy = new Float64Array(capacity);

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { DEFAULT_LIMITS, limitsInWords, readLimits } from './history-limits.ts';
 import { FeedScope, nowMs, TopicFeeds } from './topic-feeds.ts';
 
-/** Topics whose records a test sends itself. */
+/** Creates feeds whose records the test sends. */
 function setUp() {
   const listeners = new Map<string, (record: TopicRecord) => void>();
   const feeds = new TopicFeeds({

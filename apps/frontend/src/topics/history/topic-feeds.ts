@@ -2,19 +2,19 @@ import type { TopicRecord } from '@ubii/proto';
 import type { HistoryLimits } from './history-limits.ts';
 import { TopicHistory } from './topic-history.ts';
 
-/** Milliseconds since the Unix epoch, this machine's clock, with fractions and never going back. */
+/** Epoch milliseconds of this computer's clock, with fractions; monotonic. */
 export const nowMs = (): number => performance.timeOrigin + performance.now();
 
-/** What feeds need of the system. */
+/** Dependencies of feeds. */
 export interface FeedPorts {
-  /** @returns how to end it */
+  /** @returns a function that unsubscribes */
   subscribe(topic: string, onRecord: (record: TopicRecord) => void): () => void;
-  /** When the newest record of a topic was published, this machine's clock; `undefined` when unknown. */
+  /** Publishing time of a topic's newest record, this computer's clock; `undefined` when unknown. */
   publishedMs(topic: string): number | undefined;
   readonly limits: HistoryLimits;
 }
 
-/** What has come on one topic, and the way to look at it. */
+/** Received records of a topic, and the means to subscribe. */
 export interface FeedLook {
   readonly topic: string;
   readonly history: TopicHistory;
@@ -22,12 +22,12 @@ export interface FeedLook {
   look(): () => void;
 }
 
-/** Where views find the feeds of their topics. */
+/** Provides the feeds of topics. */
 export interface FeedSource {
   get(topic: string): FeedLook;
 }
 
-/** The records of one topic. Subscribed while there are viewers; its records are kept without viewers. */
+/** Records of a topic. Subscribed while there are viewers; records are kept without viewers. */
 export class TopicFeed implements FeedLook {
   readonly topic: string;
   readonly history: TopicHistory;
@@ -69,8 +69,8 @@ export class TopicFeed implements FeedLook {
   }
 
   /**
-   * The first record may be a retained one: it came when the master says, not now.
-   * @returns `undefined` for one that is known from an earlier look
+   * The first record may be a retained one: take the master's time for it.
+   * @returns `undefined` for a record that was received before
    */
   #firstArrivalMs(record: TopicRecord): number | undefined {
     const now = nowMs();
@@ -86,7 +86,7 @@ export class TopicFeed implements FeedLook {
   }
 }
 
-/** One feed for each topic of a page, so that several views of a topic share it. */
+/** One feed per topic of a page, shared by all views of the topic. */
 export class TopicFeeds implements FeedSource {
   readonly #ports: FeedPorts;
   readonly #feeds = new Map<string, TopicFeed>();
@@ -108,7 +108,7 @@ export class TopicFeeds implements FeedSource {
     }
   }
 
-  /** Memory of all, bytes, about. */
+  /** Estimated memory of all feeds, bytes. */
   get bytes(): number {
     let bytes = 0;
     for (const { history } of this.#feeds.values()) bytes += history.bytes;
@@ -120,7 +120,7 @@ export class TopicFeeds implements FeedSource {
   }
 }
 
-/** The feeds as one part of a page sees them: while that part is not looked at, neither are its topics. */
+/** The feeds for one part of a page; while that part is hidden, its topics have no viewers. */
 export class FeedScope implements FeedSource {
   readonly #source: FeedSource;
   readonly #looks = new Set<{ readonly feed: FeedLook; stop: (() => void) | undefined }>();

@@ -17,28 +17,28 @@ import { SeriesRing, type LinePoints } from './series-ring.ts';
 /** Default number of listed records. */
 export const MAX_LINES = 200;
 
-/** A record as lists show it. */
+/** A record in a list. */
 export interface RecordLine {
-  /** Counts up from 1 with every record of the topic seen here. */
+  /** Sequence number of the record since the topic was opened, from 1. */
   readonly number: number;
-  /** When the value was taken, by the publisher's clock if it says so: milliseconds since the Unix epoch. */
+  /** Time of measurement, by the publisher's clock if the record has it: epoch milliseconds. */
   readonly timeMs: number;
-  /** When it came here, this machine's clock. */
+  /** Time of arrival, this computer's clock. */
   readonly arrivalMs: number;
-  /** Since the record before, by the same clock, milliseconds; `undefined` for the oldest kept. */
+  /** Time since the previous record, by the same clock, milliseconds; `undefined` for the oldest kept. */
   readonly deltaMs: number | undefined;
-  /** The numbers of the value, where it has some. */
+  /** Numbers of the value, if it has any. */
   readonly numbers: readonly number[] | undefined;
   readonly text: string;
 }
 
-/** How often fields are looked for that the first record did not have, records. */
+/** Number of records between searches for new fields. */
 const LOOK_EVERY = 64;
 const NUMBER_BYTES = 8;
-/** More fields than are found can be asked for. */
+/** Most columns: found fields, and others that are requested. */
 const MAX_COLUMNS = 2 * MAX_FIELDS;
 
-/** What has come on one topic since it is looked at: the newest value, records and numbers. Bounded. */
+/** Newest value, records and numbers of a topic since it was opened. Bounded. */
 export class TopicHistory {
   readonly #limits: HistoryLimits;
   readonly #clock = new SampleClock();
@@ -47,7 +47,7 @@ export class TopicHistory {
   #series: ValueSeries | undefined;
   #ring: SeriesRing | undefined;
   #events: EventLog | undefined;
-  /** The paths of the lines of `#ring`, in their order. */
+  /** Paths of the series of `#ring`, in their order. */
   #fields = new Map<string, { readonly line: number; readonly parts: readonly string[] }>();
   readonly #wanted = new Set<string>();
   #latest: TopicRecord | undefined;
@@ -65,12 +65,12 @@ export class TopicHistory {
     return this.#latest;
   }
 
-  /** When the newest value was taken, this machine's clock. */
+  /** Time of measurement of the newest value, this computer's clock. */
   get latestLocalMs(): number {
     return this.#latestLocalMs;
   }
 
-  /** Records since the topic is looked at. */
+  /** Number of records since the topic was opened. */
   get count(): number {
     return this.#log.count;
   }
@@ -79,7 +79,7 @@ export class TopicHistory {
     return this.#log;
   }
 
-  /** Memory used, bytes, about. */
+  /** Estimated memory, bytes. */
   get bytes(): number {
     return this.#log.bytes + (this.#ring?.bytes ?? 0);
   }
@@ -94,7 +94,7 @@ export class TopicHistory {
     return lines;
   }
 
-  /** A kept record as lists show it. */
+  /** Returns a kept record for display in a list. */
   lineAt(number: number): RecordLine | undefined {
     const kept = this.#log.at(number);
     if (!kept) return undefined;
@@ -109,27 +109,27 @@ export class TopicHistory {
     };
   }
 
-  /** How the values are drawn over time; `undefined` when they are not numbers by themselves. */
+  /** Series of the values over time; `undefined` when they are not numeric. */
   get series(): ValueSeries | undefined {
     return this.#series;
   }
 
-  /** Where the numbers of the values stand that are kept. */
+  /** Paths of the numbers that are kept. */
   get fields(): readonly string[] {
     return [...this.#fields.keys()];
   }
 
-  /** The points, by this machine's clock. */
+  /** Points by this computer's clock. */
   get points(): SeriesRing | undefined {
     return this.#ring;
   }
 
-  /** What happened, for formats of which every record counts; `undefined` for others. */
+  /** Events, for data formats of which every record counts; `undefined` for others. */
   get events(): EventLog | undefined {
     return this.#events;
   }
 
-  /** The numbers at a path. One that is asked for is kept from then on. */
+  /** Returns the series at a path, and keeps it from then on. */
   lineOf(path: string): LinePoints | undefined {
     this.#wanted.add(path);
     if (!this.#ring) return undefined;
@@ -138,7 +138,7 @@ export class TopicHistory {
     return field && this.#ring.line(field.line);
   }
 
-  /** @param arrivalMs this machine's clock: milliseconds since the Unix epoch */
+  /** @param arrivalMs epoch milliseconds, this computer's clock */
   add(record: TopicRecord, arrivalMs: number): void {
     if (record.format !== this.#format) this.#begin(record);
     else if (this.count % LOOK_EVERY === 0) this.#lookForFields(record);
@@ -160,7 +160,7 @@ export class TopicHistory {
     ring.dropBefore(sinceMs);
   }
 
-  /** Numbers of another format are another story; the list goes on. */
+  /** Starts new series when the data format changes; the list of records continues. */
   #begin(record: TopicRecord): void {
     this.#format = record.format;
     this.#series = seriesOf(record.format);
@@ -183,7 +183,7 @@ export class TopicHistory {
     this.#ring.setMaxPoints(this.#maxPoints(this.#ring.lines));
   }
 
-  /** What fits into the half of the memory that is for numbers. */
+  /** Number of points that fit into the half of the memory for numbers. */
   #maxPoints(lines: number): number {
     return this.#limits.maxBytes / 2 / (NUMBER_BYTES * (lines + 1));
   }

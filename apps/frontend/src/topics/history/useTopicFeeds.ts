@@ -7,7 +7,7 @@ import { FeedScope, TopicFeeds, type FeedPorts, type FeedSource } from './topic-
 
 const FEEDS: InjectionKey<FeedSource> = Symbol('topic feeds');
 
-/** How much of a topic is kept, remembered. Applies to topics that are opened from then on. */
+/** Limits of histories, stored in this browser. Apply to topics opened afterwards. */
 export function useHistoryLimits(): WritableComputedRef<HistoryLimits> {
   const stored = useLocalStorage('ubii.topicHistory', storedLimits(DEFAULT_LIMITS));
   return computed({
@@ -16,7 +16,7 @@ export function useHistoryLimits(): WritableComputedRef<HistoryLimits> {
   });
 }
 
-/** The system as feeds see it. */
+/** Implements the ports with the connection. */
 export function useFeedPorts(): FeedPorts {
   const { client, topics } = useConnection();
   const limits = useHistoryLimits();
@@ -34,21 +34,21 @@ export function useFeedPorts(): FeedPorts {
   };
 }
 
-/** Feeds for the calling component and all below it. */
+/** Provides feeds for the calling component and its children. */
 export function provideTopicFeeds(): TopicFeeds {
   const feeds = new TopicFeeds(useFeedPorts());
   provide(FEEDS, feeds);
   return feeds;
 }
 
-/** The feeds of the page for a part of it that is not always looked at. */
+/** Provides the feeds of the page for a part of it that may be hidden. */
 export function provideFeedScope(): FeedScope {
   const scope = new FeedScope(useTopicFeeds());
   provide(FEEDS, scope);
   return scope;
 }
 
-/** The feeds of the page, else some of the calling component's own. */
+/** Returns the feeds of the page; without one, feeds of the calling component. */
 export function useTopicFeeds(): FeedSource {
   return inject(FEEDS, undefined) ?? new TopicFeeds(useFeedPorts());
 }

@@ -15,21 +15,21 @@ import { useFeedPorts } from './useTopicFeeds.ts';
 
 export { nowMs };
 
-/** How often what is read is renewed, Hz; plots draw themselves in every frame. */
+/** Rate at which texts are renewed, Hz; plots draw in every frame. */
 const READ_HZ = 8;
 
-/** What readers see of a history at one moment. */
+/** Snapshot of a history. */
 export interface HistoryView {
   readonly latest: TopicRecord | undefined;
-  /** Records since the topic was opened: the newest that is shown has this number. */
+  /** Number of the newest record shown, counted since the topic was opened. */
   readonly count: number;
 }
 
 export const NOTHING_YET: HistoryView = { latest: undefined, count: 0 };
 
 /**
- * Looks at a history a few times a second, unless paused.
- * @returns what is shown, and how many records have come
+ * Samples a history a few times a second, unless paused.
+ * @returns the snapshot, and the number of records received
  */
 export function useHistoryView(
   history: Readonly<Ref<TopicHistory>>,
@@ -57,16 +57,16 @@ export function useHistoryView(
   return { shown, count };
 }
 
-/** Every record of one topic from now on, while the calling component lives. */
+/** Records the topic from now on, while the calling component is mounted. */
 export function useTopicHistory(
   topic: Readonly<Ref<string>>,
   isPaused: Readonly<Ref<boolean>>,
 ): {
   history: Readonly<ShallowRef<TopicHistory>>;
   shown: Readonly<ShallowRef<HistoryView>>;
-  /** Records that came since the view was paused. */
+  /** Number of records received since the view was paused. */
   waiting: ComputedRef<number>;
-  /** The moment a paused view stands still at, this machine's clock; `undefined` while it runs. */
+  /** Time at which a paused view stopped, this computer's clock; `undefined` while it runs. */
   frozenMs: Readonly<ShallowRef<number | undefined>>;
 } {
   const ports = useFeedPorts();

@@ -1,11 +1,11 @@
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { isInternalTopic } from './internal-topics.ts';
 
-/** The words of a search, in small letters. */
+/** Words of a search, in lower case. */
 export const searchWords = (text: string): readonly string[] =>
   text.trim().toLowerCase().split(/\s+/).filter(Boolean);
 
-/** Topics with a value whose name or data format has every word, by name. */
+/** Returns the topics with a value whose name or data format contains every word, sorted by name. */
 export function findTopics(
   rates: ReadonlyMap<string, TopicRate> | undefined,
   words: readonly string[],

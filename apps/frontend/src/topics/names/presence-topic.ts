@@ -1,6 +1,6 @@
 import { componentTopic } from '@ubii/proto';
 
-/** Where an editor says what it has open. [EX-49] */
+/** Topics on which editors publish the session that they have open. [EX-49] */
 export const PRESENCE_GLOB = presenceTopic('*');
 
 /** @param clientId `*` for all clients */
@@ -8,7 +8,7 @@ export function presenceTopic(clientId: string): string {
   return componentTopic(clientId, 'graph_editor', 'presence');
 }
 
-/** The client whose editor says something on a topic; undefined for another topic. */
+/** Returns the client whose editor publishes on a topic; undefined for other topics. */
 export function clientOfPresence(topic: string): string | undefined {
   const clientId = topic.split('/')[1];
   return clientId !== undefined && topic === presenceTopic(clientId) ? clientId : undefined;

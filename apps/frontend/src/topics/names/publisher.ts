@@ -1,16 +1,16 @@
 import { rootLabel } from './topic-path.ts';
 
-/** What the tree needs to know of a client. */
+/** Properties of a client that the tree needs. */
 export interface Publisher {
   readonly name: string;
-  /** It has not been active lately, or left. */
+  /** The client is inactive, or has left. */
   readonly isAway: boolean;
 }
 
 /** Finds a client by its id. */
 export type FindPublisher = (clientId: string) => Publisher | undefined;
 
-/** True when the client of a topic, or the client that published on it last, is away. */
+/** True when the client of a topic, or the client that published last, is away. */
 export function isPublisherAway(
   topic: string,
   publisherId: string,

@@ -1,4 +1,4 @@
-/** What is dragged when a topic is: its name. */
+/** MIME type of a dragged topic. */
 const TYPE = 'application/x-ubii-topic';
 
 export function dragTopic({ dataTransfer }: DragEvent, topic: string): void {
@@ -8,7 +8,7 @@ export function dragTopic({ dataTransfer }: DragEvent, topic: string): void {
   dataTransfer.effectAllowed = 'copy';
 }
 
-/** Whether a topic is dragged here; then it may be dropped. */
+/** Whether a topic is dragged; if so, allows the drop. */
 export function acceptTopic(event: DragEvent): boolean {
   if (!event.dataTransfer?.types.includes(TYPE)) return false;
   event.preventDefault();

@@ -1,14 +1,14 @@
 /** One level of a topic. */
 export interface TopicLevel {
-  /** The topic up to and with this level: tells levels of the same name apart. */
+  /** The topic up to and including this level; unique for levels of the same name. */
   readonly key: string;
-  /** The name of this level alone; may be empty, as the protocol allows `//`. */
+  /** Name of this level; may be empty, as the protocol allows `//`. */
   readonly label: string;
 }
 
 /**
- * The levels of a topic, outermost first: `/a/b` has `/a` and `/a/b`. A topic without a leading slash
- * is a topic of its own, so its levels have keys of their own.
+ * Levels of a topic, outermost first: `/a/b` has `/a` and `/a/b`. Topics with and without a leading slash differ, so
+ * their levels have different keys.
  */
 export function topicLevels(topic: string): TopicLevel[] {
   const levels: TopicLevel[] = [];
@@ -22,7 +22,7 @@ export function topicLevels(topic: string): TopicLevel[] {
   }
 }
 
-/** The outermost level: by convention the id of the client that publishes. */
+/** The outermost level: by convention the id of the publishing client. */
 export function rootLabel(topic: string): string {
   const start = topic.startsWith('/') ? 1 : 0;
   const end = topic.indexOf('/', start);

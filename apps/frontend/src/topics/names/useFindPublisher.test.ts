@@ -9,7 +9,7 @@ import { useFindPublisher } from './useFindPublisher.ts';
 const clientOf = (id: string, state: ClientState): Client =>
   ({ id, name: `Name of ${id}`, state }) as Client;
 
-/** Shows what is found for `id`, and lets the list change. */
+/** Mounts a view of the client `id`, with a list of clients that the test can change. */
 function setUp(id = 'id') {
   const list = shallowRef<readonly Client[]>();
   const known = new Map<string, Client>();

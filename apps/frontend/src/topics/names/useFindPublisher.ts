@@ -4,7 +4,7 @@ import { isClientId, unnamedClient } from '../../connection/display-names.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { FindPublisher } from './publisher.ts';
 
-/** Clients by id, as the tree needs them; also those that are gone, as long as their topics are shown. */
+/** Returns clients by id; also disconnected ones, while their topics are shown. */
 export function useFindPublisher(): FindPublisher {
   const { clients, masterId } = useConnection();
   const present = computed(() => new Set(clients.list.value?.map(({ id }) => id)));
@@ -16,7 +16,7 @@ export function useFindPublisher(): FindPublisher {
       return { name: 'Master', isAway: false };
     }
     if (client === undefined) {
-      // It left before this page was opened, and took its name along.
+      // The client left before this page was opened; its name is unknown.
       if (clients.list.value === undefined || !isClientId(clientId)) return undefined;
       return { name: unnamedClient(clientId), isAway: true };
     }

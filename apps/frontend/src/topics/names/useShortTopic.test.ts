@@ -8,7 +8,7 @@ import { useShortTopic, type ShortTopic } from './useShortTopic.ts';
 
 const ID = '9b2f9c1e-3f0a-4d6e-8a11-0c1d2e3f4a5b';
 
-/** What topics look like when a client is there. */
+/** Returns the display form of a topic when the client is present. */
 function shortened(client: Client | undefined, topic: string): ShortTopic {
   const clients = {
     list: shallowRef(client ? [client] : []),

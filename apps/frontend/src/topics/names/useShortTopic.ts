@@ -1,7 +1,7 @@
 import { rootLabel } from './topic-path.ts';
 import { useFindPublisher } from './useFindPublisher.ts';
 
-/** A topic as people can read it. */
+/** Topic in display form. */
 export interface ShortTopic {
   /** The topic, without the id of a client at its beginning: `/touch_events`. */
   readonly text: string;
@@ -9,7 +9,7 @@ export interface ShortTopic {
   readonly owner: string | undefined;
 }
 
-/** Takes the ids of clients out of topics, and says whose they are. */
+/** Replaces client ids in topics by the names of the clients. */
 export function useShortTopic(): (topic: string) => ShortTopic {
   const findPublisher = useFindPublisher();
   return (topic) => {

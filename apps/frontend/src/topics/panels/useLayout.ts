@@ -16,15 +16,15 @@ import {
 } from './layout/layout-steps.ts';
 import { EMPTY_LAYOUT, type Layout, type LayoutNode } from './layout/layout.ts';
 
-/** The address follows the layout after this long, milliseconds: browsers refuse more often. */
+/** Delay before the URL follows the layout, milliseconds: browsers limit the rate of changes. */
 const LINK_MS = 250;
-/** Layouts that are kept by name in this browser. */
+/** Most named layouts stored in this browser. */
 const MAX_SAVED = 50;
 
 type NamedLayouts = Readonly<Record<string, string>>;
 const storedNamed = storedAs<v.GenericSchema<unknown, NamedLayouts>>(validMembers(v.string()), {});
 
-/** What a tab has made of its address. */
+/** State of this tab: its layout, and the URLs that belong to it. */
 const OF_TAB = v.object({
   address: textOrNone,
   before: textOrNone,
@@ -35,13 +35,13 @@ export interface LayoutStore {
   readonly layout: ComputedRef<Layout>;
   readonly canUndo: ComputedRef<boolean>;
   readonly canRedo: ComputedRef<boolean>;
-  /** Names of layouts that are kept in this browser, in order. */
+  /** Sorted names of the layouts stored in this browser. */
   readonly saved: ComputedRef<readonly string[]>;
-  /** The end of the address that holds this layout; empty without panels, `undefined` when it is too large for one. */
+  /** URL hash with this layout; empty without panels, `undefined` when it is too large for a URL. */
   readonly hash: ComputedRef<string | undefined>;
-  /** What is wrong with the file or link that was opened last. */
+  /** Error of the file or link that was opened last. */
   readonly problem: ShallowRef<string | undefined>;
-  /** @param gesture moves of the same gesture are one step */
+  /** @param gesture changes of the same gesture are one step */
   change(root: LayoutNode | undefined, gesture?: string): void;
   open(layout: Layout): void;
   openFile(text: string): void;
@@ -53,13 +53,13 @@ export interface LayoutStore {
   redo(): void;
 }
 
-/** The layout of the page: in the address, and kept in this browser for when there is none. */
+/** The layout of the page, in the URL; the last one is also stored in this browser, for URLs without one. */
 export function useLayout(): LayoutStore {
   const route = useRoute();
   const router = useRouter();
   const kept = useLocalStorage<string>('ubii.panels', '');
-  // The address lags behind: what this tab had made of it is newer than what it says after a reload.
-  // While one address takes the place of another, a reload finds either.
+  // The URL lags behind the layout: after a reload, this tab's stored layout is newer. While the URL is being replaced,
+  // a reload may see the previous or the new one.
   const ofTab = useSessionStorage('ubii.panelsOfTab', v.parse(OF_TAB, {}), {
     serializer: storedAs(OF_TAB, {}),
   });
@@ -78,7 +78,7 @@ export function useLayout(): LayoutStore {
     taken(layoutOfHash(route.hash));
   const before = storedLayout(kept.value) ?? EMPTY_LAYOUT;
   let first: LayoutSteps = firstStep(before);
-  // What was open before the link is one step back.
+  // The layout before the link is one undo step back.
   if (ofLink) first = nextStep(first, ofLink, false);
   const steps = shallowRef(first);
   const layout = computed(() => steps.value.present);
@@ -91,7 +91,7 @@ export function useLayout(): LayoutStore {
     steps.value = nextStep(steps.value, next, isSame);
   }
 
-  // Kept at once, for the page may be left; the address follows.
+  // Stored at once, because the page may be left; the URL follows.
   ofTab.value.address = ofTab.value.before = route.hash;
   watch(
     layout,
@@ -113,8 +113,7 @@ export function useLayout(): LayoutStore {
     },
     { debounce: LINK_MS, immediate: true },
   );
-  // A link that is pasted into the page's own address. What the page itself has put there may be of
-  // the past by the time it stands there.
+  // Opens a link pasted into the address bar. The page's own URLs may be outdated by the time the route changes.
   watch(
     () => route.hash,
     (next) => {

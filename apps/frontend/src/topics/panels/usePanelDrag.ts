@@ -2,13 +2,13 @@ import { shallowRef, type ShallowRef } from 'vue';
 import { sideAt } from './layout/layout-rects.ts';
 import type { Side } from './layout/layout.ts';
 
-/** Where a panel that is dragged would land. */
+/** Drop position of a dragged panel. */
 export interface PanelDrop {
   readonly id: string;
   readonly side: Side;
 }
 
-/** Drags panels by their grips: with a mouse, a pen or a finger. Escape lets go. */
+/** Drags panels by their handles, with mouse, pen or finger. Escape cancels. */
 export function usePanelDrag(move: (id: string, drop: PanelDrop) => void): {
   readonly dragged: Readonly<ShallowRef<string | undefined>>;
   readonly drop: Readonly<ShallowRef<PanelDrop | undefined>>;

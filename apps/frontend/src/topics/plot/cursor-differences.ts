@@ -2,17 +2,17 @@ import type { LinePoints } from '../history/series-ring.ts';
 import { pointAt } from './read-plot.ts';
 import { statisticsOf, type LineStatistics } from './window-statistics.ts';
 
-/** Two moments, this machine's clock, in any order. */
+/** Times of two cursors, this computer's clock, in any order. */
 export interface CursorPair {
   readonly aMs: number;
   readonly bMs: number;
 }
 
-/** What lies between two moments. */
+/** Time between two cursors. */
 export interface TimeDifference {
   /** From A to B; negative when B is earlier. */
   readonly deltaMs: number;
-  /** How often the time between them fits into a second; `undefined` when it is none. */
+  /** Reciprocal of the time between them; `undefined` when it is zero. */
   readonly hz: number | undefined;
 }
 
@@ -21,7 +21,7 @@ export function timeDifference({ aMs, bMs }: CursorPair): TimeDifference {
   return { deltaMs, hz: deltaMs === 0 ? undefined : 1000 / Math.abs(deltaMs) };
 }
 
-/** What a line does at two cursors and between them. */
+/** Values of a line at two cursors, and their difference. */
 export interface LineDifference {
   readonly a: number | undefined;
   readonly b: number | undefined;
@@ -30,7 +30,7 @@ export interface LineDifference {
   readonly between: LineStatistics | undefined;
 }
 
-/** @param endMs the end of what is shown: nothing after it is read */
+/** @param endMs end of the visible time; later points are ignored */
 export function lineDifference(
   line: LinePoints,
   { aMs, bMs }: CursorPair,

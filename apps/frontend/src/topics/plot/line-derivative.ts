@@ -1,9 +1,9 @@
 import type { LinePoints } from '../history/series-ring.ts';
 
-/** Points at the same moment are passed over, so many at most. */
+/** Most points with the same time that are skipped. */
 const MAX_BACK = 16;
 
-/** Returns the change of a line per second, at each point since the previous one. NaN where undefined. */
+/** Returns the derivative of a line per second, at each point since the previous one. NaN where undefined. */
 export function derivativeOf(line: LinePoints): LinePoints {
   return {
     get size() {
@@ -18,7 +18,7 @@ export function derivativeOf(line: LinePoints): LinePoints {
       const timeMs = line.timeAt(index);
       for (let i = index - 1; i >= 0 && i >= index - MAX_BACK; i--) {
         const beforeMs = line.timeAt(i);
-        // Records of one bundle may bear the same time: the one before them says how fast.
+        // Records of a batch may have the same time: use the previous different one.
         if (beforeMs < timeMs) {
           return ((line.valueAt(index) - line.valueAt(i)) / (timeMs - beforeMs)) * 1000;
         }

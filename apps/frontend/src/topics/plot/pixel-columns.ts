@@ -2,33 +2,33 @@ import type { LinePoints } from '../history/series-ring.ts';
 import type { PathSink, TimeWindow, TraceOptions } from './trace-options.ts';
 import type { Range } from './value-axis.ts';
 
-/** Columns beyond both ends of the window. */
+/** Number of columns beyond each end of the window. */
 const SPARE = 4;
 
 /**
- * The first, lowest, highest and last value of each pixel of a window. A window that moves on with
- * time costs its new points only; any other change counts again what the window shows.
+ * First, lowest, highest and last value of each pixel column of a window. When the window advances with time, only new
+ * points are processed; any other change processes the whole window.
  */
 export class PixelColumns {
   readonly #line: LinePoints;
-  /** Of one column. */
+  /** Duration of a column. */
   #columnMs = 0;
   #gapMs = 0;
-  /** Numbers of the first and the last column of the window. */
+  /** Indices of the first and last column of the window. */
   #from = 0;
   #to = -1;
-  /** The number of the next point to count, as `pushed` counts. */
+  /** Number of the next point to process, in terms of `pushed`. */
   #nextPoint = 0;
   #beforeMs = -Infinity;
-  /** The point before was no number. */
+  /** True when the previous point was not a number. */
   #isOpen = true;
-  /** Which column stands in each place; then what is in it. */
+  /** Index of the column stored at each place, followed by its values. */
   #ids = new Float64Array(0);
   #first = new Float64Array(0);
   #min = new Float64Array(0);
   #max = new Float64Array(0);
   #last = new Float64Array(0);
-  /** Not connected to the column before it. */
+  /** 1 when it is not connected to the previous column. */
   #isCut = new Uint8Array(0);
 
   constructor(line: LinePoints) {
@@ -39,7 +39,7 @@ export class PixelColumns {
     const columnMs = (endMs - startMs) / width;
     const from = Math.floor(startMs / columnMs);
     const isSame = Math.abs(columnMs / this.#columnMs - 1) < 1e-9 && from >= this.#from;
-    // What is usual on a topic wanders a little; that alone is no reason to count again.
+    // The usual gap of a topic varies slightly, which needs no restart.
     const isUsual = gapMs > this.#gapMs / 2 && gapMs < this.#gapMs * 2;
     const places = Math.ceil(width) + 2 * SPARE;
     const isKept = isSame && isUsual && places === this.#ids.length;
@@ -97,7 +97,7 @@ export class PixelColumns {
     this.#isOpen = true;
   }
 
-  /** Counts the points up to the end of the window that were not counted yet. */
+  /** Processes new points up to the end of the window. */
   #count(): void {
     const line = this.#line;
     const oldest = line.pushed - line.size;

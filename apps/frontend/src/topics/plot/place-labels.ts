@@ -1,9 +1,9 @@
 /**
- * Moves labels apart so that none covers another, as little as possible and in their order.
- * @param wanted where each would stand, pixels from the top, in any order
- * @param gap between the middles of two, pixels
- * @param bottom the lowest place
- * @returns where each stands, in the order of `wanted`
+ * Moves labels apart so that they do not overlap, as little as possible and in their order.
+ * @param wanted preferred positions, pixels from the top, in any order
+ * @param gap between the centres of two labels, pixels
+ * @param bottom lowest position
+ * @returns final positions, in the order of `wanted`
  */
 export function placeLabels(wanted: readonly number[], gap: number, bottom: number): number[] {
   const order = wanted.map((_, i) => i).sort((a, b) => wanted[a]! - wanted[b]!);

@@ -1,22 +1,22 @@
 import { endOf, follow, panBy, zoomBy, type PlotView, type ViewBounds } from './plot-view.ts';
 
-/** What keys work on. */
+/** State that keys change. */
 export interface KeyTarget {
   readonly view: PlotView;
   readonly bounds: ViewBounds;
-  /** Pixels of the plot. */
+  /** Width of the plot, pixels. */
   readonly width: number;
   readonly readingX: number | undefined;
 }
 
-/** What a key does; `undefined` for a key that does nothing here. */
+/** Effect of a key; `undefined` for other keys. */
 export type KeyEffect =
   | { readonly view: PlotView }
   | { readonly readingX: number | undefined }
   | { readonly cursor: 0 | 1; readonly x: number }
   | { readonly pickX: number };
 
-/** One press moves the reading line by this share of the plot, and the time by that. */
+/** Step of the reading line and of panning, as shares of the plot's width. */
 const READ_STEP = 0.01;
 const PAN_STEP = 0.1;
 const ZOOM_STEP = 1.4;

@@ -5,7 +5,7 @@ import { derivativeOf } from './line-derivative.ts';
 import { seriesKey, type PlotSeries } from './plot-settings.ts';
 import { TracedLine } from './trace-line.ts';
 
-/** A line of a plot with the numbers it is made of. */
+/** A line of a plot with its data. */
 export class PlotLine {
   readonly series: PlotSeries;
   readonly key: string;
@@ -21,7 +21,7 @@ export class PlotLine {
 
   /** `undefined` before the first record. */
   get traced(): TracedLine | undefined {
-    // Values of another format are other numbers.
+    // After a change of the data format, the values are different series.
     if (this.#points !== this.history.points || this.#traced === undefined) {
       const line = this.history.lineOf(this.series.path);
       this.#points = this.history.points;
@@ -38,12 +38,12 @@ export class PlotLine {
     return this.history.latest?.format;
   }
 
-  /** A bool holds until the next one. */
+  /** Bool values hold until the next one. */
   get isStepped(): boolean {
     return this.format === 'bool' && !this.series.isDerivative;
   }
 
-  /** What shares a value axis. */
+  /** Key of the value axis; lines with the same key share it. */
   get scale(): string {
     return scaleOf(this.series);
   }

@@ -1,6 +1,6 @@
 import { colorOf, type SeriesLook } from './series-look.ts';
 
-/** What stands under the lines in a picture. */
+/** Texts below the lines in an exported picture. */
 export interface PictureText {
   readonly title: string;
   readonly names: readonly string[];
@@ -11,8 +11,8 @@ const PADDING = 16;
 const ROW = 20;
 
 /**
- * The plot as it is seen, with its names under it, as PNG in the pixels of this screen.
- * @param root an element of the page: colours and faces are those of the theme
+ * Exports the visible plot with its legend as PNG in device pixels.
+ * @param root element of the page that has the theme's colours and fonts
  */
 export async function plotPicture(
   canvas: HTMLCanvasElement,

@@ -3,19 +3,19 @@ import * as v from 'valibot';
 import { flag, maybe, textUpTo, validElements } from '../../json/schemas.ts';
 import { MAX_PATH } from '../values/number-fields.ts';
 
-/** One line of a plot. */
+/** Settings of a line of a plot. */
 export interface PlotSeries {
   readonly topic: string;
-  /** Where the number stands in the value; empty for a value that is a number itself. */
+  /** Path of the number in the value; empty for a value that is a number itself. */
   readonly path: string;
-  /** Shows how fast it changes, per second. */
+  /** Shows its derivative, per second. */
   readonly isDerivative: boolean;
   readonly isHidden: boolean;
-  /** 1 to `MAX_AXES`. */
+  /** Number of its value axis, 1 to `MAX_AXES`. */
   readonly axis: number;
 }
 
-/** What a person set in a plot. */
+/** Settings of a plot. */
 export interface PlotSettings {
   /** `undefined` for the default: the numbers of the topic itself. */
   readonly series: readonly PlotSeries[] | undefined;
@@ -36,7 +36,7 @@ export const aSeries = (topic: string, path: string): PlotSeries => ({
   axis: 1,
 });
 
-/** What tells the lines of a plot apart. */
+/** Key of a line of a plot. */
 export const seriesKey = ({ topic, path, isDerivative }: PlotSeries): string =>
   `${topic}\n${path}${isDerivative ? '\n′' : ''}`;
 
@@ -70,11 +70,11 @@ const SETTINGS = v.pipe(
   })),
 );
 
-/** Reads untrusted settings; invalid members are left out. */
+/** Reads unvalidated settings; omits invalid members. */
 export const readPlotSettings = (settings: Readonly<JsonObject>): PlotSettings =>
   v.parse(SETTINGS, settings);
 
-/** The short form that goes into layouts and links. */
+/** Short form for layouts and links. */
 export function writePlotSettings({ series, spanMs, hasNumbers }: PlotSettings): JsonObject {
   return {
     ...(series ? { series: series.map(writeSeries) } : {}),
@@ -93,7 +93,7 @@ function writeSeries({ topic, path, isDerivative, isHidden, axis }: PlotSeries):
   };
 }
 
-/** The same series and one more; none twice, and no more than `MAX_SERIES`. */
+/** Adds a line, without duplicates and up to `MAX_SERIES`. */
 export function withSeries(
   series: readonly PlotSeries[],
   added: readonly PlotSeries[],

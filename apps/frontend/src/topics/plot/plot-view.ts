@@ -1,15 +1,15 @@
-/** Which stretch of time a plot shows. */
+/** Visible time range of a plot. */
 export interface PlotView {
   readonly spanMs: number;
-  /** Its right edge, this machine's clock; `undefined` while it follows the newest. */
+  /** Its right edge, this computer's clock; `undefined` while it follows the newest data. */
   readonly endMs: number | undefined;
 }
 
-/** What a view may show. */
+/** Limits of a view. */
 export interface ViewBounds {
-  /** The end of what there is: now, or where the page stands still. */
+  /** Latest time: now, or when the page was paused. */
   readonly newestMs: number;
-  /** How far back anything is kept. */
+  /** Time of the oldest data kept. */
   readonly oldestMs: number;
 }
 
@@ -21,14 +21,14 @@ const within = (value: number, min: number, max: number): number =>
 
 const clampSpan = (spanMs: number): number => within(spanMs, MIN_SPAN_MS, MAX_SPAN_MS);
 
-/** Not past the newest, and not where nothing is kept any more. */
+/** Keeps the end between the oldest and the newest data. */
 function clampEnd(endMs: number, spanMs: number, { newestMs, oldestMs }: ViewBounds): number {
   return within(endMs, Math.min(newestMs, oldestMs + spanMs), newestMs);
 }
 
 export const endOf = ({ endMs }: PlotView, { newestMs }: ViewBounds): number => endMs ?? newestMs;
 
-/** Exactly a stretch that was drawn with the pointer, from either side. */
+/** Shows exactly the range that was drawn with the pointer, in either direction. */
 export function zoomTo(fromMs: number, toMs: number, bounds: ViewBounds): PlotView {
   const spanMs = clampSpan(Math.abs(toMs - fromMs));
   const middleMs = (fromMs + toMs) / 2;
@@ -36,9 +36,8 @@ export function zoomTo(fromMs: number, toMs: number, bounds: ViewBounds): PlotVi
 }
 
 /**
- * Larger or smaller about one moment, which stays where it is. A view that follows goes on following
- * and keeps its right edge.
- * @param factor below 1 to see less time
+ * Zooms around a time, which keeps its position. A view that follows the newest data keeps its right edge.
+ * @param factor below 1 zooms in
  */
 export function zoomBy(
   view: PlotView,
@@ -52,14 +51,14 @@ export function zoomBy(
   return { spanMs, endMs: clampEnd(aboutMs + share * spanMs, spanMs, bounds) };
 }
 
-/** Earlier or later. At the newest, going on means following again. @param byMs negative for earlier */
+/** Pans. At the newest data, the view follows it again. @param byMs negative for earlier */
 export function panBy(view: PlotView, byMs: number, bounds: ViewBounds): PlotView {
   const wanted = endOf(view, bounds) + byMs;
   if (wanted >= bounds.newestMs) return { spanMs: view.spanMs, endMs: undefined };
   return { spanMs: view.spanMs, endMs: clampEnd(wanted, view.spanMs, bounds) };
 }
 
-/** A moment into the middle, unless it is seen already. */
+/** Centres a time, unless it is visible. */
 export function reveal(view: PlotView, timeMs: number, bounds: ViewBounds): PlotView {
   const endMs = endOf(view, bounds);
   if (timeMs <= endMs && timeMs >= endMs - view.spanMs) return view;

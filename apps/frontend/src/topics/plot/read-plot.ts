@@ -1,13 +1,13 @@
 import type { LinePoints } from '../history/series-ring.ts';
 import { gapOf } from './trace-line.ts';
 
-/** One point of a line. */
+/** Point of a line. */
 export interface PlotPoint {
   readonly timeMs: number;
   readonly value: number;
 }
 
-/** The point nearest to a moment, up to `endMs`; `undefined` when there is none. */
+/** Returns the point nearest to a time, up to `endMs`; `undefined` when there is none. */
 export function pointNear(line: LinePoints, timeMs: number, endMs: number): PlotPoint | undefined {
   const after = line.indexAtOrAfter(timeMs);
   const candidates = [after - 1, after].filter(
@@ -21,8 +21,8 @@ export function pointNear(line: LinePoints, timeMs: number, endMs: number): Plot
 }
 
 /**
- * What a line says at a moment: the nearest point, unless the moment lies in a gap or before the
- * first point. The newest value holds until `endMs`.
+ * Returns the value of a line at a time: the nearest point; `undefined` in a gap or before the first point. The newest
+ * value holds until `endMs`.
  */
 export function pointAt(line: LinePoints, timeMs: number, endMs: number): PlotPoint | undefined {
   const point = pointNear(line, timeMs, endMs);

@@ -1,12 +1,12 @@
 import type { DataFormatFamily } from '@ubii/proto';
 import type { PlotSeries } from './plot-settings.ts';
 
-/** How a line is distinguished: the colour of its family, then tone and dashes, never colour alone. */
+/** Style of a line: the colour of its family, then tone and dashes, so that lines never differ by colour alone. */
 export interface SeriesLook {
   readonly family: DataFormatFamily;
-  /** `lit` is mixed with ink, `dim` lets the ground through. */
+  /** `lit` is mixed with the text colour, `dim` with the background. */
   readonly tone: 'plain' | 'lit' | 'dim';
-  /** Pixels on and off; empty for a solid line. */
+  /** Dash pattern, pixels on and off; empty for a solid line. */
   readonly dash: readonly number[];
 }
 
@@ -25,7 +25,7 @@ const STROKES: readonly Omit<SeriesLook, 'family'>[] = [
   { tone: 'dim', dash: [2, 3] },
 ];
 
-/** One look for each line: within a family no two of the first twelve are the same. */
+/** Assigns a style to each line; unique for the first twelve of a family. */
 export function looksOf(families: readonly DataFormatFamily[]): readonly SeriesLook[] {
   const counts = new Map<DataFormatFamily, number>();
   return families.map((family) => {
@@ -35,7 +35,7 @@ export function looksOf(families: readonly DataFormatFamily[]): readonly SeriesL
   });
 }
 
-/** The colour of a line, as CSS says it. */
+/** CSS colour of a line. */
 export function colorOf({ family, tone }: SeriesLook): string {
   const color = `var(--family-${family})`;
   if (tone === 'lit') return `color-mix(in oklab, ${color}, var(--ink-1) 45%)`;
@@ -43,8 +43,8 @@ export function colorOf({ family, tone }: SeriesLook): string {
 }
 
 /**
- * The shortest names that tell the lines of a plot apart: `x`, else `position.x`. Where the lines are
- * of several topics, each says of which: `arm x`. A derivative bears a prime.
+ * Shortest unique names of the lines of a plot: `x`, or `position.x`. With several topics, each includes the topic:
+ * `arm x`. A derivative has a prime.
  */
 export function seriesNames(series: readonly PlotSeries[]): readonly string[] {
   const topics = [...new Set(series.map(({ topic }) => topic))];
@@ -64,13 +64,13 @@ export function seriesNames(series: readonly PlotSeries[]): readonly string[] {
   return names;
 }
 
-/** What stands at the end of a line, where there is no room for more: `x`. */
+/** Label at the end of a line, where space is short: `x`. */
 export function shortSeriesName({ topic, path, isDerivative }: PlotSeries): string {
   const name = path.split('.').at(-1) || topic.split('/').at(-1) || 'value';
   return isDerivative ? `${name}′` : name;
 }
 
-/** As much of the end of each path as tells it from the others. */
+/** Shortest unique ending of each path. */
 function tellApart(paths: readonly (readonly string[])[]): readonly (readonly string[])[] {
   const longest = Math.max(1, ...paths.map(({ length }) => length));
   const tails = paths.map((path) => path.slice(-1));

@@ -7,32 +7,32 @@ import { colorOf, type SeriesLook } from './series-look.ts';
 import { clockTicks, ticksBefore, type TimeTick } from './time-ticks.ts';
 import type { TimeWindow } from './trace-options.ts';
 
-/** What the plot draws, renewed in place before each frame. */
+/** State that the plot draws, updated in place before each frame. */
 export interface TimePlotScene {
   readonly lines: readonly PlotLine[];
   readonly looks: readonly SeriesLook[];
-  /** Keys of the value axes, the innermost first. */
+  /** Keys of the value axes, innermost first. */
   readonly scales: readonly string[];
-  /** Room for the names at the ends of the lines, pixels. */
+  /** Width for the labels at the ends of the lines, pixels. */
   readonly right: number;
   window: TimeWindow;
   isFollowing: boolean;
   endText: string;
 }
 
-/** Pixels for one value axis, the axis of time, and above the lines. */
+/** Sizes in pixels: width of a value axis, height of the time axis, margin above the lines. */
 export const AXIS_WIDTH = 46;
 export const BOTTOM = 26;
 export const TOP = 18;
 
 const LINE_WIDTH = 1.5;
-/** Between two lines of the grid, pixels, about. */
+/** Approximate distance of grid lines, pixels. */
 const TICK_WIDTH = 120;
 const CLOCK_TICK_WIDTH = 140;
-/** How strongly the newest value is drawn on until the next one comes. */
+/** Opacity of the held newest value. */
 const HELD = 0.3;
 
-/** What uPlot needs: it scales, draws axes and strokes; the lines trace themselves. */
+/** Options for uPlot, which scales and draws axes; the lines draw themselves. */
 export function timePlotOptions(
   scene: TimePlotScene,
   theme: PlotTheme,
@@ -86,7 +86,7 @@ export function timePlotOptions(
         grid: { ...axis.grid, show: i === 0 },
         values: (_plot, splits) => splits.map((value) => tickText(value, splits)),
       })),
-      // An axis of values stands there, too, while there is no line.
+      // Draw a value axis also without lines.
       ...(scales.length === 0
         ? [{ ...axis, scale: 'y', side: 3 as const, size: AXIS_WIDTH, values: () => [] }]
         : []),
@@ -157,7 +157,7 @@ function drawZero(plot: uPlot, scale: string | undefined, color: string): void {
   ctx.restore();
 }
 
-/** The newest value stands until the next one comes. */
+/** Extends the newest value to the right, where it holds until the next one. */
 function drawHeld(plot: uPlot, line: PlotLine, { window }: TimePlotScene, color: string): void {
   const { startMs, endMs } = window;
   const last = line.points && pointNear(line.points, endMs, endMs);
@@ -186,7 +186,7 @@ function tickText(value: number, splits: readonly number[]): string {
   return formatFixed(shown, decimals);
 }
 
-/** As many as the steps need: 2.5 needs one, though it is more than 1. */
+/** Decimals that the step needs: 2.5 needs one, though it is larger than 1. */
 function decimalsOfStep(step: number): number {
   for (let decimals = 0; decimals < 12; decimals++) {
     const scaled = step * 10 ** decimals;

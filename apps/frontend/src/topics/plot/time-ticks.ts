@@ -1,22 +1,22 @@
 import { formatClock } from '../../ui/readouts/format-clock.ts';
 
-/** Distances between lines of the time grid, milliseconds. */
+/** Possible steps of the time grid, milliseconds. */
 const STEPS_MS = [
   1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 15_000, 30_000, 60_000, 120_000,
   300_000,
 ];
 const MINUTE_MS = 60_000;
 
-/** A line of the time grid. */
+/** Line of the time grid. */
 export interface TimeTick {
   readonly timeMs: number;
   readonly text: string;
 }
 
 /**
- * Lines at round distances from the end: what a plot that follows shows, for they stand still.
- * @param count how many there should be, about
- * @param endText what stands at the end
+ * Grid lines at round distances from the end: for a plot that follows the newest data, where these stay in place.
+ * @param count approximate number
+ * @param endText label at the end
  */
 export function ticksBefore(
   startMs: number,
@@ -35,7 +35,7 @@ export function ticksBefore(
   return ticks.reverse();
 }
 
-/** Lines at round times of the day, this machine's time zone. */
+/** Grid lines at round local times. */
 export function clockTicks(startMs: number, endMs: number, count: number): TimeTick[] {
   const stepMs = stepOf(endMs - startMs, count);
   const ticks: TimeTick[] = [];
@@ -50,7 +50,7 @@ function stepOf(spanMs: number, count: number): number {
   return STEPS_MS.find((step) => step >= rough) ?? STEPS_MS.at(-1)!;
 }
 
-/** A length of time, as short as it can be said: `250 ms`, `10 s`, `1.5 min`. */
+/** Formats a duration in the shortest unit: `250 ms`, `10 s`, `1.5 min`. */
 export function spanText(spanMs: number): string {
   const short = (value: number): string => String(Number(value.toPrecision(3)));
   if (spanMs < 1000) return `${short(spanMs)} ms`;

@@ -15,7 +15,7 @@ function strokesOf(traced: TracedLine, more: Partial<TraceOptions> = {}) {
       lineTo: (x, y) => strokes.push(['L', Math.round(x), y]),
     },
   );
-  // A point by itself is drawn as the shortest of lines.
+  // An isolated point is drawn as a very short line.
   return strokes.filter(([kind, x, y], i) => {
     const before = strokes[i - 1];
     return !(kind === 'L' && before?.[0] === 'M' && before[1] === x && before[2] === y);
@@ -108,7 +108,7 @@ describe('a line with many points', () => {
     const window = { startMs: 9990, endMs: 11_990, width };
     const fresh = new TracedLine(ring.line(0));
     expect(moving.rangeIn(window)).toEqual(fresh.rangeIn(window));
-    // The first pixel may hold points from before the window: what moved on has seen them.
+    // The first pixel may include points before the window, which only the moving line has processed.
     expect(strokesOf(moving, { window }).slice(8)).toEqual(strokesOf(fresh, { window }).slice(8));
   });
 

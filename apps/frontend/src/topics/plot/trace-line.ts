@@ -3,13 +3,12 @@ import { PixelColumns } from './pixel-columns.ts';
 import type { PathSink, TimeWindow, TraceOptions } from './trace-options.ts';
 import type { Range } from './value-axis.ts';
 
-/** Points for each pixel from which on only the extremes of a pixel are drawn. */
+/** Points per pixel from which only the extremes of each pixel are drawn. */
 const DENSE = 3;
 
 /**
- * A line as it is drawn again and again. Where points are dense it draws the lowest and the highest of
- * each pixel, so that no peak is lost and the work depends on pixels, not on points: what was counted
- * for a pixel is kept as long as the window only moves on.
+ * Draws a line repeatedly. Where points are dense, draws the lowest and highest value of each pixel, so that no peak is
+ * lost and the cost depends on pixels instead of points. Values per pixel are kept while the window advances.
  */
 export class TracedLine {
   readonly line: LinePoints;
@@ -21,13 +20,13 @@ export class TracedLine {
     this.#columns = new PixelColumns(line);
   }
 
-  /** The lowest and the highest value in a window, with the one before it, which is held into it. */
+  /** Returns the range of values in a window, including the previous value, which holds into it. */
   rangeIn(window: TimeWindow): Range | undefined {
     this.#look(window);
     return this.#isDense ? this.#columns.range() : plainRange(this.line, window);
   }
 
-  /** With one point beyond each end of the window. Gaps and what is no number stay open. */
+  /** Includes one point beyond each end of the window. Leaves gaps where values are missing or not numbers. */
   trace(options: TraceOptions, sink: PathSink): void {
     this.#look(options.window);
     if (this.#isDense) this.#columns.trace(options, sink);
@@ -78,7 +77,7 @@ function tracePlain(
     const y = toY(value);
     if (beforeY === undefined) {
       sink.moveTo(x, y);
-      // A point by itself is seen, too.
+      // Makes an isolated point visible.
       sink.lineTo(x + 0.01, y);
     } else {
       if (isStepped) sink.lineTo(x, beforeY);
@@ -88,7 +87,7 @@ function tracePlain(
   }
 }
 
-/** From which distance on points are not connected: well beyond what is usual, milliseconds. */
+/** Returns the distance from which points are not connected: well above the usual one, milliseconds. */
 export function gapOf(line: Pick<LinePoints, 'size' | 'timeAt'>): number {
   const gaps: number[] = [];
   for (let i = Math.max(1, line.size - 64); i < line.size; i++) {

@@ -1,10 +1,10 @@
-/** What a line is drawn on; a canvas or a Path2D is one. */
+/** Target of a path, such as a canvas or a Path2D. */
 export interface PathSink {
   moveTo(x: number, y: number): void;
   lineTo(x: number, y: number): void;
 }
 
-/** The part of the time axis that is drawn. */
+/** Visible part of the time axis. */
 export interface TimeWindow {
   readonly startMs: number;
   readonly endMs: number;
@@ -15,6 +15,6 @@ export interface TimeWindow {
 export interface TraceOptions {
   readonly window: TimeWindow;
   readonly toY: (value: number) => number;
-  /** A value holds until the next one, as with bool. */
+  /** A value holds until the next one, as for bool. */
   readonly isStepped: boolean;
 }

@@ -2,35 +2,34 @@ import { shallowRef, type Ref, type ShallowRef } from 'vue';
 import { panBy, zoomBy, zoomTo, type PlotView, type ViewBounds } from './plot-view.ts';
 import type { PlotBox, ShownTime } from './useTimePlot.ts';
 
-/** A stretch that is being drawn with the pointer, pixels within the box. */
+/** Range being drawn with the pointer, pixels within the box. */
 export interface Stretch {
   readonly fromX: number;
   readonly toX: number;
 }
 
-/** What gestures work on. */
+/** State that gestures change. */
 export interface GestureTarget {
   readonly view: Ref<PlotView>;
   readonly box: Readonly<Ref<PlotBox>>;
   readonly shown: Readonly<Ref<ShownTime>>;
   readonly readingX: ShallowRef<number | undefined>;
   bounds(): ViewBounds;
-  /** A moment was pointed at. */
+  /** A time was clicked. */
   pick(timeMs: number): void;
-  /** Back to the newest. */
+  /** Returns to the newest data. */
   follow(): void;
 }
 
-/** Less than this is a click, pixels. */
+/** Movement up to which a press is a click, pixels. */
 const DRAG_FROM = 5;
-/** One notch of a wheel: how much more or less is shown. */
+/** Zoom factor per notch of the wheel. */
 const WHEEL_STEP = 1.2;
 const NOTCH = 100;
 
 /**
- * Mouse and pen: dragging zooms into the stretch, with Shift or the middle button it moves the time;
- * the wheel zooms, sideways it moves. Fingers: one moves, two zoom. A click points at a moment, two
- * lead back to the newest.
+ * Mouse and pen: dragging zooms into a range, with Shift or the middle button it pans; the wheel zooms, horizontally it
+ * pans. Touch: one finger pans, two zoom. A click selects a time, a double-click returns to the newest data.
  */
 export function usePlotGestures(target: GestureTarget): {
   readonly stretch: Readonly<ShallowRef<Stretch | undefined>>;
@@ -43,7 +42,7 @@ export function usePlotGestures(target: GestureTarget): {
 } {
   const { view, box, shown, readingX } = target;
   const stretch = shallowRef<Stretch>();
-  /** Fingers and buttons that are down, by where they were last. */
+  /** Last positions of pressed fingers and buttons, by pointer id. */
   const down = new Map<number, number>();
   let drag: { readonly kind: 'zoom' | 'pan'; readonly fromX: number; moved: boolean } | undefined;
 
@@ -87,7 +86,7 @@ export function usePlotGestures(target: GestureTarget): {
     } else stretch.value = { fromX: drag.fromX, toX: x };
   }
 
-  /** Two fingers: what is between them grows or shrinks and stays under them. */
+  /** Zooms and pans so that the times under two fingers stay there. */
   function pinch(moved: number, x: number): void {
     const other = [...down].find(([id]) => id !== moved);
     const before = down.get(moved)!;

@@ -6,12 +6,12 @@ import { PlotLine } from './plot-line.ts';
 import { seriesKey, type PlotSeries } from './plot-settings.ts';
 import { looksOf, seriesNames, type SeriesLook } from './series-look.ts';
 
-/** Formats of topics that have no value yet are looked for this often, milliseconds. */
+/** Interval of checks for the formats of topics without a value, milliseconds. */
 const FORMATS_MS = 250;
 
 /**
- * The lines of a plot over what has come on their topics. Topics other than the plot's own are looked
- * at as long as the plot is there.
+ * Lines of a plot from the histories of their topics. Subscribes topics other than the plot's own while the plot is
+ * mounted.
  */
 export function usePlotLines(
   series: Readonly<Ref<readonly PlotSeries[]>>,
@@ -39,7 +39,7 @@ export function usePlotLines(
     { immediate: true },
   );
 
-  // What stays keeps what it has counted.
+  // Keep unchanged lines with their processed points.
   let kept = new Map<string, PlotLine>();
   const lines = computed(() => {
     const { topic: ownTopic, history } = own();

@@ -20,21 +20,21 @@ import {
 } from './time-plot-options.ts';
 import { ValueAxis } from './value-axis.ts';
 
-/** What is drawn. */
+/** Input of a plot. */
 export interface TimePlotSource {
-  /** Those that are shown. */
+  /** Visible lines. */
   readonly lines: readonly PlotLine[];
   readonly looks: readonly SeriesLook[];
   readonly names: readonly string[];
   readonly view: PlotView;
-  /** The end of what there is, this machine's clock; `undefined` for now, which moves. */
+  /** End of the data, this computer's clock; `undefined` for now. */
   readonly endMs: number | undefined;
   readonly endText: string;
-  /** Two moments that are compared, this machine's clock. */
+  /** Times of the two cursors, this computer's clock. */
   readonly cursors: readonly number[];
 }
 
-/** Where the plot without its words stands in the frame, pixels. */
+/** Box of the plot area within the frame, pixels. */
 export interface PlotBox {
   readonly left: number;
   readonly top: number;
@@ -42,15 +42,15 @@ export interface PlotBox {
   readonly height: number;
 }
 
-/** What stands around the lines, renewed as fast as it can be read. Pixels within the box. */
+/** Labels around the lines, updated as fast as they can be read. Pixels within the box. */
 export interface TimePlotWords {
   readonly ends: readonly { readonly key: string; readonly y: number; readonly text: string }[];
-  /** What the lines say where the reading line stands. */
+  /** Values of the lines at the reading line. */
   readonly readings: readonly (PlotPoint | undefined)[];
   readonly dots: readonly { readonly key: string; readonly y: number }[];
 }
 
-/** The time that is shown at this moment. */
+/** Visible time range at this moment. */
 export interface ShownTime {
   readonly startMs: number;
   readonly endMs: number;
@@ -60,20 +60,20 @@ export interface ShownTime {
 const RIGHT = 92;
 const NARROW_RIGHT = 64;
 const NARROW = 480;
-/** A frame is drawn when the lines have moved this far, pixels, */
+/** A frame is drawn when the lines have moved by this many pixels, */
 const STEP = 1.5;
-/** or after this long, milliseconds, or as long as a pixel takes; but not later than that. */
+/** or after the time that a pixel takes, within these limits, milliseconds. */
 const MIN_WAIT_MS = 50;
 const MAX_WAIT_MS = 250;
-/** Words are renewed this often, milliseconds: as fast as digits can be read. */
+/** Interval between updates of labels, milliseconds: as fast as digits can be read. */
 const WORDS_MS = 125;
-/** Between the names of two lines, pixels. */
+/** Smallest distance between labels of lines, pixels. */
 const LABEL_GAP = 17;
 
 const NO_WORDS: TimePlotWords = { ends: [], readings: [], dots: [] };
 const NO_BOX: PlotBox = { left: 0, top: 0, width: 0, height: 0 };
 
-/** Draws the lines of a plot over time with uPlot, frame by frame while the page is seen. */
+/** Draws the lines of a plot with uPlot, frame by frame while the page is visible. */
 export function useTimePlot(
   source: Readonly<Ref<TimePlotSource>>,
   frame: Readonly<Ref<HTMLElement | null>>,
@@ -81,11 +81,11 @@ export function useTimePlot(
 ): {
   readonly box: Readonly<ShallowRef<PlotBox>>;
   readonly words: Readonly<ShallowRef<TimePlotWords>>;
-  /** Renewed with every frame that is drawn. */
+  /** Updated with every drawn frame. */
   readonly shown: Readonly<ShallowRef<ShownTime>>;
-  /** Where the reading line stands, pixels from the left of the box; `undefined` for nowhere. */
+  /** Position of the reading line, pixels from the left of the box; `undefined`: hidden. */
   readonly readingX: ShallowRef<number | undefined>;
-  /** What is drawn now, on a canvas; `undefined` before the first. */
+  /** The canvas with the current drawing; `undefined` before the first. */
   canvas(): HTMLCanvasElement | undefined;
 } {
   const library = shallowRef<typeof uPlot>();
@@ -105,7 +105,7 @@ export function useTimePlot(
     if (!isGone) library.value = loaded;
   });
 
-  /** What cannot be changed in a plot that is there. */
+  /** Properties that require a new uPlot instance when they change. */
   const shape = (): string => {
     const { lines, looks } = source.value;
     const parts = lines.map((line, i) => [line.key, line.scale, looks[i]]);
@@ -136,7 +136,7 @@ export function useTimePlot(
     const size = { width: Math.floor(width.value), height: Math.floor(height.value) };
     plot.value = new library.value(
       timePlotOptions(scene, theme, colorIn, size),
-      // uPlot scales and draws; the lines come from their rings, pixel by pixel.
+      // uPlot needs only scales; lines are drawn from their rings, per pixel.
       [[0, 1e15], ...lines.map(() => [null, null])] as uPlot.AlignedData,
       root,
     );
@@ -212,7 +212,7 @@ export function useTimePlot(
       }
     });
     shown.value = time;
-    // uPlot draws in a microtask; where things stand is known after it.
+    // uPlot draws in a microtask; positions are known afterwards.
     if (isTimeForWords) queueMicrotask(() => plot.value === on && write(on, time));
   }
 
@@ -257,7 +257,7 @@ export function useTimePlot(
   };
 }
 
-/** Three digits of what the axis spans. */
+/** Decimals for three significant digits of the axis' range. */
 function decimalsOf({ scales }: uPlot, key: string): number {
   const { min = 0, max = 1 } = scales[key] ?? {};
   const span = (max ?? 1) - (min ?? 0);

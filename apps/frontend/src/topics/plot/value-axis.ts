@@ -4,19 +4,19 @@ export interface Range {
   readonly max: number;
 }
 
-/** Share of the range that stays free above and below the lines. */
+/** Margin above and below the lines, as a share of the range. */
 const MARGIN = 0.08;
-/** The axis closes in when the values need less than this share of it, */
+/** The axis shrinks when the values need less than this share of it, */
 const CLOSE_IN_BELOW = 0.5;
-/** for this long, milliseconds: nothing jumps because of one quiet moment. */
+/** for this long, milliseconds: a short quiet period does not change the scale. */
 const CLOSE_IN_AFTER_MS = 2000;
 
-/** The range of the value axis: opens at once, closes in late, so that lines keep their scale. */
+/** Range of a value axis: grows at once and shrinks with a delay, so that lines keep their scale. */
 export class ValueAxis {
   #range: Range | undefined;
   #roomySinceMs: number | undefined;
 
-  /** @param values what is in the window; `undefined` when there is nothing */
+  /** @param values range in the window; `undefined` when it is empty */
   follow(values: Range | undefined, nowMs: number): Range {
     if (values === undefined) return this.#range ?? { min: -1, max: 1 };
     const range = this.#range;
@@ -39,13 +39,13 @@ export class ValueAxis {
     return (this.#range = isCloser ? closer : range);
   }
 
-  /** The values went beyond the axis, not somewhere else altogether. */
+  /** True when the values exceed the axis slightly, instead of being in a different range. */
   #isSimilar(range: Range, values: Range): boolean {
     return values.min <= range.max && values.max >= range.min;
   }
 }
 
-/** Room around the values; a single value stands in the middle of a range of its own size. */
+/** Adds the margin; a single value is centred in a range of its own magnitude. */
 function withMargin({ min, max }: Range): Range {
   const span = max - min;
   const room = span > 0 ? span * MARGIN : Math.max(Math.abs(max) * 0.1, 0.5);

@@ -1,14 +1,14 @@
 import type { LinePoints } from '../history/series-ring.ts';
 
-/** What a line did within a window. */
+/** Statistics of a line within a window. */
 export interface LineStatistics {
   readonly count: number;
   readonly min: number;
   readonly mean: number;
   readonly max: number;
-  /** Standard deviation of the values, not an estimate of a larger set's. */
+  /** Standard deviation of the population, not of a sample. */
   readonly deviation: number;
-  /** Values that are no number or infinite; they count nowhere else. */
+  /** Number of values that are NaN or infinite; excluded from the other statistics. */
   readonly odd: number;
 }
 
@@ -26,7 +26,7 @@ export function statisticsOf(
       odd++;
       continue;
     }
-    // Welford: the plain sum of squares loses the digits of a large mean.
+    // Welford's algorithm: the plain sum of squares loses precision for a large mean.
     count++;
     const before = value - mean;
     mean += before / count;

@@ -1,11 +1,11 @@
 import type { RecordLine } from '../history/topic-history.ts';
 
-/** A distance this much longer than usual is marked. */
+/** Factor on the usual interval from which an interval is marked as late. */
 const OUTLIER = 1.8;
-/** Shorter distances vary by themselves, milliseconds. */
+/** Smaller differences are jitter, milliseconds. */
 const NOISE_MS = 4;
 
-/** What counts as late in these records, milliseconds; `undefined` while there are too few to tell. */
+/** Returns the interval from which a record is late, milliseconds; `undefined` while there are too few records. */
 export function lateAfterMs(lines: readonly RecordLine[]): number | undefined {
   const deltas = lines.flatMap(({ deltaMs }) => (deltaMs === undefined ? [] : [deltaMs]));
   if (deltas.length < 8) return undefined;

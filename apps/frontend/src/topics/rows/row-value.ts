@@ -3,30 +3,30 @@ import { formatValue } from '../values/format-value.ts';
 import { sparkNumbers } from '../values/value-series.ts';
 import { NO_SPARK, SPARK_SAMPLES, Sparkline, type SparkLine } from './sparkline.ts';
 
-/** Below this rate a line over 5 s says nothing, Hz. */
+/** Rate below which a chart of 5 s says nothing, Hz. */
 const MIN_SPARK_HZ = 0.5;
-/** An update after this much silence is news and flashes, milliseconds. */
+/** Silence after which an update flashes, milliseconds. */
 const NEWS_MS = 400;
-/** A topic that never rests flashes this often: that it lives, its numbers show. */
+/** Interval of flashes for topics that update continuously, milliseconds. */
 const REMINDER_MS = 4000;
 const SPREAD = 16;
 
-/** What a row shows of its topic's newest record. Kept for rows that are or lately were on screen. */
+/** Display of a topic's newest record in a row. Kept for rows that are or recently were visible. */
 export class RowValue {
   #record: TopicRecord | undefined;
   #text: string | undefined;
   #numbers: readonly number[] = [];
   readonly #sparkline = new Sparkline();
   #spark: SparkLine | undefined;
-  /** Samples since the last one that was not a gap. */
+  /** Number of consecutive samples that were gaps. */
   #gap = SPARK_SAMPLES;
   #records: number;
   #flashes = 0;
   #flashedMs = 0;
-  /** When the count of records grew last; `undefined` before the first sample. */
+  /** Time at which the record count last grew; `undefined` before the first sample. */
   #grownMs: number | undefined;
 
-  /** @param records counted for the topic so far */
+  /** @param records record count of the topic */
   constructor(records: number) {
     this.#records = records;
   }
@@ -36,20 +36,20 @@ export class RowValue {
     return this.#record;
   }
 
-  /** The newest value in one line; `undefined` before the first. */
+  /** Newest value in one line; `undefined` before the first. */
   get text(): string | undefined {
     const record = this.#record;
     if (record === undefined) return undefined;
     return (this.#text ??= formatValue(record.format, record.value as never));
   }
 
-  /** The last 5 s. */
+  /** Chart of the last 5 s. */
   get spark(): SparkLine {
     return (this.#spark ??=
       this.#gap >= SPARK_SAMPLES ? NO_SPARK : this.#sparkline.line(this.#numbers.length === 0));
   }
 
-  /** Counts up with every flash; 0 for none yet. */
+  /** Number of flashes so far. */
   get flashes(): number {
     return this.#flashes;
   }
@@ -60,7 +60,7 @@ export class RowValue {
     this.#numbers = sparkNumbers(record.format, record.value);
   }
 
-  /** The topic holds no value any more; the last one would be a lie. */
+  /** The topic no longer has a value: remove the last one. */
   clear(): void {
     this.#record = undefined;
     this.#text = undefined;
@@ -70,9 +70,9 @@ export class RowValue {
   }
 
   /**
-   * Notes how far the topic has come; called about 8 times a second.
-   * @param counted records of the topic so far, and how many a second
-   * @param nowMs any clock
+   * Takes a sample of the statistics; called about 8 times a second.
+   * @param counted record count and rate of the topic
+   * @param nowMs of any clock
    */
   sample(
     counted: { readonly records: number; readonly hz: number | undefined },
@@ -89,7 +89,7 @@ export class RowValue {
 
   #noteGrowth(records: number, nowMs: number): void {
     if (this.#grownMs === undefined) {
-      // Coming on screen is no news, and the reminders of many rows are spread over their time.
+      // Becoming visible does not flash, and the flashes of many rows are spread over the interval.
       this.#grownMs = nowMs;
       this.#flashedMs = nowMs - ((records % SPREAD) / SPREAD) * REMINDER_MS;
     }

@@ -129,7 +129,7 @@ describe('named rows', () => {
     expect(wanted()).toEqual(['/a']);
     publish('/a', 4);
     expect(values.get('/a')?.text).toBe('4.00');
-    // Counted before the record came
+    // Statistics from before the record arrived.
     values.showNamed(['/a'], () => ended);
     values.showNamed(['/a'], () => ended);
     expect(values.get('/a')?.text).toBe('4.00');

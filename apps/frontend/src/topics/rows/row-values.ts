@@ -3,41 +3,41 @@ import type { LivePattern } from '../../connection/live/topic-source.ts';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { RowValue } from './row-value.ts';
 
-/** How often a row can be read, Hz. */
+/** Highest update rate that can be read in a row, Hz. */
 const ROW_RATE_HZ = 8;
-/** Large values (pictures) come less often: a row shows only their size. */
+/** Size from which values (pictures) are requested less often: a row shows only their size. */
 const LARGE_BYTES = 16_384;
 const LARGE_RATE_HZ = 1;
-/** Rows that left the screen and keep their last value, so that scrolling back shows no holes. */
+/** Most invisible rows that keep their last value, so that scrolling back shows no gaps. */
 const MAX_KEPT = 256;
 
 interface Shown {
-  /** `undefined` while the master's counters do not have the topic. */
+  /** `undefined` while the topic is missing in the master's statistics. */
   rate: TopicRate | undefined;
-  /** By the counters. */
+  /** Whether the statistics say that the topic has a value. */
   hasValue: boolean;
-  /** A record came since the counters were looked at: they may be older. */
+  /** A record arrived after the last statistics, which may be older. */
   isFresh: boolean;
 }
 
 const hasValue = (rate: TopicRate | undefined): boolean =>
   rate !== undefined && rate.statistic.dataFormat !== '';
 
-/** The newest values of the rows on screen, and of no others: what is wanted comes and goes with the rows. */
+/** Newest values of the visible rows; subscriptions follow the rows. */
 export class RowValues {
   readonly #want: (topics: readonly LivePattern[]) => void;
   readonly #shown = new Map<string, Shown>();
-  /** Least lately shown first. */
+  /** Least recently shown first. */
   readonly #values = new Map<string, RowValue>();
   #isPaused = false;
   #hasFirst = false;
-  /** Newest records that came during a pause. */
+  /** Newest records received during a pause. */
   readonly #waiting = new Map<string, TopicRecord>();
   readonly #largeRateHz: number;
 
   /**
-   * @param want called with what is to be subscribed to from now on
-   * @param largeRateHz how often large values come, for those who show more of them than their size
+   * @param want called with the topics to subscribe to from now on
+   * @param largeRateHz rate of large values, for callers that show more than their size
    */
   constructor(want: (topics: readonly LivePattern[]) => void, largeRateHz = LARGE_RATE_HZ) {
     this.#want = want;
@@ -49,8 +49,8 @@ export class RowValues {
   }
 
   /**
-   * Makes these the rows on screen. A topic without a value is not subscribed to, because the subscription alone
-   * would keep it alive. [TD-41]
+   * Sets the visible rows. A topic without a value is not subscribed to, because the subscription alone would keep it
+   * alive. [TD-41]
    */
   show(rates: Iterable<TopicRate>): void {
     const rows = new Map<string, TopicRate>();
@@ -58,7 +58,7 @@ export class RowValues {
     this.#show(rows);
   }
 
-  /** Makes these topics the rows on screen, with or without a value: the first one shows as soon as it comes. */
+  /** Sets the visible rows, with or without a value; a first value is shown as soon as it arrives. */
   showNamed(topics: Iterable<string>, rateOf: (topic: string) => TopicRate | undefined): void {
     this.#show(new Map(Array.from(topics, (topic) => [topic, rateOf(topic)])));
   }
@@ -74,7 +74,7 @@ export class RowValues {
     this.#hasFirst ||= isFirst;
   }
 
-  /** Takes a sample of every row on screen. */
+  /** Takes a sample of every visible row. */
   sample(nowMs: number): void {
     if (this.#isPaused) return;
     for (const [topic, { rate }] of this.#shown) {
@@ -83,7 +83,7 @@ export class RowValues {
     }
   }
 
-  /** Values stand still while paused; what comes meanwhile is shown afterwards. */
+  /** While paused, values stay unchanged; the newest ones are shown afterwards. */
   setPaused(isPaused: boolean): void {
     this.#isPaused = isPaused;
     if (isPaused) return;
@@ -91,7 +91,7 @@ export class RowValues {
     this.#waiting.clear();
   }
 
-  /** Whether a row got its first value since this was asked last; such a row shows it even while paused. */
+  /** Whether a row got its first value since the last call; such rows show it even while paused. */
   takeFirst(): boolean {
     const hasFirst = this.#hasFirst;
     this.#hasFirst = false;
@@ -127,7 +127,7 @@ export class RowValues {
     this.#shown.set(topic, { rate, hasValue: hasValue(rate), isFresh: false });
   }
 
-  /** A value is gone when the counters had it and do not any more. */
+  /** The value is gone when it disappears from the statistics. */
   #renew(topic: string, shown: Shown, rate: TopicRate | undefined): void {
     shown.rate = rate;
     if (hasValue(rate)) shown.hasValue = true;

@@ -7,30 +7,30 @@ import type { TopicNode } from '../tree/topic-node.ts';
 import { rootLabel } from '../names/topic-path.ts';
 import { isStale } from './staleness.ts';
 
-/** What a row says, as text. */
+/** Texts of a row. */
 export interface RowView {
   readonly name: string;
-  /** The client the row stands for; roots only. */
+  /** Client of the row; only for roots. */
   readonly publisher: Publisher | undefined;
   readonly hz: string;
   readonly bandwidth: Readout;
   readonly age: Readout;
-  /** Of the newest record, milliseconds; `undefined` when there never was one. */
+  /** Age of the newest record, milliseconds; `undefined` without one. */
   readonly ageMs: number | undefined;
   readonly isStale: boolean;
   readonly isResting: boolean;
 }
 
-/** A level may be empty. */
+/** Name of an empty level. */
 const NO_NAME = '(no name)';
 
-/** What a row is called: a root by the name of its client, if it is one. */
+/** Name of a row: for a root, the name of its client, if it has one. */
 export function nameOf(node: TopicNode, findPublisher: FindPublisher): string {
   const publisher = node.level === 1 ? findPublisher(node.label) : undefined;
   return publisher?.name ?? (node.label || NO_NAME);
 }
 
-/** @param nowMs milliseconds since the Unix epoch, master's clock */
+/** @param nowMs epoch milliseconds, master's clock */
 export function rowView(node: TopicNode, findPublisher: FindPublisher, nowMs: number): RowView {
   const publisher = node.level === 1 ? findPublisher(node.label) : undefined;
   const ageMs = node.publishedMs === 0 ? undefined : Math.max(0, nowMs - node.publishedMs);
@@ -46,7 +46,7 @@ export function rowView(node: TopicNode, findPublisher: FindPublisher, nowMs: nu
   };
 }
 
-/** A topic by its own habit; a branch only when its client is away. */
+/** A topic is stale relative to its usual rate; a branch only when its client is away. */
 function isNodeStale(node: TopicNode, findPublisher: FindPublisher, nowMs: number): boolean {
   if (node.rate === undefined || node.isBranch) {
     const isRootAway = findPublisher(rootLabel(node.key))?.isAway === true;

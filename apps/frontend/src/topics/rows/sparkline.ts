@@ -1,11 +1,11 @@
-/** Samples of a sparkline: 5 s at 8 a second. */
+/** Number of samples: 5 s at 8 a second. */
 export const SPARK_SAMPLES = 40;
-/** Another number takes over when it moves this much more than the one that is drawn. */
+/** Factor by which another number must vary more than the current one to replace it. */
 const TAKE_OVER = 1.5;
-/** Less movement than this share of the value is noise and drawn as rest. */
+/** Smallest variation that is drawn, as a share of the value; less is noise. */
 const REST = 0.005;
 
-/** A line and the scale it is drawn on. */
+/** Chart with its scale. */
 export interface SparkLine {
   /** Oldest first; `undefined` is a gap. */
   readonly values: readonly (number | undefined)[];
@@ -16,14 +16,14 @@ export interface SparkLine {
 export const NO_SPARK: SparkLine = { values: [], min: undefined, max: undefined };
 
 /**
- * The last seconds of a value as one line. Of a vector it shows the number that moves most, because
- * the length of a pointer that goes round in circles says nothing.
+ * Chart of the last seconds of a value. For a vector, draws the number that varies most: the length of a pointer that
+ * moves in circles says nothing.
  */
 export class Sparkline {
   #samples: (readonly number[] | undefined)[] = [];
   #number = 0;
 
-  /** @param numbers of the value; `undefined` when nothing comes, which leaves a gap */
+  /** @param numbers of the value; `undefined` adds a gap */
   add(numbers: readonly number[] | undefined): void {
     if (this.#samples.push(numbers) > SPARK_SAMPLES) this.#samples.shift();
   }
@@ -32,7 +32,7 @@ export class Sparkline {
     this.#samples = [];
   }
 
-  /** @param isActivity measured from 0, so that a steady rate is a steady line */
+  /** @param isActivity scaled from 0, so that a steady rate is a flat line */
   line(isActivity: boolean): SparkLine {
     const width = Math.max(0, ...this.#samples.map((numbers) => numbers?.length ?? 0));
     if (width === 0) return NO_SPARK;

@@ -1,15 +1,15 @@
 import type { TopicRate } from '../../connection/topic-rates.ts';
 
-/** Nothing is stale before this age, milliseconds. */
+/** Smallest age of a stale record, milliseconds. */
 const FRESH_MS = 5000;
-/** Topics that come less often than this are settings, not streams, Hz. */
+/** Rate below which topics count as settings instead of streams, Hz. */
 const STREAM_HZ = 0.5;
-/** A stream is late after this many of its usual gaps. */
+/** Number of usual intervals after which a stream is stale. */
 const LATE_GAPS = 5;
 
 /**
- * Whether the newest record is older than it should be: its client is away, or it came regularly and
- * does no more. A setting that was made long ago is old, not stale.
+ * Whether the newest record is stale: its client is away, or records that arrived regularly stopped. An old record of a
+ * setting is not stale.
  */
 export function isStale(
   { statistic, usualHz }: TopicRate,

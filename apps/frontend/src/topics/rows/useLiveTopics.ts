@@ -3,21 +3,21 @@ import { effectScope, onScopeDispose, shallowRef, watch, type EffectScope } from
 import { useConnection } from '../../connection/useConnection.ts';
 import { useRowValues } from './useRowValues.ts';
 
-/** How often values are drawn, Hz. */
+/** Rate at which values are drawn, Hz. */
 const DRAW_HZ = 5;
-/** How often the counters of topics are asked for while some are shown, milliseconds. */
+/** Interval of requests for statistics while topics are visible, milliseconds. */
 const STATISTICS_MS = 1000;
 
-/** What a topic shows now. */
+/** Current state of a topic. */
 export interface LiveTopic {
-  /** The newest value in one line; `undefined` when there is none. */
+  /** Newest value in one line; `undefined` without one. */
   readonly text: string | undefined;
   /** Records per second; `undefined` while unknown. */
   readonly hz: number | undefined;
 }
 
 /**
- * Newest values of the topics that are on screen, and of no others, while the calling component lives.
+ * Newest values of the visible topics, while the calling component is mounted.
  * @param wanted the topics; read reactively
  */
 export function useLiveTopics(wanted: () => readonly string[]): (topic: string) => LiveTopic {

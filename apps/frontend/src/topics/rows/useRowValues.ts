@@ -4,8 +4,8 @@ import { useTopic } from '../../connection/live/useTopic.ts';
 import { RowValues } from './row-values.ts';
 
 /**
- * Newest values of rows, while the calling scope lives and the page is visible.
- * @param largeRateHz how often large values come, for those who show more of them than their size
+ * Newest values of rows, while the calling scope is active and the page is visible.
+ * @param largeRateHz rate of large values, for callers that show more than their size
  */
 export function useRowValues(largeRateHz?: number): RowValues {
   const wanted = shallowRef<readonly LivePattern[]>([]);

@@ -3,10 +3,10 @@ import { nameOf } from '../rows/row-view.ts';
 import type { FindPublisher } from '../names/publisher.ts';
 import type { TopicNode } from '../tree/topic-node.ts';
 
-/** By the order of the children: a new one is made whenever a child comes, goes or is renamed. */
+/** Cached by the array of children, which is replaced whenever a child is added, removed or renamed. */
 const names = new WeakMap<readonly TopicNode[], SortedNames>();
 
-/** The names of the rows on the same level under the same branch, for shortening a name among them. */
+/** Names of the rows below the same branch, to shorten a name among them. */
 export function siblingNames(node: TopicNode, findPublisher: FindPublisher): SortedNames {
   const siblings = node.parent?.sorted ?? [];
   let found = names.get(siblings);

@@ -6,21 +6,21 @@ import type { RowValue } from '../rows/row-value.ts';
 import type { TopicNode } from '../tree/topic-node.ts';
 import { siblingNames } from './sibling-names.ts';
 
-/** What every row of a tree of topics is given. */
+/** Properties of every row of a topic tree. */
 export interface TopicRowProps {
-  /** Renewed in place; `tick` says when to look again. */
+  /** Mutated in place; `tick` signals changes. */
   readonly node: TopicNode;
   readonly value: RowValue | undefined;
   readonly findPublisher: FindPublisher;
-  /** Milliseconds since the Unix epoch, master's clock. */
+  /** Epoch milliseconds, master's clock. */
   readonly nowMs: number;
   readonly tick: number;
   readonly expanded: boolean;
 }
 
-/** What a row of a tree of topics shows: a client, a branch or a topic, with what it does now. */
+/** State of a row of a topic tree: a client, a branch or a topic. */
 export function useTopicRow(props: TopicRowProps) {
-  /** A topic that lost its value keeps the socket it had. */
+  /** A topic without a value keeps the socket of its last format. */
   let lastFormat = '';
   const onTick = <T>(look: (props: TopicRowProps) => T) =>
     computed(() => {
@@ -34,7 +34,7 @@ export function useTopicRow(props: TopicRowProps) {
     const { text, family } = formatLook(lastFormat);
     return {
       text: node.hasValue ? value?.text : undefined,
-      /** `undefined` for a branch alone. */
+      /** `undefined` for a branch that is not a topic. */
       topic: node.rate?.statistic.topic,
       format: text || 'no value',
       family: node.rate ? family : ('system' as const),

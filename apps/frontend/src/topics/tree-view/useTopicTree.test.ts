@@ -26,7 +26,7 @@ const rateOf = (topic: string): TopicRate => ({
   usualHz: 1,
 });
 
-/** A connection whose statistics the test hands over itself. */
+/** Mounts a tree on a connection whose statistics the test provides. */
 function setUp(first: readonly TopicRate[] = []) {
   const rates = shallowRef(new Map(first.map((rate) => [rate.statistic.topic, rate])));
   const isConnected = ref(true);

@@ -21,44 +21,44 @@ import type { TopicOrder } from '../tree/topic-order.ts';
 import { TopicsModel } from '../tree/topics-model.ts';
 import { useFindPublisher } from '../names/useFindPublisher.ts';
 
-/** How often the counters of all topics are asked for, milliseconds. */
+/** Interval of requests for the statistics of all topics, milliseconds. */
 const STATISTICS_MS = 250;
-/** How often rows are drawn, Hz: as fast as digits can be read. */
+/** Rate at which rows are drawn, Hz: as fast as digits can be read. */
 const DRAW_HZ = 8;
 
-/** What is searched for and how it is ordered; set by the page. */
+/** Search and order; set by the page. */
 export interface TopicTreeWishes {
   readonly search: Ref<string>;
-  /** A data format's short name; empty for all. */
+  /** Short name of a data format; empty for all. */
   readonly format: Ref<string>;
   readonly order: Ref<TopicOrder>;
-  /** Freezes the rows. Counters are totals, so nothing is lost. */
+  /** Freezes the rows. Statistics are totals, so nothing is lost. */
   readonly isPaused: Ref<boolean>;
-  /** Which topics are in the tree at all, of those that are not internal. @default all */
+  /** Whether a topic is in the tree; internal topics never are. @default all */
   readonly accepts?: (topic: string) => boolean;
 }
 
 /** The topic tree, live. */
 export interface TopicTreeView {
-  /** Changed in place; look again when `tick` counts up. */
+  /** Mutated in place; `tick` signals changes. */
   readonly model: TopicsModel;
   readonly values: RowValues;
   readonly findPublisher: FindPublisher;
   readonly rows: Readonly<ShallowRef<readonly TopicNode[]>>;
-  /** Counts up whenever rows are to be drawn, at most `DRAW_HZ` times a second. */
+  /** Incremented whenever rows must be drawn, at most `DRAW_HZ` times a second. */
   readonly tick: Readonly<ShallowRef<number>>;
-  /** The moment the rows show: milliseconds since the Unix epoch, master's clock. */
+  /** Time of the displayed state, epoch milliseconds of the master's clock. */
   readonly nowMs: Readonly<ShallowRef<number>>;
-  /** What a row is called. */
+  /** Name of a row. */
   nameOf(node: TopicNode): string;
   setExpanded(node: TopicNode, expanded: boolean): void;
   expandSiblings(node: TopicNode): void;
   setAllExpanded(expanded: boolean): void;
-  /** Opens what is above a topic. */
+  /** Expands the branches above a topic. */
   reveal(topic: string): void;
 }
 
-/** Feeds the model from the master's counters and draws it a few times a second while the page is seen. */
+/** Feeds the model with the master's statistics, and draws it a few times a second while the page is visible. */
 export function useTopicTree({
   search,
   format,
@@ -76,7 +76,7 @@ export function useTopicTree({
   let isStatisticsNew = true;
 
   function draw(): void {
-    // While the master is away, rates are unknown: they rank nothing.
+    // While the master is disconnected, rates are unknown and do not change the order.
     model.refresh(isConnected.value ? performance.now() : -Infinity);
     nowMs.value = topics.masterTimeMs.value;
     rows.value = model.rows;
@@ -95,7 +95,7 @@ export function useTopicTree({
     topics.rates,
     () => {
       isStatisticsNew = true;
-      // Rates became unknown: nothing else draws now.
+      // Rates became unknown, and no statistics arrive that would cause a draw.
       if (!isConnected.value && !isPaused.value) draw();
     },
     { flush: 'sync' },
@@ -139,7 +139,7 @@ export function useTopicTree({
     if (!isPaused.value) draw();
   });
 
-  // What a person asks for shows at once, also while paused.
+  // The user's changes are shown at once, also while paused.
   watch(
     search,
     (text) => {

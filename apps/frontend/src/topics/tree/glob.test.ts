@@ -2,7 +2,7 @@ import { globToRegExpSource } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { compileGlob } from './glob.ts';
 
-/** The protocol's own reading of the same pattern, with the freedoms of the search around it. */
+/** The protocol's reading of the pattern, extended by the rules of the search. */
 function expected(glob: string): RegExp {
   const body = globToRegExpSource(glob).slice(1, -1);
   const start = glob.startsWith('/') || glob.startsWith('**') ? '^' : '(?:^|/)';

@@ -5,12 +5,11 @@ const WITHIN = '*';
 const ONE = '?';
 
 /**
- * A glob as people type it into the search, with the wildcards of the protocol (`*` within a level,
- * `**` any text, `?` one character). It selects whole levels: with a leading slash from the first one
- * on, without one from any; what lies below a selected level is selected too.
+ * Compiles a glob of the search field, with the wildcards of the protocol (`*` within a level, `**` any text, `?` one
+ * character). It matches whole levels: with a leading slash from the first level, without one from any; levels below a
+ * match are included.
  *
- * Steps through the text instead of building a regular expression, so that no pattern can take long:
- * at worst the square of the topic's length.
+ * Does not use regular expressions, so that no pattern takes long: at worst quadratic in the topic's length.
  */
 export function compileGlob(glob: string): (topic: string) => boolean {
   const tokens = glob.match(/\*\*+|[^]/g) ?? [];
@@ -31,7 +30,7 @@ export function isGlob(text: string): boolean {
   return /[*?]/.test(text);
 }
 
-/** Greedy, with one point to come back to for each kind of star. */
+/** Greedy, with one backtracking position for each kind of star. */
 function selects(tokens: readonly Token[], text: string, from: number): boolean {
   let at = from;
   let token = 0;
@@ -53,7 +52,7 @@ function selects(tokens: readonly Token[], text: string, from: number): boolean 
       token++;
       continue;
     }
-    // No fit: give the last star one character more.
+    // Mismatch: the last star takes one more character.
     if (within !== undefined && within.at < text.length && text[within.at] !== '/') {
       at = ++within.at;
       token = within.token;

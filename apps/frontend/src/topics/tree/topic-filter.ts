@@ -1,12 +1,12 @@
 import { compileGlob, isGlob } from './glob.ts';
 
-/** What a person searches for. All terms must hold. */
+/** A parsed search. All terms must match. */
 export interface TopicFilter {
   /** True when every topic passes. */
   readonly isEmpty: boolean;
   /**
    * @param topic the topic
-   * @param names and ids of the clients it may be called by: whose id it begins with, and who publishes
+   * @param names names and ids of its clients: the one whose id it starts with, and the publisher
    */
   accepts(topic: string, names: readonly string[]): boolean;
 }
@@ -16,9 +16,9 @@ type Term = (topic: string, lowerTopic: string, lowerNames: readonly string[]) =
 export const EMPTY_FILTER: TopicFilter = { isEmpty: true, accepts: () => true };
 
 /**
- * Reads the search field. Words are text anywhere in the topic or in its client's name, in any case;
- * words with `*` or `?` are globs over levels; `client:name` looks at clients only. Words are separated
- * by spaces; quotes keep them together.
+ * Parses the search field. Words match text anywhere in the topic or its client's name, case-insensitively; words with
+ * `*` or `?` are globs over levels; `client:name` matches clients only. Words are separated by spaces; quotes keep them
+ * together.
  */
 export function parseTopicFilter(search: string): TopicFilter {
   const words = search.match(/(?:[^\s"]|"[^"]*"?)+/g) ?? [];

@@ -1,11 +1,11 @@
 import type { TopicRate } from '../../connection/topic-rates.ts';
 
 /**
- * A level of the topic tree. May be a topic and a branch at once, as `/a` beside `/a/b`. Renewed in
- * place and outside reactivity; the model says when to look again.
+ * Level of the topic tree. May be a topic and a branch at once, as `/a` beside `/a/b`. Mutated in place and not
+ * reactive; the model signals changes.
  */
 export class TopicNode {
-  /** The topic up to and with this level; unique in the tree. */
+  /** The topic up to and including this level; unique in the tree. */
   readonly key: string;
   readonly label: string;
   /** 1 for a root, 0 for the invisible node above the roots. */
@@ -15,24 +15,24 @@ export class TopicNode {
   /** The topic that ends here, if one does. */
   rate: TopicRate | undefined;
   isExpanded = true;
-  /** Stands in for `isExpanded` while a search is on, which opens everything it finds. */
+  /** Replaces `isExpanded` during a search, which expands all matches. */
   isExpandedInSearch = true;
-  /** The topic passes the search. */
+  /** True when the topic matches the search. */
   isFound = true;
 
-  /** Of the topics at and below this level that pass the search: how many, */
+  /** Totals of the matching topics at and below this level: their number, */
   count = 0;
   /** records per second, */
   hz = 0;
   bytesPerSecond = 0;
-  /** whether a rate is known of any of them, */
+  /** whether any of their rates is known, */
   isRateKnown = false;
-  /** and when the newest record came: milliseconds since the Unix epoch, master's clock. */
+  /** and the time of the newest record: epoch milliseconds, master's clock. */
   publishedMs = 0;
 
-  /** The children in the order of the tree; `undefined` when it must be worked out. */
+  /** Children in display order; `undefined` when it must be recomputed. */
   sorted: TopicNode[] | undefined;
-  /** Place among the rows of its parent, from 1, and how many those are. */
+  /** Position among the rows of its parent, from 1, and their number. */
   position = 1;
   setSize = 1;
   #nameKey: string | undefined;
@@ -48,18 +48,18 @@ export class TopicNode {
     return this.children.size > 0;
   }
 
-  /** For comparing names as people do: numbers by value, case ignored. */
+  /** Key for natural sorting: numbers by value, case-insensitive. */
   get nameKey(): string {
     return (this.#nameKey ??= nameKeyOf(this.label));
   }
 
-  /** The topic holds a value now. */
+  /** True while the topic has a value. */
   get hasValue(): boolean {
     return this.rate !== undefined && this.rate.statistic.dataFormat !== '';
   }
 }
 
-/** Text that sorts as people sort names: `Sensor 9` before `sensor 10`. */
+/** Key for natural sorting: `Sensor 9` before `sensor 10`. */
 export function nameKeyOf(name: string): string {
   return name.toLowerCase().replace(/\d+/g, (digits) => digits.padStart(12, '0'));
 }

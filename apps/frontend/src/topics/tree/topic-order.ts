@@ -1,15 +1,15 @@
 import { nameKeyOf, type TopicNode } from './topic-node.ts';
 import type { FindPublisher } from '../names/publisher.ts';
 
-/** What the tree is ordered by, on every level; everything but the name from the most to the least. */
+/** Sort criterion on every level; all but the name in descending order. */
 export type TopicOrder = 'name' | 'rate' | 'bandwidth' | 'age';
 
-/** True when the order changes with the data, so that rows move by themselves. */
+/** True when the order depends on data, so that rows move by themselves. */
 export function isRanking(order: TopicOrder): boolean {
   return order !== 'name';
 }
 
-/** The children of a node in their order. */
+/** Sorts the children of a node. */
 export function sortChildren(
   node: TopicNode,
   order: TopicOrder,
@@ -26,14 +26,14 @@ export function sortChildren(
 }
 
 /**
- * Values that are close rank the same, so that rows do not change places with every digit: steps of
- * a tenth for rates, of a quarter for ages.
+ * Rounded values for sorting, so that similar ones do not change places continuously: steps of a tenth for rates, of a
+ * quarter for ages.
  */
 const RANKS: Readonly<Record<Exclude<TopicOrder, 'name'>, (node: TopicNode) => number>> = {
   rate: ({ hz }) => (hz > 0 ? Math.round(Math.log(hz) / Math.log(1.1)) : -Infinity),
   bandwidth: ({ bytesPerSecond }) =>
     bytesPerSecond > 0 ? Math.round(Math.log(bytesPerSecond) / Math.log(1.1)) : -Infinity,
-  // Seconds: what came within the same one is equally new.
+  // Whole seconds: records within the same second rank equally.
   age: ({ publishedMs }) => Math.floor(publishedMs / 1000),
 };
 

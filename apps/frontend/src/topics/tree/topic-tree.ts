@@ -2,9 +2,9 @@ import type { TopicRate } from '../../connection/topic-rates.ts';
 import { TopicNode } from './topic-node.ts';
 import { topicLevels } from '../names/topic-path.ts';
 
-/** All topics by their levels. Adding and removing costs a topic its own levels, whatever the size. */
+/** Tree of all topics by level. Adding and removing costs O(levels), independent of the number of topics. */
 export class TopicTree {
-  /** Above the roots; never shown. */
+  /** Parent of the roots; never shown. */
   readonly top = new TopicNode('', '', 0, undefined);
   readonly #nodes = new Map<string, TopicNode>();
 
@@ -13,12 +13,12 @@ export class TopicTree {
     return this.#nodes.get(key);
   }
 
-  /** Every node, branches before what is below them. */
+  /** All nodes, parents before children. */
   nodes(): Iterable<TopicNode> {
     return this.#nodes.values();
   }
 
-  /** @returns the levels that were not there before, outermost first; the last node is the topic's */
+  /** @returns the created levels, outermost first, and the topic's node */
   add(rate: TopicRate): { node: TopicNode; created: TopicNode[] } {
     const created: TopicNode[] = [];
     let node = this.top;
@@ -37,7 +37,7 @@ export class TopicTree {
     return { node, created };
   }
 
-  /** Removes a topic, and the branches that held nothing else. A topic that is not there is fine. */
+  /** Removes a topic, and branches that become empty. Ignores unknown topics. */
   remove(rate: TopicRate): void {
     let node = this.#nodes.get(rate.statistic.topic);
     if (node?.rate !== rate) return;
@@ -52,8 +52,8 @@ export class TopicTree {
 }
 
 /**
- * Sums up the topics below each node.
- * @param counts whether a topic passes
+ * Computes the totals of each node.
+ * @param counts whether a topic is included
  */
 export function summarise(node: TopicNode, counts: (node: TopicNode) => boolean): void {
   const { rate } = node;

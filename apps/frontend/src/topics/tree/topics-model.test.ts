@@ -107,7 +107,7 @@ describe('TopicsModel', () => {
     expect(model.rows).toBe(before);
     (rates[2] as { hz: number }).hz = 90;
     model.refresh(5500);
-    expect(model.rows).toBe(before); // not more often than once a second
+    expect(model.rows).toBe(before); // Not more often than once a second.
     model.refresh(6100);
     expect(keys(model)).toEqual(['/b', '/a', '/a/fast', '/a/slow', '/c']);
   });

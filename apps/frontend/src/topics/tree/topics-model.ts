@@ -6,25 +6,25 @@ import { isRanking, sortChildren, type TopicOrder } from './topic-order.ts';
 import { rootLabel } from '../names/topic-path.ts';
 import { summarise, TopicTree } from './topic-tree.ts';
 
-/** Of all topics, whatever is searched for. */
+/** Totals of all topics, independent of the search. */
 export interface TopicTotals {
   readonly topics: number;
-  /** Clients that publish them. */
+  /** Number of publishing clients. */
   readonly publishers: number;
   /** Records per second. */
   readonly hz: number;
   readonly bytesPerSecond: number;
 }
 
-/** Branches with more children than this begin collapsed, */
+/** Branches with more children than this are collapsed initially, */
 const WIDE_BRANCH = 64;
-/** and so do all but the first level when there are more topics than this. */
+/** and so are all but the first level when there are more topics than this. */
 const MANY_TOPICS = 1000;
 const FEW_ROOTS = 8;
-/** How often a ranking may move rows, milliseconds. */
+/** Shortest interval between changes of the order by data, milliseconds. */
 const RANKING_MS = 1000;
 
-/** The topics as rows of a tree. No reactivity, no clock: `refresh` says what time it is. */
+/** Topics as rows of a tree. Without reactivity and clock: `refresh` receives the time. */
 export class TopicsModel {
   readonly #tree = new TopicTree();
   readonly #findPublisher: FindPublisher;
@@ -42,7 +42,7 @@ export class TopicsModel {
     this.#findPublisher = findPublisher;
   }
 
-  /** What is shown, top to bottom. A new array whenever the rows or their order changed. */
+  /** Visible rows, top to bottom. A new array whenever rows or their order changed. */
   get rows(): readonly TopicNode[] {
     return this.#rows;
   }
@@ -51,7 +51,7 @@ export class TopicsModel {
     return this.#totals;
   }
 
-  /** Topics that pass the search and the format. */
+  /** Number of topics that match search and format. */
   get found(): number {
     return this.#found;
   }
@@ -64,7 +64,7 @@ export class TopicsModel {
     return this.#tree.find(key);
   }
 
-  /** The data formats there are, in alphabetical order. */
+  /** Data formats in use, in alphabetical order. */
   formats(): string[] {
     const formats = new Set<string>();
     for (const { rate } of this.#tree.nodes()) if (rate) formats.add(rate.statistic.dataFormat);
@@ -82,7 +82,7 @@ export class TopicsModel {
       this.#checkFilter(result.node);
       created.push(...result.created);
     }
-    // Decided once, when it appears: what a person opened or closed later stays so.
+    // Only set on creation; later the user's choice stays.
     for (const node of created) node.isExpanded = this.#beginsExpanded(node);
     this.#isDirty = true;
   }
@@ -93,7 +93,7 @@ export class TopicsModel {
     return level === 1 && this.#tree.top.children.size <= FEW_ROOTS;
   }
 
-  /** Clients came, went or changed their names. */
+  /** Clients were added, removed or renamed. */
   handlePublishers(): void {
     this.#tree.top.sorted = undefined;
     if (!this.#filter.isEmpty) this.#checkAll();
@@ -130,15 +130,15 @@ export class TopicsModel {
     for (const node of this.#tree.nodes()) this.setExpanded(node, expanded);
   }
 
-  /** Opens what is above a topic or a branch. */
+  /** Expands the branches above a topic or branch. */
   reveal(key: string): void {
     const node = this.#tree.find(key);
     for (let above = node?.parent; above; above = above.parent) this.setExpanded(above, true);
   }
 
   /**
-   * Sums up the newest rates and, when something moved, lays out the rows again.
-   * @param nowMs any clock; bounds how often a ranking moves rows
+   * Computes the totals of the newest rates and, if necessary, the rows.
+   * @param nowMs of any clock; limits how often the order by data changes
    */
   refresh(nowMs: number): void {
     this.#summarise();
@@ -165,7 +165,7 @@ export class TopicsModel {
     });
     publishers.delete('');
     this.#totals = { topics: this.#topics, publishers: publishers.size, hz, bytesPerSecond };
-    // A format may come or go without a topic doing so.
+    // A data format may appear or disappear without a topic doing so.
     if (this.#found !== this.#tree.top.count) this.#isDirty = true;
     this.#found = this.#tree.top.count;
   }

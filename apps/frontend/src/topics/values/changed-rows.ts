@@ -1,16 +1,16 @@
 import type { JsonRow } from './json-rows.ts';
 
-/** How lines of a value differ from those of the value before. */
+/** Differences between the lines of two values. */
 export interface RowChanges {
-  /** What a line said before, by path; undefined when it is new. */
+  /** Previous text of changed lines, by path; undefined when new. */
   readonly was: ReadonlyMap<string, string | undefined>;
-  /** Lines that are there no more. */
+  /** Removed lines. */
   readonly gone: readonly JsonRow[];
 }
 
 const NONE: RowChanges = { was: new Map(), gone: [] };
 
-/** Compares what is shown: closed branches by what they say of themselves. */
+/** Compares the visible lines: collapsed branches by their summary. */
 export function changedRows(
   before: readonly JsonRow[] | undefined,
   now: readonly JsonRow[],

@@ -16,22 +16,22 @@ import { formatNumber } from '../../ui/readouts/format-number.ts';
 
 type Formatter<F extends DataFormat> = (value: DataFormatValues[F]) => string;
 
-/** Longer text is cut; no row is wider. */
+/** Longest text, characters; no row is wider. */
 const MAX_TEXT = 200;
-/** Elements of a list that are written out; of longer ones the number is said. */
+/** Longest list that is written out; for longer ones, the number of elements. */
 const MAX_WRITTEN = 4;
-/** Things of a list that are called by name. */
+/** Most objects of a list that are named. */
 const MAX_NAMED = 8;
 
 /**
- * A value in one line, as rows show it. Decimals are fixed for each data format, so that digits do
- * not jump while a value changes; what the fixed decimals would show as 0 is written with an exponent.
+ * Formats a value in one line, for rows. Decimals are fixed per data format, so that digits do not jump while a value
+ * changes; values that would round to 0 have an exponent.
  */
 export function formatValue<F extends DataFormat>(format: F, value: DataFormatValues[F]): string {
   return FORMATTERS[format](value);
 }
 
-/** A number with fixed decimals and a real minus; a tiny one with an exponent instead of as 0. */
+/** Formats a number with fixed decimals and a minus sign; tiny numbers with an exponent instead of as 0. */
 export function formatFixed(value: number, decimals: number): string {
   if (value !== 0 && Math.abs(value) < 0.5 * 10 ** -decimals) {
     return value.toExponential(1).replaceAll('-', '−');
@@ -50,7 +50,7 @@ const integers = numbers(0);
 
 const vector3 = ({ x, y, z }: Vector3): string => two(x, y, z);
 
-/** `[a, b]` for a few, `7 × vector2` for many or for elements that are more than a number. */
+/** `[a, b]` for short lists; `7 × vector2` for long ones, and for elements that are not single numbers. */
 function list<T>(
   elements: readonly T[],
   format: DataFormat,
@@ -60,7 +60,7 @@ function list<T>(
   return `${elements.length} × ${format}`;
 }
 
-/** The first names of things, after how many there are: `2 objects: cup, person`. */
+/** Number of objects and their first names: `2 objects: cup, person`. */
 function named(one: string, many: string, names: readonly string[]): string {
   const count = counted(names.length, one, many);
   const first = names.filter((name) => name !== '').slice(0, MAX_NAMED);
@@ -70,7 +70,7 @@ function named(one: string, many: string, names: readonly string[]): string {
 const cut = (text: string): string =>
   text.length > MAX_TEXT ? `${text.slice(0, MAX_TEXT)}…` : text;
 
-/** Text in one line; an empty one is shown as such. */
+/** Text in one line; `""` for an empty one. */
 const text = (value: string): string => (value === '' ? '""' : cut(value).replace(/\s+/g, ' '));
 
 function nameOf(names: Readonly<Record<string, number>>, value: number): string {
@@ -78,7 +78,7 @@ function nameOf(names: Readonly<Record<string, number>>, value: number): string 
   return name?.toLowerCase() ?? String(value);
 }
 
-/** Pixels, kind and size: `640×480 JPEG, 38 kB`. */
+/** Dimensions, encoding and size: `640×480 JPEG, 38 kB`. */
 export function formatImage({ width, height, dataFormat, data }: Image2D): string {
   const { digits, unit } = formatBytes(data.length);
   const kind = imageKind(data) ?? nameOf(Image2DDataFormat, dataFormat).toUpperCase();
@@ -86,7 +86,7 @@ export function formatImage({ width, height, dataFormat, data }: Image2D): strin
   return `${size}${kind}, ${digits} ${unit ?? ''}`;
 }
 
-/** The file format of a picture that is one, by its first byte. */
+/** File format of an encoded picture, by its first byte. */
 function imageKind(data: Uint8Array): string | undefined {
   if (!isCompressedImage(data)) return undefined;
   return { 0xff: 'JPEG', 0x89: 'PNG', 0x52: 'WebP' }[data[0]!];

@@ -1,28 +1,28 @@
 import type { JsonValue } from '@ubii/proto';
 
-/** A line of a value written as a tree. */
+/** Line of a value displayed as a tree. */
 export interface JsonRow {
-  /** Where in the value it stands, `elements.0.id`; empty for the value itself. */
+  /** Path in the value, `elements.0.id`; empty for the value itself. */
   readonly path: string;
   /** 1 for the outermost. */
   readonly level: number;
-  /** The member's name or the element's index; empty for a value that is not in another. */
+  /** Name of the member or index of the element; empty for the value itself. */
   readonly name: string;
   readonly kind: 'object' | 'array' | 'string' | 'number' | 'boolean' | 'null' | 'more';
-  /** The value, or what a closed branch holds. */
+  /** The value, or a summary of a collapsed branch. */
   readonly text: string;
   readonly isBranch: boolean;
   readonly isOpen: boolean;
 }
 
-/** Members or elements of one branch that are listed; */
+/** Most members or elements listed per branch; */
 const MAX_CHILDREN = 100;
-/** lines in all; */
+/** most lines in total; */
 const MAX_ROWS = 500;
-/** and letters of one text. */
+/** longest text, characters. */
 const MAX_TEXT = 1000;
 
-/** Writes a value line by line. Bounded, whatever the value holds; what is left out is said. */
+/** Formats a value as lines. Bounded for any value; says what is omitted. */
 export function jsonRows(
   value: JsonValue,
   isOpen: (path: string, level: number) => boolean,
@@ -55,7 +55,7 @@ export function jsonRows(
     const left = entries.length - MAX_CHILDREN;
     if (left > 0) rows.push(more(path, level + 1, left));
   };
-  // The members of the value itself stand at the left edge.
+  // The members of the value itself are not indented.
   if (typeof value === 'object' && value !== null && Object.keys(value).length > 0) {
     const entries = Object.entries(value);
     for (const [key, member] of entries.slice(0, MAX_CHILDREN)) {
@@ -86,7 +86,7 @@ function leaf(value: string | number | boolean | null): Pick<JsonRow, 'kind' | '
   return { kind: 'number', text: numberText(value) };
 }
 
-/** Numbers of single precision have seven digits; the rest is what is left over from the format. */
+/** Single-precision numbers have seven significant digits; further ones are artefacts of the conversion. */
 function numberText(value: number): string {
   const isSingle = Math.fround(value) === value && !Number.isInteger(value);
   return String(isSingle ? Number(value.toPrecision(7)) : value).replaceAll('-', '−');

@@ -1,19 +1,19 @@
 import type { DataFormat } from '@ubii/proto';
 
-/** Numbers of one value that are found; what is beyond can still be asked for by its path. */
+/** Most numbers found per value; others can still be requested by path. */
 export const MAX_FIELDS = 64;
-/** Elements of one list that are looked into, */
+/** Most elements searched per list, */
 const MAX_ELEMENTS = 16;
-/** and how deep. */
+/** and deepest level. */
 const MAX_DEPTH = 6;
-/** Longer texts are not looked into for numbers. */
+/** Longest text that is searched for numbers, characters. */
 const MAX_PARSED = 65_536;
-/** Letters of a path. */
+/** Longest path, characters. */
 export const MAX_PATH = 200;
 
 /**
- * Where the numbers of a value stand: `pose.position.x`, `elements.0.id`; empty for a value that is a
- * number itself. A bool is 0 or 1, and a text that is JSON is looked into.
+ * Returns the paths of the numbers in a value: `pose.position.x`, `elements.0.id`; empty for a value that is a number
+ * itself. A bool counts as 0 or 1; a text with JSON is parsed.
  */
 export function numberFields(format: DataFormat, value: unknown): string[] {
   const paths: string[] = [];
@@ -35,18 +35,18 @@ export function numberFields(format: DataFormat, value: unknown): string[] {
   return paths;
 }
 
-/** What fields are read from: the value, or what its text says in JSON. */
+/** Returns the object that paths refer to: the value, or the parsed JSON of a text. */
 export function readable(format: DataFormat, value: unknown): unknown {
   if (format !== 'string' || typeof value !== 'string') return value;
   if (value.length > MAX_PARSED || !/^\s*[-\d[{tf]/.test(value)) return undefined;
   try {
     return JSON.parse(value) as unknown;
   } catch {
-    return undefined; // it only begins like JSON
+    return undefined; // Starts like JSON, but is not.
   }
 }
 
-/** The number at a path; NaN where there is none. @param parts of the path; none for the value itself */
+/** Returns the number at a path; NaN without one. @param parts of the path; empty for the value itself */
 export function readNumber(value: unknown, parts: readonly string[]): number {
   let at = value;
   for (const part of parts) {

@@ -1,4 +1,4 @@
-/** What a value needs in memory, about: bytes. Counts no further than `upTo`. */
+/** Estimates the memory of a value, bytes. Stops counting at `upTo`. */
 export function valueBytes(value: unknown, upTo: number): number {
   if (typeof value === 'string') return 16 + 2 * value.length;
   if (typeof value !== 'object' || value === null) return 8;

@@ -2,16 +2,16 @@ import { DATA_FORMATS, isMessageType, toJson, type JsonValue, type TopicRecord }
 import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
-/** Longer texts are not looked into for JSON. */
+/** Longest text that is parsed as JSON, characters. */
 const MAX_PARSED = 1_000_000;
 
-/** The value as the protocol writes it in JSON, pictures as base64. */
+/** Converts a value to the JSON form of the protocol, with pictures in base64. */
 export function valueJson({ format, value }: TopicRecord): JsonValue {
   const { messageType } = DATA_FORMATS[format];
   return isMessageType(messageType) ? toJson(messageType, value as never) : (value as JsonValue);
 }
 
-/** The value for reading: bytes are only counted, and a text that is JSON is read as such. */
+/** Converts a value to JSON for display: bytes as their number, texts with JSON parsed. */
 export function readableJson(record: TopicRecord): JsonValue {
   const { format, value } = record;
   if (format === 'string') return parsed(value);
@@ -25,7 +25,7 @@ function parsed(text: string): JsonValue {
   try {
     return JSON.parse(text) as JsonValue;
   } catch {
-    return text; // it only begins like JSON
+    return text; // Starts like JSON, but is not.
   }
 }
 

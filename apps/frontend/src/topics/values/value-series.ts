@@ -1,12 +1,12 @@
 import type { DataFormat, DataFormatValues } from '@ubii/proto';
 
-/** The numbers of a value that can be drawn over time. */
+/** The numbers of a value as series over time. */
 export interface ValueSeries {
-  /** One for each line, in their order. */
+  /** Names of the series, in order. */
   readonly names: readonly string[];
-  /** Where the numbers stand in the value: `position.x`; empty for a value that is a number itself. */
+  /** Paths of the numbers in the value: `position.x`; empty for a value that is a number itself. */
   readonly paths: readonly string[];
-  /** The number of each line; NaN where there is none. */
+  /** Returns the number of each series; NaN without one. */
   read(value: never): readonly number[];
 }
 
@@ -52,18 +52,18 @@ const SERIES: { readonly [F in DataFormat]?: ValueSeries } = {
   ),
 };
 
-/** How a data format is drawn over time; `undefined` for those that are not numbers. */
+/** Returns the series of a data format; `undefined` for formats that are not numeric. */
 export function seriesOf(format: DataFormat): ValueSeries | undefined {
   return SERIES[format];
 }
 
-/** The numbers a sparkline is made of; none when the value has no numbers. */
+/** Returns the numbers for a sparkline; empty when the value has none. */
 export function sparkNumbers(format: DataFormat, value: unknown): readonly number[] {
   if (LISTS.has(format)) return (value as { elements: readonly number[] }).elements.slice(0, 1);
   return SERIES[format]?.read(value as never) ?? [];
 }
 
-/** Lists of which the first number stands for all. */
+/** List formats, represented by their first number. */
 const LISTS: ReadonlySet<DataFormat> = new Set<DataFormat>([
   'doubleList',
   'floatList',

@@ -21,12 +21,12 @@ import {
 
 const TYPE = 'ubi-interact-layout';
 const VERSION = 1;
-/** Letters of what one panel may set. */
+/** Longest JSON of a panel's settings, characters. */
 const MAX_SETTINGS = 8000;
-/** Letters of a file. */
+/** Longest file, characters. */
 export const MAX_FILE = 200_000;
 
-/** As files hold it. */
+/** Converts a layout to the JSON of files. */
 export function layoutJson({ name, root }: Layout): JsonObject {
   return { type: TYPE, version: VERSION, name, ...(root ? { root: nodeJson(root) } : {}) };
 }
@@ -101,7 +101,7 @@ const LAYOUT = v.pipe(
   }, 'two panels have the same id.'),
 );
 
-/** A layout that this browser keeps; undefined when it cannot be read. */
+/** Parses a layout stored in this browser; undefined when it is invalid. */
 export const storedLayout = (text: string): Layout | undefined => readStored(LAYOUT, text);
 
 export const readLayoutFile = (text: string): Imported<Layout> => readImported(KIND, LAYOUT, text);

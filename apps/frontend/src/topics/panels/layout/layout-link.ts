@@ -2,12 +2,12 @@ import { brokenImport, type Imported } from '../../../json/read-imported.ts';
 import type { Layout } from './layout.ts';
 import { layoutJson, linkedLayout } from './layout-json.ts';
 
-/** Letters of a link: what messengers and mail leave whole. */
+/** Longest link, characters: messengers and mail clients cut longer ones. */
 export const MAX_LINK = 6000;
 const PREFIX = '#layout=';
 
 /**
- * The whole layout as the end of an address, which browsers keep to themselves.
+ * Encodes the whole layout as the hash of a URL, which browsers do not send to servers.
  * @returns `undefined` when it would be too long
  */
 export function layoutHash(layout: Layout): string | undefined {

@@ -1,6 +1,6 @@
 import { isSplit, type LayoutNode, type Side } from './layout.ts';
 
-/** A part of the page, shares of its width and height. */
+/** Part of the page, as shares of its width and height. */
 export interface Rect {
   readonly left: number;
   readonly top: number;
@@ -8,21 +8,21 @@ export interface Rect {
   readonly height: number;
 }
 
-/** The line between two parts. */
+/** Line between two parts. */
 export interface Divider extends Rect {
-  /** Which split, as `setShare` takes it. */
+  /** Path of its split, for `setShare`. */
   readonly path: string;
   readonly direction: 'row' | 'column';
   readonly share: number;
-  /** The panel after it: what it is called by. */
+  /** The panel before it, from which its name is derived. */
   readonly before: string;
-  /** Both parts together. */
+  /** Area of both parts. */
   readonly whole: Rect;
 }
 
 const WHOLE: Rect = { left: 0, top: 0, width: 1, height: 1 };
 
-/** Where each panel and each divider stands. */
+/** Returns the areas of all panels and dividers. */
 export function layoutRects(root: LayoutNode | undefined): {
   readonly panels: ReadonlyMap<string, Rect>;
   readonly dividers: readonly Divider[];
@@ -61,7 +61,7 @@ export function layoutRects(root: LayoutNode | undefined): {
 
 const firstPanel = (node: LayoutNode): string => (isSplit(node) ? firstPanel(node.first) : node.id);
 
-/** Where a new panel finds most room: beside the largest one, along its longer side. */
+/** Returns the position for a new panel: beside the largest one, along its longer side. */
 export function roomiest(
   root: LayoutNode,
   aspect: number,
@@ -75,7 +75,7 @@ export function roomiest(
   return { id, side: rect.width * aspect >= rect.height ? 'right' : 'bottom' };
 }
 
-/** The panel that lies next in a direction: the one that shares most of the edge. */
+/** Returns the adjacent panel in a direction: the one that shares most of the edge. */
 export function neighbourOf(
   root: LayoutNode | undefined,
   id: string,
@@ -106,7 +106,7 @@ export function neighbourOf(
 const overlapOf = (a: number, aSize: number, b: number, bSize: number): number =>
   Math.min(a + aSize, b + bSize) - Math.max(a, b);
 
-/** Which side of a panel a pointer is over; the middle swaps. @param x and `y` shares of the panel */
+/** Returns the side of a panel under the pointer; the middle swaps panels. @param x and `y` shares of the panel */
 export function sideAt(x: number, y: number): Side {
   const edge = 0.3;
   const distances: readonly (readonly [Side, number])[] = [

@@ -1,9 +1,9 @@
 import type { Layout } from './layout.ts';
 
-/** How many steps can be taken back. */
+/** Most undo steps. */
 const MAX_STEPS = 100;
 
-/** What a layout was, step by step. */
+/** A layout with its undo history. */
 export interface LayoutSteps {
   readonly past: readonly Layout[];
   readonly present: Layout;
@@ -12,7 +12,7 @@ export interface LayoutSteps {
 
 export const firstStep = (present: Layout): LayoutSteps => ({ past: [], present, future: [] });
 
-/** @param isSame continues with the step before, as every move of one drag does */
+/** @param isSame extends the previous step, as for each movement of a drag */
 export function nextStep(
   { past, present, future }: LayoutSteps,
   next: Layout,

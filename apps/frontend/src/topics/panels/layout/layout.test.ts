@@ -23,7 +23,7 @@ const panel = (id: string, more: Partial<Panel> = {}): Panel => ({
   settings: {},
   ...more,
 });
-/** 1 left, 2 above 3 right of it. */
+/** 1 on the left; 2 above 3 on the right. */
 const three: LayoutNode = {
   direction: 'row',
   share: 0.4,

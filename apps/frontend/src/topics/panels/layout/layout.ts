@@ -1,10 +1,10 @@
 import type { ViewerSettings } from '../../viewers/topic-viewer.ts';
 
-/** One view of one topic. */
+/** View of a topic. */
 export interface Panel {
   /** Unique within the layout. */
   readonly id: string;
-  /** The id of a viewer; empty for the one that fits the topic's data format best. */
+  /** Id of a viewer; empty: the best one for the topic's data format. */
   readonly viewer: string;
   readonly topic: string;
   readonly settings: ViewerSettings;
@@ -13,7 +13,7 @@ export interface Panel {
 /** Two parts side by side (`row`) or one above the other (`column`). */
 export interface Split {
   readonly direction: 'row' | 'column';
-  /** Of the first part, 0 to 1. */
+  /** Share of the first part, 0 to 1. */
   readonly share: number;
   readonly first: LayoutNode;
   readonly second: LayoutNode;
@@ -21,14 +21,14 @@ export interface Split {
 
 export type LayoutNode = Panel | Split;
 
-/** Panels and how they share the page. */
+/** Panels and their division of the page. */
 export interface Layout {
   readonly name: string;
-  /** `undefined` without any panel. */
+  /** `undefined` without panels. */
   readonly root: LayoutNode | undefined;
 }
 
-/** Where one panel is put, seen from another; `middle` swaps the two. */
+/** Position of a panel relative to another; `middle` swaps the two. */
 export type Side = 'left' | 'right' | 'top' | 'bottom' | 'middle';
 
 export const MAX_PANELS = 12;
@@ -48,7 +48,7 @@ export function panelsOf(root: LayoutNode | undefined): readonly Panel[] {
   return isSplit(root) ? [...panelsOf(root.first), ...panelsOf(root.second)] : [root];
 }
 
-/** A number that no panel of the layout bears. */
+/** Returns an unused number as the id of a new panel. */
 export function freeId(root: LayoutNode | undefined): string {
   const taken = new Set(panelsOf(root).map(({ id }) => id));
   let next = taken.size + 1;
@@ -56,7 +56,7 @@ export function freeId(root: LayoutNode | undefined): string {
   return String(next);
 }
 
-/** Replaces one panel by whatever is made of it; `undefined` takes it away. */
+/** Replaces one panel by the returned node; `undefined` removes it. */
 function mapPanel(
   node: LayoutNode,
   id: string,
@@ -101,7 +101,7 @@ export function insertPanel(
   return mapPanel(root, at.id, (there) => beside(there, panel, at.side))!;
 }
 
-/** Takes a panel from its place and puts it beside another, or swaps the two. */
+/** Moves a panel beside another one, or swaps the two. */
 export function movePanel(
   root: LayoutNode | undefined,
   id: string,
@@ -122,7 +122,7 @@ export function movePanel(
   return swap(root);
 }
 
-/** @param path which split: `0` for the first part, `1` for the second, from the root on */
+/** @param path of the split from the root: `0` for the first part, `1` for the second */
 export function setShare(
   root: LayoutNode | undefined,
   path: string,
