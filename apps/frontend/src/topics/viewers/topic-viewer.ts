@@ -2,43 +2,43 @@ import type { DataFormat, JsonValue, TopicRecord } from '@ubii/proto';
 import type { Component } from 'vue';
 import type { TopicHistory } from '../history/topic-history.ts';
 
-/** Where the time that is shown ends. */
+/** End of the visible time. */
 export interface ViewEnd {
-  /** This machine's clock; `undefined` for now, which moves. */
+  /** This computer's clock; `undefined` for now. */
   readonly ms: number | undefined;
-  /** What stands there: `now`, `paused`, `lost`, `end`. */
+  /** Label: `now`, `paused`, `lost`, `end`. */
   readonly text: string;
 }
 
-/** What a person set in a viewer, as it is kept with a layout. A viewer reads it as from a stranger. */
+/** Settings of a viewer, stored with a layout. Viewers must validate them, because links can contain anything. */
 export type ViewerSettings = Readonly<Record<string, JsonValue>>;
 
 /**
- * What every viewer is given. It fills the place it is given (`height: 100%`, at least 180 px high) and
- * may be small; what it sets is told with the event `update:settings`, whole. With the event `pick` (a moment, this
- * machine's clock) it asks for the record there.
+ * Properties of every viewer. It fills its box (`height: 100%`, at least 180 px high), which may be small; it emits
+ * `update:settings` with all its settings, and `pick` with a time of this computer's clock to show the record at that
+ * time.
  */
 export interface ViewerProps {
   readonly topic: string;
-  /** The newest record, or the one a paused view stands still at. */
+  /** The newest record, or the one at which a paused view stopped. */
   readonly record: TopicRecord;
-  /** What has come on the topic since it is looked at. */
+  /** Records of the topic since it was opened. */
   readonly history: TopicHistory;
   readonly end: ViewEnd;
   readonly settings: ViewerSettings;
 }
 
-/** A way to look at the values of a topic. */
+/** Display of a topic's values. */
 export interface TopicViewer {
-  /** Kept in layouts and links: never changes. */
+  /** Stored in layouts and links: must never change. */
   readonly id: string;
   /** One or two words. */
   readonly title: string;
   fits(format: DataFormat): boolean;
-  /** Offered after the others that fit. @default false */
+  /** Offered after the other viewers that fit. @default false */
   isSecond?(format: DataFormat): boolean;
-  /** False for what the page of a topic shows beside the value anyway. @default true */
+  /** False for contents that the topic's page shows beside the viewer anyway. @default true */
   readonly isInDetail?: boolean;
-  /** Takes `ViewerProps`; large ones are loaded when they are first shown. */
+  /** Component with `ViewerProps`; large ones are loaded on first use. */
   readonly component: Component;
 }

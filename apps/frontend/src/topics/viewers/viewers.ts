@@ -16,7 +16,7 @@ import { TABLE_FORMATS } from './table/value-table.ts';
 import type { TopicViewer } from './topic-viewer.ts';
 import ValueTile from './ValueTile.vue';
 
-/** Every viewer, in the order in which they are offered: the first that fits a format is the best. */
+/** All viewers by precedence: the first that fits a format is the best. */
 export const VIEWERS: readonly TopicViewer[] = [
   {
     id: 'picture',
@@ -34,7 +34,7 @@ export const VIEWERS: readonly TopicViewer[] = [
   {
     id: 'plane',
     title: '2D',
-    // Touches are on the pad of their events.
+    // Touches are shown by the events viewer.
     fits: (format) => PLANE_FORMATS.has(format) && !EVENT_FORMATS.has(format),
     isSecond: (format) => format === 'vector2',
     component: PlaneViewer,
@@ -79,7 +79,7 @@ export const VIEWERS: readonly TopicViewer[] = [
   },
 ];
 
-/** The viewers that fit a data format, the best one first; at least one. */
+/** Returns the viewers that fit a data format, best first; at least one. */
 export function viewersOf(format: DataFormat): readonly TopicViewer[] {
   const fitting = VIEWERS.filter((viewer) => viewer.fits(format));
   const isSecond = ({ isSecond: is }: TopicViewer): boolean => is?.(format) ?? false;
@@ -89,12 +89,12 @@ export function viewersOf(format: DataFormat): readonly TopicViewer[] {
   ];
 }
 
-/** The viewer that fits a data format best. */
+/** Returns the best viewer for a data format. */
 export function viewerOf(format: DataFormat): TopicViewer {
   return viewersOf(format)[0]!;
 }
 
-/** A viewer by its id; `undefined` for one that this version does not have. */
+/** Returns a viewer by its id; `undefined` for one that this version does not have. */
 export function viewerById(id: string): TopicViewer | undefined {
   return VIEWERS.find((viewer) => viewer.id === id);
 }

@@ -1,16 +1,16 @@
-/** One line of bytes as people read them. */
+/** Line of a hex dump. */
 export interface HexRow {
-  /** Of its first byte. */
+  /** Offset of its first byte. */
   readonly offset: number;
   /** `00000010` */
   readonly address: string;
-  /** Two digits each. */
+  /** Two digits per byte. */
   readonly hex: readonly string[];
-  /** A dot for what is no printable letter. */
+  /** Non-printable characters as a dot. */
   readonly text: readonly string[];
 }
 
-/** Bytes that are listed; of more, the first. */
+/** Most bytes listed; of longer values, the first ones. */
 export const MAX_BYTES = 1 << 20;
 
 const HEX = Array.from({ length: 256 }, (_none, byte) => byte.toString(16).padStart(2, '0'));
@@ -29,7 +29,7 @@ export function hexRow(bytes: Uint8Array, row: number, perRow: number): HexRow {
   };
 }
 
-/** Bytes from and to, both included, in either order. */
+/** First and last byte, both included, in either order. */
 export interface ByteSelection {
   readonly anchor: number;
   readonly end: number;
@@ -47,7 +47,7 @@ export function selected(
 export const hexText = (bytes: Uint8Array): string =>
   [...bytes].map((byte) => HEX[byte]!).join(' ');
 
-/** Where a key leads from a byte; nothing for keys that lead nowhere. */
+/** Returns the byte that a key moves the cursor to; undefined for other keys. */
 export function afterKey(
   key: string,
   at: number,
@@ -70,7 +70,7 @@ const STEPS: Readonly<Record<string, (at: number, perRow: number, count: number)
   End: (_at, _perRow, count) => count - 1,
 };
 
-/** What the bytes would be as numbers, little-endian as Protocol Buffers write them. */
+/** Interprets the bytes as numbers, little-endian as in Protocol Buffers. */
 export function asNumbers(bytes: Uint8Array): { readonly name: string; readonly text: string }[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const found = [];

@@ -1,13 +1,13 @@
 import { encodeRecord, type TopicRecord } from '@ubii/proto';
 
-/** A part of a record that is looked at byte by byte. */
+/** Part of a record whose bytes can be shown. */
 export interface ByteSource {
   readonly id: string;
   readonly text: string;
   readonly bytes: () => Uint8Array;
 }
 
-/** The bytes within a value, and the whole record as this program encodes it. */
+/** Returns the byte arrays in a value, and the whole record as encoded by this program. */
 export function byteSources(record: TopicRecord): readonly ByteSource[] {
   const { format, value } = record;
   const whole = { id: 'record', text: 'Record', bytes: () => encodeRecord(record) };

@@ -1,7 +1,7 @@
 import { Image2DDataFormat, isCompressedImage, type Image2D } from '@ubii/proto';
 
 /**
- * The pixels of a raw picture as a canvas takes them: RGBA, row by row from the top left.
+ * Converts a raw picture to RGBA for a canvas, row by row from the top left.
  * @returns `undefined` when there are fewer bytes than its size needs
  */
 export function rgbaPixels({
@@ -34,7 +34,7 @@ const CHANNELS: Readonly<Record<number, number>> = {
   [Image2DDataFormat.RGBA8]: 4,
 };
 
-/** Something a canvas can draw. The caller closes a bitmap. */
+/** Converts a picture to a source that a canvas can draw. The caller closes a bitmap. */
 export async function toDrawable(image: Image2D): Promise<ImageBitmap | ImageData | undefined> {
   if (isCompressedImage(image.data)) {
     return createImageBitmap(new Blob([image.data as Uint8Array<ArrayBuffer>]));

@@ -5,8 +5,8 @@ import { PLANE_FORMATS } from '../plane/plane-shapes.ts';
 const MAX_SUGGESTIONS = 30;
 
 /**
- * Topics that can be drawn over a picture, what is likely meant first: things and poses before points,
- * and of these the ones whose path begins like the picture's.
+ * Returns the topics that can be drawn over a picture, most likely first: objects and poses before points, and among
+ * them those whose path starts like the picture's.
  */
 export function overlayTopics(
   known: Iterable<readonly [topic: string, format: string]>,

@@ -8,14 +8,14 @@ const CHANNELS: Readonly<Record<number, number>> = {
 };
 const FILES: Readonly<Record<number, string>> = { 0xff: 'JPEG', 0x89: 'PNG', 0x52: 'WebP' };
 
-/** JPEG, PNG or WebP for a file, the layout of a pixel for raw bytes. */
+/** JPEG, PNG or WebP for an encoded picture, the pixel format for raw bytes. */
 export function encodingOf({ data, dataFormat }: Image2D): string {
   if (isCompressedImage(data)) return FILES[data[0]!] ?? 'file';
   const name = Object.entries(Image2DDataFormat).find(([, number]) => number === dataFormat)?.[0];
   return name ?? `layout ${dataFormat}`;
 }
 
-/** Why raw bytes are no picture of the size they claim; nothing for what can be tried. */
+/** Returns why raw bytes do not match the declared size; undefined if decoding can be tried. */
 export function pictureProblem(image: Image2D): string | undefined {
   const { width, height, dataFormat, data } = image;
   if (data.length === 0) return 'This record has no picture: its data is empty.';
@@ -35,7 +35,7 @@ export function pictureProblem(image: Image2D): string | undefined {
   );
 }
 
-/** What the bytes would fit instead. */
+/** Suggests a size that the bytes would match. */
 function guess({ width, height, data }: Image2D): string {
   const fits = Object.entries(CHANNELS).find(
     ([, channels]) => width * height * channels === data.length,
@@ -45,7 +45,7 @@ function guess({ width, height, data }: Image2D): string {
   return ` The data matches the format ${name?.[0] ?? fits[0]}.`;
 }
 
-/** What is odd about a picture that can be drawn. */
+/** Returns an anomaly of a picture that can be drawn. */
 export function pictureNote(
   image: Image2D,
   drawn: { readonly width: number; readonly height: number },

@@ -3,16 +3,16 @@ import { formatLook } from '../../../formats/families.ts';
 import { isInPixels, planeShapes, type PlaneShape } from '../plane/plane-shapes.ts';
 import { isKeypoint } from '../plane/skeletons.ts';
 
-/** What one topic draws over a picture. */
+/** Shapes of one topic over a picture. */
 export interface PictureLayer {
   readonly topic: string;
   readonly shapes: readonly PlaneShape[];
-  /** Its places are in pixels, against the schema. */
+  /** True when coordinates are in pixels, contrary to the schema. */
   readonly pixels: boolean;
   readonly color: string;
 }
 
-/** Boxes, poses and points of some records. */
+/** Converts records to layers of boxes, poses and points. */
 export function pictureLayers(records: readonly TopicRecord[]): PictureLayer[] {
   return records.flatMap((record) => {
     const found = planeShapes(record);
@@ -28,7 +28,7 @@ export function pictureLayers(records: readonly TopicRecord[]): PictureLayer[] {
   });
 }
 
-/** The layers as a mirror shows them. Words stay readable: only places change. */
+/** Mirrors layers horizontally. Only positions change, so that texts stay readable. */
 export function mirroredLayers(
   layers: readonly PictureLayer[],
   pictureWidth: number,
@@ -44,7 +44,7 @@ export function mirroredLayers(
   });
 }
 
-/** The layers in words, for those who listen. */
+/** Text description of layers, for screen readers. */
 export function layersInWords(layers: readonly PictureLayer[]): string {
   const names = layers.map(({ shapes }) => shapes.map(({ name }) => name || 'a place').join(', '));
   return `Drawn over the picture: ${names.join('; ')}`;

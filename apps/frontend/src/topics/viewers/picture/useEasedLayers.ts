@@ -3,7 +3,7 @@ import { shallowRef, watch, type ShallowRef } from 'vue';
 import { ShapeEasing } from '../plane/ease-shapes.ts';
 import type { PictureLayer } from './picture-layers.ts';
 
-/** The layers as they move to their next places. Without easing, or with reduced motion, they are there at once. */
+/** Animates layers to their new positions. Without easing, or with reduced motion, they move at once. */
 export function useEasedLayers(
   layers: () => readonly PictureLayer[],
   isEased: () => boolean,

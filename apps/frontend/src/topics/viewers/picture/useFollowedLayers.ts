@@ -3,7 +3,7 @@ import { computed, type ComputedRef } from 'vue';
 import { ShapeTracker } from '../plane/follow-shapes.ts';
 import { pictureLayers, type PictureLayer } from './picture-layers.ts';
 
-/** The layers of records, in which boxes keep their keys, and persons their letters, from record to record. */
+/** Layers of records, in which boxes keep their keys, and persons their letters, from record to record. */
 export function useFollowedLayers(
   records: () => readonly TopicRecord[],
 ): ComputedRef<readonly PictureLayer[]> {

@@ -1,23 +1,23 @@
 import type { PlaneShape } from './plane-shapes.ts';
 
-/** A mark arrives at its new place after this time, milliseconds. */
+/** Duration of the animation to a new position, milliseconds. */
 export const FOLLOW_MS = 80;
-/** A mark that is not there any more is gone after this time, milliseconds. */
+/** Duration of fading out, milliseconds. */
 export const VANISH_MS = 160;
 
 interface Eased {
   from: PlaneShape;
   to: PlaneShape;
   sinceMs: number;
-  /** When it began to vanish. */
+  /** Time at which it began to fade out. */
   goneMs: number | undefined;
 }
 
-/** Moves shapes to their new places, and lets those that are gone vanish. Shapes are distinguished by their keys. */
+/** Animates shapes to new positions, and fades out removed ones. Shapes are identified by their keys. */
 export class ShapeEasing {
   #marks = new Map<string, Eased>();
 
-  /** @param shapes what is there now */
+  /** @param shapes current shapes */
   set(shapes: readonly PlaneShape[], nowMs: number): void {
     const next = new Map<string, Eased>();
     for (const to of shapes) {
@@ -36,7 +36,7 @@ export class ShapeEasing {
     this.#marks = next;
   }
 
-  /** What is drawn at a moment, and whether the next one looks different. */
+  /** Returns the shapes to draw at a time, and whether they still move. */
   at(nowMs: number): { readonly shapes: readonly PlaneShape[]; readonly isMoving: boolean } {
     let isMoving = false;
     const shapes: PlaneShape[] = [];
@@ -56,7 +56,7 @@ export class ShapeEasing {
   }
 }
 
-/** Fast at first, slow at the end. */
+/** Ease-out: fast at first, slow at the end. */
 function drawnAt({ from, to, sinceMs }: Eased, nowMs: number): PlaneShape {
   const passed = Math.min(1, Math.max(0, (nowMs - sinceMs) / FOLLOW_MS));
   if (passed === 1 || from === to) return to;

@@ -1,13 +1,13 @@
 import type { PlaneShape } from './plane-shapes.ts';
 import { isKeypoint } from './skeletons.ts';
 
-/** Overlap from which a box is the one of the record before, share of what both cover together. */
+/** Smallest intersection over union of boxes in consecutive records that count as the same. */
 const MIN_OVERLAP = 0.2;
-/** A box that is missing for this long is another one when it comes again, milliseconds. */
+/** Time after which a missing box counts as a new one, milliseconds. */
 const HOLD_MS = 2000;
-/** Boxes that are remembered. */
+/** Most boxes tracked. */
 const MAX_TRACKS = 200;
-/** Names whose boxes have letters. */
+/** Class names whose boxes get letters. */
 const LETTERED: ReadonlySet<string> = new Set(['person']);
 const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ';
 
@@ -19,14 +19,14 @@ interface Track {
 }
 
 /**
- * Follows shapes from record to record: a box keeps its key, and a person a letter, as long as it overlaps with
- * where it was before. Keypoints keep their names.
+ * Tracks shapes from record to record: a box keeps its key, and a person the letter, while it overlaps with its
+ * previous position. Keypoints keep their names.
  */
 export class ShapeTracker {
   #tracks: Track[] = [];
   #count = 0;
 
-  /** @returns the same shapes in the same order, with keys that last, and letters for persons */
+  /** @returns the same shapes in the same order, with stable keys, and letters for persons */
   follow(shapes: readonly PlaneShape[], nowMs: number): PlaneShape[] {
     this.#tracks = this.#tracks.filter(({ seenMs }) => nowMs - seenMs <= HOLD_MS);
     const known = matches(shapes, this.#tracks);
@@ -62,7 +62,7 @@ export class ShapeTracker {
   }
 }
 
-/** Which shape is which track: the pairs that overlap most, one shape to one track. */
+/** Assigns shapes to tracks, one to one: pairs with the largest overlap first. */
 function matches(shapes: readonly PlaneShape[], tracks: readonly Track[]): Map<PlaneShape, Track> {
   const pairs = shapes
     .flatMap((shape) =>

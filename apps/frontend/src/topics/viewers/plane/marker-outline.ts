@@ -1,16 +1,16 @@
 type Pair = readonly [x: number, y: number];
 
-/** The sides of a marker and its axes, as `marker-tracking` writes them into `userDataJson`. */
+/** Outline and axes of a marker, as `marker-tracking` writes them to `userDataJson`. */
 export interface MarkerOutline {
   readonly corners: readonly Pair[];
-  /** Centre, then the ends of x, y and z; empty when there are none. */
+  /** Centre, then the ends of x, y and z; may be empty. */
   readonly axes: readonly Pair[];
 }
 
-/** Longer texts hold something else. */
+/** Longest text that is parsed, characters. */
 const MAX_DATA_LENGTH = 400;
 
-/** The outline in the data of an object; undefined when there is none. */
+/** Returns the outline in the data of an object; undefined without one. */
 export function outlineIn(json = ''): MarkerOutline | undefined {
   if (json.length > MAX_DATA_LENGTH || !json.includes('"corners"')) return undefined;
   try {
@@ -18,7 +18,7 @@ export function outlineIn(json = ''): MarkerOutline | undefined {
     if (!isPairs(corners) || corners.length < 3) return undefined;
     return { corners, axes: isPairs(axes) && axes.length === 4 ? axes : [] };
   } catch {
-    return undefined; // data of another program
+    return undefined; // Data of another program.
   }
 }
 

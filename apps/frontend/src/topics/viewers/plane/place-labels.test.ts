@@ -53,7 +53,7 @@ describe('labels', () => {
   });
 
   it('stay where they are until that spot is taken, and need room to spare to leave for another', () => {
-    // 2 pixels are free between the two labels: enough to stay, too little to come.
+    // 2 pixels are free between the two labels: enough to stay, too little to move there.
     const near = [wish('a', 50, 80), wish('b', 112, 80)];
     expect(spots(near)[1]).toBe('inside bottom left');
     expect(spots(near, new Map([['b', 'above left']]))[1]).toBe('above left');

@@ -1,4 +1,4 @@
-/** A place on the screen, in any unit. */
+/** Rectangle on the screen, in any unit. */
 export interface Area {
   readonly x: number;
   readonly y: number;
@@ -6,16 +6,16 @@ export interface Area {
   readonly height: number;
 }
 
-/** A label and what it belongs to. */
+/** A label and the shape it belongs to. */
 export interface LabelWish {
   readonly key: string;
-  /** The box it names; a point has no width and height. */
+  /** Box of the shape; width and height are 0 for a point. */
   readonly box: Area;
   readonly width: number;
   readonly height: number;
 }
 
-/** Where a label stands: outside of its box, or inside, and at which corner. */
+/** Position of a label: outside or inside its box, and the corner. */
 export type LabelSpot =
   | 'above left'
   | 'inside bottom left'
@@ -29,7 +29,7 @@ export interface PlacedLabel extends Area {
   readonly spot: LabelSpot;
 }
 
-/** What is tried, the best one first. */
+/** Candidate positions, best first. */
 const SPOTS: readonly LabelSpot[] = [
   'above left',
   'inside bottom left',
@@ -40,12 +40,12 @@ const SPOTS: readonly LabelSpot[] = [
 ];
 
 /**
- * Places labels so that none covers another: outside at the top left of their boxes, or at the next spot that is
- * free. Labels that come first have the first choice. Where no spot is free, the one that covers least is taken.
+ * Places labels without overlaps: outside at the top left of their boxes, or at the next free position. Earlier labels
+ * take precedence. If no position is free, the one with the smallest overlap is used.
  *
- * @param view what is visible; labels stay in it
+ * @param view visible part; labels stay in it
  * @param gap between a label and its box, or another label
- * @param before spots of the moment before: a label leaves its spot only when it has to
+ * @param before previous positions: a label leaves its position only when necessary
  */
 export function placeLabels(
   wishes: readonly LabelWish[],
@@ -59,7 +59,7 @@ export function placeLabels(
     let least = Infinity;
     for (const spot of SPOTS) {
       const label = { key: wish.key, spot, ...within(areaOf(wish, spot, gap), view) };
-      // Another spot has to be free with room to spare, else labels jump to and fro between two.
+      // Another position needs a free margin; otherwise labels alternate between two positions.
       const margin = before.get(wish.key) === spot ? 0 : gap;
       const covered =
         placed.reduce((sum, other) => sum + sharedOf(grown(label, margin), other), 0) +
@@ -94,7 +94,7 @@ function areaOf({ box, width, height }: LabelWish, spot: LabelSpot, gap: number)
   }
 }
 
-/** Moved into the view. */
+/** Moves a rectangle into the view. */
 function within(area: Area, view: Area): Area {
   const { width, height } = area;
   const clamp = (value: number, low: number, high: number): number =>
@@ -107,7 +107,7 @@ function within(area: Area, view: Area): Area {
   };
 }
 
-/** How much of a label is cut off above or below; to the side it is moved. */
+/** Area of a label that is cut off above or below the view. */
 function outsideOf({ y, width, height }: Area, view: Area): number {
   const above = Math.max(0, view.y - y);
   const below = Math.max(0, y + height - (view.y + view.height));

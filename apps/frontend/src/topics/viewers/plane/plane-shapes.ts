@@ -8,34 +8,34 @@ import {
   type Vector2,
 } from '@ubii/proto';
 
-/** Something in the plane or on a picture. */
+/** Object in the plane or on a picture. */
 export interface PlaneShape {
-  /** Unique among those of one value. */
+  /** Unique among the shapes of one value. */
   readonly key: string;
   readonly name: string;
-  /** The top left corner of a box, or the place of a point. */
+  /** Top left corner of a box, or position of a point. */
   readonly x: number;
   readonly y: number;
-  /** Absent for a point. */
+  /** Undefined for a point. */
   readonly size?: { readonly width: number; readonly height: number };
-  /** Which way it faces, radians from the x axis towards the y axis; absent when it does not say. */
+  /** Orientation, radians from the x axis towards the y axis; undefined without one. */
   readonly angle?: number;
-  /** How sure a detector is, 0 to 1; absent when it does not say. */
+  /** Confidence of the detector, 0 to 1; undefined without one. */
   readonly score?: number;
-  /** Corners of what is no upright box, and the ends of its axes from the first place; in units of x and y. */
+  /** Corners of a rotated shape, and the ends of its axes; in units of x and y. */
   readonly outline?: MarkerOutline;
-  /** Drawn hollow: a finger that left. */
+  /** Drawn hollow: a finger that was lifted. */
   readonly isGone?: boolean;
-  /** Tells it apart from others of its name while it is seen: `A`. */
+  /** Distinguishes visible shapes of the same name: `A`. */
   readonly letter?: string;
-  /** 0 to 1, below 1 while it vanishes. @default 1 */
+  /** 0 to 1, below 1 while it fades out. @default 1 */
   readonly opacity?: number;
 }
 
-/** More are not drawn; how many there are is said. */
+/** Most shapes drawn; the total number is shown. */
 export const MAX_SHAPES = 500;
 
-/** What a value shows in the plane; `undefined` for formats that have no place there. */
+/** Converts a value to shapes; `undefined` for formats without positions in the plane. */
 export function planeShapes(
   record: TopicRecord,
 ): { readonly shapes: readonly PlaneShape[]; readonly count: number } | undefined {
@@ -60,7 +60,7 @@ export function planeShapes(
   }
 }
 
-/** Formats that have a place in the plane. */
+/** Data formats with positions in the plane. */
 export const PLANE_FORMATS: ReadonlySet<string> = new Set<TopicRecord['format']>([
   'object2DList',
   'object2D',
@@ -103,7 +103,7 @@ function object({ id, pose, size, userDataJson }: Object2D, key: string): PlaneS
     ...(outline === undefined ? {} : { outline }),
   };
   if (!size || !(size.x > 0 || size.y > 0)) return place;
-  // Detectors say no angle, and others say 0: a box that is not turned has no arrow.
+  // Detectors without an angle may omit it or set 0: a box that is not rotated has no arrow.
   const { angle, ...rest } = place;
   return {
     ...rest,
@@ -112,17 +112,17 @@ function object({ id, pose, size, userDataJson }: Object2D, key: string): PlaneS
   };
 }
 
-/** Longer texts hold more than a score. */
+/** Longest text that is parsed for a score, characters. */
 const MAX_DATA_LENGTH = 200;
 
-/** The score that detectors of the module library write: `{ "score": 0.87 }`. */
+/** Returns the score that detectors of the module library write: `{ "score": 0.87 }`. */
 function scoreIn(json = ''): number | undefined {
   if (json === '' || json.length > MAX_DATA_LENGTH) return undefined;
   try {
     const { score } = (JSON.parse(json) ?? {}) as { score?: unknown };
     return typeof score === 'number' && score >= 0 && score <= 1 ? score : undefined;
   } catch {
-    return undefined; // data of another program
+    return undefined; // Data of another program.
   }
 }
 
@@ -131,20 +131,23 @@ const touch = ({ id, position, type }: TouchEventMessage, key: string): PlaneSha
   isGone: type === TouchEventType.TOUCH_END,
 });
 
-/** The part of the plane that is shown, y down as on pictures or up as on paper. */
+/** Visible part of the plane, y down as on pictures or up as in mathematics. */
 export interface PlaneView {
   readonly left: number;
   readonly top: number;
   readonly width: number;
   readonly height: number;
-  /** From 0 to 1 of a surface, y down. */
+  /** Surface with coordinates from 0 to 1, y down. */
   readonly isSurface: boolean;
 }
 
-/** Formats of places on a surface, however far they reach. */
+/** Formats of positions on a surface, whatever their range. */
 const OF_SURFACE = /^(touchEvent|object2D|pose2D)/;
 
-/** A surface when all of it lies within 0 to 1, as places on screens and pictures do; else a round square about 0. */
+/**
+ * Returns a surface when all shapes are within 0 to 1, as positions on screens and pictures are; otherwise a square of
+ * round size around 0.
+ */
 export function planeView(shapes: readonly PlaneShape[]): PlaneView {
   const fits = shapes.every(
     ({ x, y, size }) =>
@@ -164,8 +167,8 @@ export function planeView(shapes: readonly PlaneShape[]): PlaneView {
 }
 
 /**
- * The part to show of a value that moves.
- * @param least the largest part shown before: vectors that have left the surface are no places on it
+ * Returns the visible part for a value that moves.
+ * @param least largest part shown before: vectors that once left the surface are not positions on it
  */
 export function steadyView(
   format: TopicRecord['format'],
@@ -176,7 +179,7 @@ export function steadyView(
   return now.isSurface && OF_SURFACE.test(format) ? now : least;
 }
 
-/** Whether places on a picture are in pixels, against the schema: some are far beyond 1. */
+/** Whether positions on a picture are in pixels, contrary to the schema: some are far beyond 1. */
 export function isInPixels(shapes: readonly PlaneShape[]): boolean {
   return shapes.some(({ x, y, size }) =>
     [x, y, size?.width ?? 0, size?.height ?? 0].some((part) => Math.abs(part) > 2),

@@ -1,13 +1,13 @@
 import type { Area } from './place-labels.ts';
 import type { PlaneShape } from './plane-shapes.ts';
 
-/** From places of shapes to places of an SVG. */
+/** Conversion from coordinates of shapes to coordinates of an SVG. */
 export interface PlaneScale {
   readonly scaleX: (x: number) => number;
   readonly scaleY: (y: number) => number;
 }
 
-/** Where a shape lies in the SVG; a point has no width and height. */
+/** Returns the rectangle of a shape in the SVG; of size 0 for a point. */
 export function placeOf({ x, y, size }: PlaneShape, { scaleX, scaleY }: PlaneScale): Area {
   const [left, top] = [scaleX(x), scaleY(y)];
   const right = scaleX(x + (size?.width ?? 0));

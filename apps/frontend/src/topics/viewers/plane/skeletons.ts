@@ -2,7 +2,7 @@ import { BODY_BONES } from '@ubii/vision/body-keypoints';
 import { HAND_BONES } from '@ubii/vision/hand-keypoints';
 import type { PlaneShape } from './plane-shapes.ts';
 
-/** Two keypoints that a line joins. */
+/** Two connected keypoints. */
 export type Bone = readonly [from: PlaneShape, to: PlaneShape];
 
 const BONES: readonly (readonly [string, string])[] = [
@@ -13,18 +13,18 @@ const BONES: readonly (readonly [string, string])[] = [
 ];
 const KEYPOINTS: ReadonlySet<string> = new Set(BONES.flat());
 
-/** True for a point of a body or a hand, by its name. */
+/** True for a keypoint of a body or a hand, by its name. */
 export const isKeypoint = ({ name, size }: PlaneShape): boolean =>
   size === undefined && KEYPOINTS.has(name);
 
-/** Keypoints of a lower score are guesses, of what is hidden or outside of the picture. */
+/** Score below which keypoints are uncertain: hidden, or outside of the picture. */
 const SEEN_SCORE = 0.5;
 
-/** True for a point of a body or a hand that its detector is not sure of. */
+/** True for an uncertain keypoint of a body or a hand. */
 export const isGuessed = (shape: PlaneShape): boolean =>
   isKeypoint(shape) && shape.score !== undefined && shape.score < SEEN_SCORE;
 
-/** The bones of all bodies and hands; a name that comes again begins the next body or hand. */
+/** Returns the bones of all bodies and hands; a repeated name starts the next body or hand. */
 export function bonesOf(shapes: readonly PlaneShape[]): Bone[] {
   const bones: Bone[] = [];
   let points = new Map<string, PlaneShape>();

@@ -3,7 +3,7 @@ import type { Axes, SpaceThing, SpaceView } from './space-things.ts';
 
 const DEGREES = 180 / Math.PI;
 
-/** Turns about z, y and x of the turned body, whole degrees; of axes with a length the direction counts. */
+/** Rotations about z, y and x of the rotated body, degrees; the length of axes is ignored. */
 export function anglesOf([x, y, z]: Axes): { yaw: number; pitch: number; roll: number } {
   const length = Math.hypot(...x) || 1;
   return {
@@ -15,10 +15,10 @@ export function anglesOf([x, y, z]: Axes): { yaw: number; pitch: number; roll: n
 
 const degrees = (value: number): string => `${formatNumber(Math.round(value) + 0)}°`;
 
-/** One thing in words and numbers. */
+/** Describes an object in words and numbers. */
 export function describeThing({ name, at, axes, mark }: SpaceThing): string {
   const isTurned = axes !== undefined && mark === 'axes';
-  // What only turns is at the origin, which says nothing.
+  // A pure rotation is at the origin: omit the position.
   const isThere = !isTurned || at.some((part) => part !== 0);
   const words = [name, isThere ? `at ${at.map((part) => formatNumber(part, 2)).join(', ')}` : ''];
   if (isTurned) {
@@ -28,7 +28,7 @@ export function describeThing({ name, at, axes, mark }: SpaceThing): string {
   return words.filter((word) => word !== '').join('  ');
 }
 
-/** What the picture shows, for those who do not see it. */
+/** Text description of the picture, for screen readers. */
 export function describeView({ things, count }: SpaceView): string {
   if (count === 0) return 'Nothing to draw.';
   if (count === 1) return describeThing(things[0]!);

@@ -1,23 +1,24 @@
 import { ORIGIN, type Point, type SpaceThing } from './space-things.ts';
 
-/** What a picture shows. */
+/** Visible part of the scene. */
 export interface Sphere {
   readonly center: Point;
   readonly radius: number;
 }
 
-/** Room for axes and names around the things of a group. */
+/** Factor on the radius of a group, for axes and names. */
 const MARGIN = 1.2;
 
 /**
- * What the first picture shows: the whole ground, or of several things the space that they and the origin take, so that
- * markers before a camera are not a knot in the middle. Once one of them leaves it, the ground is shown permanently.
+ * Visible part of the first picture: the whole ground, or for several objects the sphere around them and the origin, so
+ * that markers in front of a camera are not a small cluster in the centre. Once an object leaves that sphere, the
+ * ground is used from then on.
  */
 export class Framing {
   #sphere: Sphere | undefined;
   #isWhole = false;
 
-  /** @param reach of the ground */
+  /** @param reach half the size of the ground */
   around(things: readonly SpaceThing[], reach: number): Sphere {
     const whole: Sphere = { center: ORIGIN, radius: reach };
     if (this.#sphere === undefined && things.length > 1) this.#sphere = sphereOf(things);
@@ -28,14 +29,14 @@ export class Framing {
     return this.#isWhole ? whole : sphere;
   }
 
-  /** The next things are framed again. */
+  /** Restarts the framing for the next objects. */
   clear(): void {
     this.#sphere = undefined;
     this.#isWhole = false;
   }
 }
 
-/** Around the things and the origin. */
+/** Returns a sphere around the objects and the origin. */
 function sphereOf(things: readonly SpaceThing[]): Sphere {
   const points = [ORIGIN, ...things.map(({ at }) => at)];
   const along = (axis: 0 | 1 | 2) => points.map((point) => point[axis]);

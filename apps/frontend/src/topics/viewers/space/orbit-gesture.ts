@@ -3,28 +3,28 @@ import type { Sphere } from './framing.ts';
 import { orbitKey, pan, startOrbit, turn, zoom, type Orbit, type Up } from './orbit.ts';
 import { ORIGIN } from './space-things.ts';
 
-/** Radians for a drag across the picture. */
+/** Rotation for a drag across the whole picture, radians. */
 const TURN_ACROSS = Math.PI * 1.5;
 const WHEEL_ZOOM = 0.0015;
 
-/** Turns, moves and zooms by mouse, fingers, wheel and keys. */
+/** Rotates, pans and zooms by mouse, touch, wheel and keys. */
 export interface OrbitGesture {
   readonly orbit: Readonly<ShallowRef<Orbit>>;
-  /** A person chose where to look from: it stays until it is reset. */
+  /** True after the user changed the view, until it is reset. */
   readonly isChosen: Readonly<ShallowRef<boolean>>;
   reset(shown: Sphere): void;
   press(event: PointerEvent): void;
   move(event: PointerEvent): void;
   release(event: PointerEvent): void;
   wheel(event: WheelEvent): void;
-  /** @returns true for a key that did something */
+  /** @returns true for a key that was handled */
   key(event: KeyboardEvent): boolean;
 }
 
 interface Held {
   x: number;
   y: number;
-  /** Moves instead of turning. */
+  /** Pans instead of rotating. */
   readonly isPan: boolean;
 }
 
@@ -37,7 +37,7 @@ export function createOrbitGesture(up: () => Up): OrbitGesture {
     orbit.value = next;
     isChosen.value = true;
   }
-  /** Middle and distance of the first two fingers, pixels. */
+  /** Centre and distance of the first two fingers, pixels. */
   function pinch(): { x: number; y: number; apart: number } {
     const [a, b] = [...held.values()] as [Held, Held];
     return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: Math.hypot(a.x - b.x, a.y - b.y) };

@@ -1,29 +1,29 @@
 import type { Sphere } from './framing.ts';
 import type { Point } from './space-things.ts';
 
-/** Which axis points up on the screen. */
+/** Axis that points up on the screen. */
 export type Up = 'y' | 'z';
 
-/** Where the eye is: around a target, at a distance. */
+/** Camera position relative to a target. */
 export interface Orbit {
-  /** About the up axis, radians; 0 looks along the axis that comes towards the viewer. */
+  /** Rotation about the up axis, radians; 0 looks along the axis that points to the viewer. */
   readonly azimuth: number;
-  /** Above the ground, radians, from just above straight down to just below straight up. */
+  /** Angle above the ground, radians, almost from straight down to straight up. */
   readonly elevation: number;
   readonly distance: number;
   readonly target: Point;
 }
 
-/** The height of what is seen, degrees. */
+/** Vertical field of view, degrees. */
 export const FIELD_DEGREES = 32;
 
 const MOST_ELEVATION = Math.PI / 2 - 0.02;
 const START = { azimuth: 0.6, elevation: 0.42 } as const;
-/** A key turns by so much, radians. */
+/** Rotation per key press, radians. */
 const KEY_TURN = Math.PI / 24;
 const KEY_ZOOM = 1.15;
 
-/** An eye that sees everything in a sphere. */
+/** Returns a camera that sees a whole sphere. */
 export function startOrbit({ center, radius }: Sphere): Orbit {
   const distance = (radius * 1.15) / Math.sin((FIELD_DEGREES * Math.PI) / 360);
   return { ...START, distance, target: center };
@@ -37,12 +37,12 @@ export function turn(orbit: Orbit, byAzimuth: number, byElevation: number): Orbi
   return { ...orbit, azimuth: orbit.azimuth + byAzimuth, elevation };
 }
 
-/** @param factor above 1 goes away */
+/** @param factor above 1 zooms out */
 export function zoom(orbit: Orbit, factor: number): Orbit {
   return { ...orbit, distance: Math.min(1e6, Math.max(1e-3, orbit.distance * factor)) };
 }
 
-/** Moves the target in the plane of the screen, by parts of the height that is seen. */
+/** Moves the target in the plane of the screen, by fractions of the visible height. */
 export function pan(orbit: Orbit, right: number, up: number, upAxis: Up): Orbit {
   const height = 2 * orbit.distance * Math.tan((FIELD_DEGREES * Math.PI) / 360);
   const { azimuth: a, elevation: e } = orbit;
@@ -54,7 +54,7 @@ export function pan(orbit: Orbit, right: number, up: number, upAxis: Up): Orbit 
   return { ...orbit, target: [tx + x, ty + y, tz + z] };
 }
 
-/** Where the eye is, in the coordinates of the things. */
+/** Returns the camera position in the coordinates of the objects. */
 export function eyeOf({ azimuth, elevation, distance, target }: Orbit, upAxis: Up): Point {
   const flat = Math.cos(elevation) * distance;
   const [x, y, z] = ofUp(
@@ -64,12 +64,12 @@ export function eyeOf({ azimuth, elevation, distance, target }: Orbit, upAxis: U
   return [target[0] + x, target[1] + y, target[2] + z];
 }
 
-/** What is meant with y up, where z is up: the same turned about x. */
+/** Converts coordinates with y up to coordinates with `upAxis` up, by a rotation about x. */
 function ofUp([x, y, z]: Point, upAxis: Up): Point {
   return upAxis === 'y' ? [x, y, z] : [x, -z, y];
 }
 
-/** What a key does; nothing for keys that mean nothing here. `0` and Home are the caller's. */
+/** Returns the camera after a key; undefined for other keys. The caller handles `0` and Home. */
 export function orbitKey(
   orbit: Orbit,
   key: string,

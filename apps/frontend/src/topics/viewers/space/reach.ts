@@ -1,12 +1,12 @@
 import type { SpaceThing } from './space-things.ts';
 
-/** How far the ground reaches to each side, and how large a square of it is. */
+/** Half the size of the ground, and the size of its squares. */
 export interface Ground {
   readonly reach: number;
   readonly step: number;
 }
 
-/** The smallest ground of round size that everything stands on: 1, 2, 5 times a power of ten, a half more. */
+/** Returns the smallest ground of round size (1, 2 or 5 times a power of ten) that contains everything. */
 export function groundFor(things: readonly SpaceThing[]): Ground {
   let most = 0;
   for (const { at, axes, isToScale, size } of things) {
@@ -20,7 +20,7 @@ export function groundFor(things: readonly SpaceThing[]): Ground {
   return { reach, step: reach / 5 };
 }
 
-/** `0.5`, `20`: without the noise of halves and tens. */
+/** Formats a step without artefacts of binary fractions: `0.5`, `20`. */
 export function formatStep(step: number): string {
   return String(Number(step.toPrecision(3)));
 }

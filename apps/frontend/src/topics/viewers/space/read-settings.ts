@@ -1,7 +1,7 @@
 import type { ViewerSettings } from '../topic-viewer.ts';
 import type { Up } from './orbit.ts';
 
-/** What a person set for a view of space. */
+/** Settings of a 3D view. */
 export interface SpaceSettings {
   readonly up: Up;
   readonly hasTrail: boolean;

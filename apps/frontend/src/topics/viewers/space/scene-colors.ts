@@ -1,7 +1,7 @@
 import { plotTheme } from '../../../ui/plot/plot-theme.ts';
 import type { SceneColors } from './three/scene-input.ts';
 
-/** The colours of the theme in force. @param probe an element that nothing else uses */
+/** Reads the colours of the current theme. @param probe element without other uses */
 export function sceneColors(probe: HTMLElement): SceneColors {
   const { color } = plotTheme(probe);
   return {

@@ -11,35 +11,35 @@ import type {
 import { normalized, rotate } from '../../../message-form/rotation.ts';
 
 export type Point = readonly [number, number, number];
-/** Where the unit vectors of the turned body point: x, y, z. */
+/** Images of the unit vectors x, y, z under the rotation. */
 export type Axes = readonly [Point, Point, Point];
 
-/** Something to be drawn in space, in the coordinates of the publisher. */
+/** Object to draw, in the coordinates of the publisher. */
 export interface SpaceThing {
-  /** Unique among those of one value. */
+  /** Unique among the objects of one value. */
   readonly key: string;
-  /** What it is called; empty when it has no name. */
+  /** Display name; may be empty. */
   readonly name: string;
   readonly at: Point;
-  /** Absent for what is not turned. */
+  /** Undefined without a rotation. */
   readonly axes?: Axes;
-  /** Along its own axes; absent when it has none. */
+  /** Size along its own axes; undefined without one. */
   readonly size?: Point;
-  /** An arrow from the origin stands for a vector by itself, a dot for one of many. */
+  /** Arrow from the origin for a single vector, dot for one of several. */
   readonly mark: 'arrow' | 'dot' | 'axes';
-  /** Axes are drawn as long as they are, because their length says something. */
+  /** Axes are drawn in their actual length, because it is significant. */
   readonly isToScale: boolean;
 }
 
-/** What a value shows in space, and how it was understood where the format leaves that open. */
+/** Objects of a value, and a note about the interpretation where the format is ambiguous. */
 export interface SpaceView {
   readonly things: readonly SpaceThing[];
-  /** How many there are in the value. */
+  /** Number of objects in the value. */
   readonly count: number;
   readonly note: string | undefined;
 }
 
-/** More are not drawn; how many there are is said. */
+/** Most objects drawn; the total number is shown. */
 export const MAX_THINGS = 300;
 
 export const ORIGIN: Point = [0, 0, 0];
@@ -76,7 +76,7 @@ const rotation = (value: Quaternion): SpaceView =>
       : undefined,
   );
 
-/** Radians, unless a number is larger than a full turn. */
+/** Radians, unless a number exceeds a full turn. */
 function eulerAxes({ x, y, z }: Vector3): { axes: Axes; note: string } {
   const isDegrees = [x, y, z].some((angle) => Math.abs(angle) > FULL_TURN);
   const unit = isDegrees ? RADIANS : 1;
@@ -87,7 +87,7 @@ function eulerAxes({ x, y, z }: Vector3): { axes: Axes; note: string } {
     z: index === 2 ? Math.sin(half[2]!) : 0,
     w: Math.cos(half[index]!),
   });
-  // About x first, then y, then z of the room.
+  // Rotations about x first, then y, then z, in fixed axes.
   const axes = UNIT.map((axis) =>
     rotate(about(2), rotate(about(1), rotate(about(0), axis))),
   ) as unknown as Axes;
@@ -122,8 +122,8 @@ function objects(elements: readonly Object3D[]): SpaceView {
 }
 
 /**
- * A matrix as the images of the unit vectors and of the origin. Its last column is the translation,
- * or its last row where only that has one.
+ * Converts a matrix to the images of the unit vectors and the origin. The translation is in the last column, or in the
+ * last row if only that is not zero.
  */
 function matrix(m: Matrix4x4): SpaceView {
   const isRows =
@@ -191,7 +191,7 @@ export function isSpatial(format: DataFormat): boolean {
   return READERS[format] !== undefined;
 }
 
-/** What a value shows in space; nothing for formats that have no place there. */
+/** Converts a value to objects in space; undefined for formats without positions in space. */
 export function spaceView<F extends DataFormat>(format: F, value: DataFormatValues[F]): SpaceView {
   const reader = READERS[format] as Reader<F> | undefined;
   return reader?.(value) ?? { things: [], count: 0, note: undefined };

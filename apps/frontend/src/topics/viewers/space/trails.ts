@@ -1,14 +1,14 @@
 import type { Point, SpaceThing } from './space-things.ts';
 
-/** Points of one trail, and trails. */
+/** Most points per trail, and most trails. */
 export const MAX_TRAIL = 240;
 export const MAX_TRAILS = 24;
 
-/** Where things were before. Bounded: the newest points of the first things. */
+/** Previous positions of objects. Bounded: the newest points of the first objects. */
 export class Trails {
   readonly #points = new Map<string, Point[]>();
 
-  /** A thing that is gone takes its trail along. */
+  /** Removes the trails of removed objects. */
   add(things: readonly SpaceThing[]): void {
     const here = new Set<string>();
     for (const { key, at } of things.slice(0, MAX_TRAILS)) {
@@ -27,7 +27,7 @@ export class Trails {
     this.#points.clear();
   }
 
-  /** By key, oldest first; those that moved. */
+  /** Trails of objects that moved, by key, oldest point first. */
   get lines(): ReadonlyMap<string, readonly Point[]> {
     return new Map([...this.#points].filter(([, points]) => points.length > 1));
   }

@@ -2,25 +2,25 @@ import { useDocumentVisibility, useElementSize, useElementVisibility } from '@vu
 import { computed, onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import type { SceneLabel } from './three/scene-input.ts';
 
-/** Whether there is a picture, and if not, why. */
+/** State of the scene, or the reason why nothing is drawn. */
 export type SceneState = 'loading' | 'drawn' | 'missing' | 'lost' | 'failed';
 
-/** Draws on a canvas what it is told to. */
+/** Draws its input on a canvas. */
 export interface DrawnScene<Input> {
   resize(width: number, height: number): void;
-  /** @returns what is to be written where */
+  /** @returns labels with their positions */
   draw(input: Input): readonly SceneLabel[];
   dispose(): void;
 }
 
-/** How a scene comes onto a canvas; undefined where there is no WebGL. */
+/** Creates a scene on a canvas; undefined without WebGL. */
 export interface SceneOpener<Input> {
   open(canvas: HTMLCanvasElement): DrawnScene<Input> | undefined;
 }
 
 /**
- * Keeps a 3D view on a canvas: drawn when something changed and the canvas is visible.
- * @param load the scene, which is large and comes only when it is needed
+ * Maintains a 3D view: draws after changes while the canvas is visible.
+ * @param load loads the scene on first use, because it is large
  */
 export function useSpaceScene<Input>(
   canvas: Readonly<Ref<HTMLCanvasElement | null>>,
@@ -32,9 +32,9 @@ export function useSpaceScene<Input>(
   readonly labels: Readonly<ShallowRef<readonly SceneLabel[]>>;
   /** True while the canvas is visible. */
   readonly isSeen: Readonly<Ref<boolean>>;
-  /** Something changed. */
+  /** Requests a new frame. */
   redraw(): void;
-  /** Another attempt after the picture was lost; the canvas has to be a new one. */
+  /** Retries after the context was lost; needs a new canvas. */
   close(): void;
 } {
   const state = shallowRef<SceneState>('loading');
@@ -74,7 +74,7 @@ export function useSpaceScene<Input>(
       state.value = 'loading';
       const attempt = opening;
       element.addEventListener('webglcontextlost', (event) => {
-        // Else the browser never gives it back
+        // Otherwise the browser does not restore the context.
         event.preventDefault();
         if (attempt === opening) state.value = 'lost';
       });

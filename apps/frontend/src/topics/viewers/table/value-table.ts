@@ -1,13 +1,13 @@
 import { TouchEventType, type DataFormat, type TopicRecord } from '@ubii/proto';
 import { formatFixed, formatImage } from '../../values/format-value.ts';
 
-/** A value as a table. Numbers stand at the right, everything else at the left. */
+/** Value as a table. Numbers are right-aligned, other texts left-aligned. */
 export interface ValueTable {
   readonly columns: readonly { readonly name: string; readonly isNumber: boolean }[];
   readonly rows: readonly (readonly string[])[];
-  /** Rows of the value; more than `rows` when there are too many to be shown. */
+  /** Number of rows of the value; more than `rows` when not all are shown. */
   readonly count: number;
-  /** What counts the rows: `row 0` of a matrix, or the element's place in a list. */
+  /** Header of the index column: `row 0` of a matrix, or the index in a list. */
   readonly head: string;
 }
 
@@ -40,7 +40,7 @@ function matrix(rows: readonly (readonly number[])[]): ValueTable {
   };
 }
 
-/** Lists and matrices as tables; nothing for what is one thing. */
+/** Converts lists and matrices to tables; undefined for single values. */
 export function valueTable({ format, value }: TopicRecord): ValueTable | undefined {
   switch (format) {
     case 'matrix3x2':

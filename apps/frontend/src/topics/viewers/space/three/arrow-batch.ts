@@ -12,7 +12,7 @@ import {
 } from 'three';
 import type { Point } from '../space-things.ts';
 
-/** An arrow of length 1 along y; radii are scaled, too. */
+/** Outline of an arrow of length 1 along y; radii are scaled, too. */
 const OUTLINE = [
   [0, 0],
   [1, 0],
@@ -23,7 +23,7 @@ const OUTLINE = [
 const AROUND = 10;
 const Y = new Vector3(0, 1, 0);
 
-/** Arrows or dots of any colour, drawn at once. */
+/** Arrows or dots of any colour in one draw call. */
 export class Batch {
   readonly mesh: InstancedMesh<BufferGeometry, MeshBasicMaterial>;
   readonly #color = new Color();
@@ -47,7 +47,7 @@ export class Batch {
     this.#count = 0;
   }
 
-  /** @returns its number, to ask for its tip; -1 for one without a length */
+  /** @returns its index for `tipOf`; -1 when its length is zero */
   addArrow(from: Point, along: Point, radius: number, color: string): number {
     const direction = new Vector3(...along);
     const length = direction.length();
@@ -70,7 +70,7 @@ export class Batch {
     if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
   }
 
-  /** Where the tip of a drawn arrow is, a little beyond it. */
+  /** Position slightly beyond the tip of an arrow. */
   tipOf(index: number): Vector3 {
     this.mesh.getMatrixAt(index, this.#matrix);
     return new Vector3(0, 1.08, 0).applyMatrix4(this.#matrix);

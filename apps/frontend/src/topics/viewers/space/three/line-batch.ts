@@ -8,7 +8,7 @@ import {
 } from 'three';
 import type { Point } from '../space-things.ts';
 
-/** Lines of any colour, drawn at once. */
+/** Lines of any colour in one draw call. */
 export class LineBatch {
   readonly mesh = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
   readonly #color = new Color();
@@ -51,7 +51,7 @@ export class LineBatch {
     this.mesh.material.dispose();
   }
 
-  /** A buffer of the graphics card does not grow: a larger one takes its place. */
+  /** GPU buffers cannot grow: replace it by a larger one. */
   #grow(count: number): void {
     if (this.#positions.length >= count * 3) return;
     const length = Math.max(256, 2 ** Math.ceil(Math.log2(count))) * 3;

@@ -1,9 +1,6 @@
 import { WebGLRenderer } from 'three';
 
-/**
- * What draws on the canvas, and how many pixels it draws for one of the page. Undefined where there is
- * no WebGL.
- */
+/** Returns a renderer for the canvas, and its device pixel ratio. Undefined without WebGL. */
 export function openRenderer(
   canvas: HTMLCanvasElement,
 ): { readonly renderer: WebGLRenderer; readonly ratio: number } | undefined {
@@ -12,7 +9,7 @@ export function openRenderer(
   const fast = open({ antialias: true, failIfMajorPerformanceCaveat: true });
   const context = fast ?? open({ antialias: false });
   if (!context) return undefined;
-  // Every pixel costs where the processor draws them.
+  // With software rendering, every pixel is expensive.
   const ratio = fast ? Math.min(2, devicePixelRatio) : 1;
   return { renderer: new WebGLRenderer({ canvas, context }), ratio };
 }

@@ -2,22 +2,22 @@ import type { Orbit, Up } from '../orbit.ts';
 import type { Ground } from '../reach.ts';
 import type { Point, SpaceThing } from '../space-things.ts';
 
-/** Colours as CSS writes them. */
+/** Colours in CSS syntax. */
 export interface SceneColors {
   readonly ground: string;
   readonly grid: string;
   readonly axis: string;
-  /** Of x, y and z of turned things: one colour in three strengths. */
+  /** Colours of x, y and z axes of rotated objects: one colour in three intensities. */
   readonly arms: readonly [string, string, string];
   readonly vector: string;
   readonly box: string;
 }
 
-/** Everything a picture of space is made of. */
+/** Input of a scene. */
 export interface SceneInput {
   readonly things: readonly SpaceThing[];
   readonly ground: Ground;
-  /** Radius of what the first picture shows: marks are as large as that wants. */
+  /** Radius of the initially visible sphere, which determines the size of marks. */
   readonly scale: number;
   readonly up: Up;
   readonly orbit: Orbit;
@@ -25,11 +25,11 @@ export interface SceneInput {
   readonly colors: SceneColors;
 }
 
-/** A word at a place of the picture. */
+/** Text at a position in the picture. */
 export interface SceneLabel {
   readonly key: string;
   readonly text: string;
-  /** Of the room, of an arm of a thing, or a thing's own. */
+  /** Label of a coordinate axis, of an object's axis, or of an object. */
   readonly kind: 'axis' | 'arm' | 'name';
   /** Pixels from the top left. */
   readonly left: number;

@@ -6,9 +6,9 @@ import { LineBatch } from './line-batch.ts';
 import { openRenderer } from './open-renderer.ts';
 import type { SceneInput, SceneLabel } from './scene-input.ts';
 
-/** Of more things the arms have no letters, */
+/** Most objects whose axes have letters, */
 const LETTERED = 3;
-/** and of more, things have no names. */
+/** and most objects with names. */
 const NAMED = 40;
 const ROOM: readonly [string, Point][] = [
   ['X', [1, 0, 0]],
@@ -17,7 +17,7 @@ const ROOM: readonly [string, Point][] = [
 ];
 const ARMS = ['x', 'y', 'z'] as const;
 
-/** Draws things in space on a canvas, when it is told to. */
+/** Draws objects in space on a canvas, on request. */
 export class SpaceScene {
   readonly #renderer: WebGLRenderer;
   readonly #ratio: number;
@@ -35,7 +35,7 @@ export class SpaceScene {
     this.#scene.add(this.#lines.mesh, this.#arrows.mesh, this.#dots.mesh);
   }
 
-  /** Undefined where there is no WebGL. */
+  /** Undefined without WebGL. */
   static open(canvas: HTMLCanvasElement): SpaceScene | undefined {
     const opened = openRenderer(canvas);
     return opened && new SpaceScene(opened.renderer, opened.ratio);
@@ -50,7 +50,7 @@ export class SpaceScene {
     this.#camera.updateProjectionMatrix();
   }
 
-  /** @returns what is to be written where */
+  /** @returns labels with their positions */
   draw(input: SceneInput): SceneLabel[] {
     const { things, colors, ground, scale, trails } = input;
     this.#aim(input);
@@ -99,7 +99,7 @@ export class SpaceScene {
   dispose(): void {
     for (const batch of [this.#lines, this.#arrows, this.#dots]) batch.dispose();
     this.#renderer.dispose();
-    // Browsers allow few contexts; this one is not needed until the garbage is collected.
+    // Browsers limit the number of WebGL contexts: release this one before garbage collection.
     this.#renderer.forceContextLoss();
   }
 
@@ -132,7 +132,7 @@ export class SpaceScene {
     }
   }
 
-  /** A line down to the ground says where something floats. */
+  /** Vertical line to the ground, which shows the position of a floating object. */
   #addDrop([x, y, z]: Point, { up, colors }: SceneInput): void {
     this.#lines.add([x, y, z], up === 'y' ? [x, 0, z] : [x, y, 0], colors.axis);
   }
@@ -158,7 +158,7 @@ export class SpaceScene {
     }
   }
 
-  /** Nothing for what is behind the eye or out of the picture. */
+  /** Returns no label for positions behind the camera or outside of the picture. */
   #label(key: string, text: string, kind: SceneLabel['kind'], at: Vector3): SceneLabel[] {
     const { x, y, z } = at.project(this.#camera);
     if (!(z < 1) || Math.abs(x) > 1 || Math.abs(y) > 1) return [];
