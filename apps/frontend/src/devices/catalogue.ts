@@ -1,14 +1,14 @@
 import { Camera, Gamepad2, Joystick, Keyboard, Smartphone } from '@lucide/vue';
 import type { Component } from 'vue';
 
-/** A way in which this browser can be a device. */
+/** Page on which this browser is a device. */
 export interface DevicePage {
   readonly path: string;
   readonly title: string;
   readonly icon: Component;
-  /** What it gives, a few words. */
+  /** Data that it provides, a few words. */
   readonly summary: string;
-  /** What it publishes and receives, one or two sentences. */
+  /** Data that it publishes and receives, one or two sentences. */
   readonly description: string;
   readonly page: () => Promise<unknown>;
 }

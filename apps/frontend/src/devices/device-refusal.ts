@@ -2,12 +2,12 @@ import { ServiceError } from '@ubii/proto';
 import { shallowRef } from 'vue';
 import type { OwnTrouble } from '../page/own-trouble.ts';
 
-/** Why this page is no device though it is made to be one; the shell shows it. */
+/** Reason why this page could not register its device; shown by the shell. */
 export const deviceRefusal = shallowRef<OwnTrouble>();
 
-/** @param error what the registration of the device ended with */
+/** @param error reason of the failed registration */
 export function refusalOf(device: string, error: unknown): OwnTrouble | undefined {
-  // Anything else is the end of the client, which the shell shows by itself
+  // Other errors end the client, which the shell shows by itself.
   if (!(error instanceof ServiceError)) return undefined;
   return {
     key: `device_refused ${device}`,

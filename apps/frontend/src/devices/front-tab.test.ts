@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { FrontTab, type TabChannel } from './front-tab.ts';
 
-/** Tabs of one browser; what they say arrives at once, at all others. */
+/** Tabs of one browser; a message arrives at once at all others. */
 class Browser {
   readonly #channels = new Set<TabChannel>();
 
@@ -70,7 +70,7 @@ describe('two tabs of one device [CL-45]', () => {
     const second = browser.open(true);
     expect(first.state.isResting).toBe(true);
     second.end();
-    second.show(false); // as a page that ends is
+    second.show(false); // As on page unload.
     second.end();
     expect(first.state.isResting).toBe(false);
   });

@@ -1,36 +1,36 @@
-/** What tabs of one browser say to each other about one device. */
+/** Message between tabs of one browser about a device. */
 type Word =
-  /** This tab is in front. */
+  /** This tab is in the foreground. */
   | 'front'
-  /** This tab is not, or no longer: is another one? */
+  /** This tab is not, or no longer, in the foreground: asks whether another one is. */
   | 'who'
-  /** This tab rests, because another one is in front. */
+  /** This tab is inactive, because another one is in the foreground. */
   | 'rests'
-  /** This tab is the device no more. */
+  /** This tab is no longer the device. */
   | 'gone';
 
-/** What is used of a BroadcastChannel. */
+/** The part of BroadcastChannel that is used. */
 export interface TabChannel {
   postMessage(word: string): void;
   onmessage: ((event: MessageEvent) => unknown) | null;
   close(): void;
 }
 
-/** What a tab is told. */
+/** Callbacks and channel of a tab. */
 export interface FrontTabOptions {
-  /** Reaches the other tabs of the browser with the same device, and not this one. */
+  /** Reaches the other tabs of the browser with the same device. */
   readonly channel: TabChannel;
   readonly isVisible: () => boolean;
-  /** Whether this tab is to rest. */
+  /** Called with whether this tab must be inactive. */
   readonly handleResting: (isResting: boolean) => void;
-  /** Whether another tab rests because of this one. */
+  /** Called with whether another tab is inactive because of this one. */
   readonly handleOther: (hasOther: boolean) => void;
 }
 
 /**
- * A page opened twice on one phone is one device, not two of which one is dead: the tab in front is the
- * device, and a hidden one rests until it is in front again. Two windows side by side are two devices.
- * A hidden tab with no other in front goes on. [CL-45]
+ * Ensures that a page opened twice on one phone is one device: the tab in the foreground is the device, and a hidden
+ * one is inactive until it is in the foreground again. Two visible windows are two devices. A hidden tab stays active
+ * while no other is in the foreground. [CL-45]
  */
 export class FrontTab {
   readonly #options: FrontTabOptions;
@@ -43,16 +43,16 @@ export class FrontTab {
     this.handleVisibility();
   }
 
-  /** The tab came to the front, or left it. */
+  /** Handles a change of the tab's visibility. */
   handleVisibility(): void {
-    // A page that ends is hidden after that.
+    // A page that is unloaded becomes hidden afterwards.
     if (this.#hasEnded) return;
     const isVisible = this.#options.isVisible();
     if (isVisible) this.#rest(false);
     this.#say(isVisible ? 'front' : 'who');
   }
 
-  /** The tab is the device no more; idempotent. */
+  /** The tab is no longer the device; idempotent. */
   end(): void {
     if (this.#hasEnded) return;
     this.#hasEnded = true;
@@ -79,7 +79,7 @@ export class FrontTab {
         return;
       case 'gone':
         handleOther(false);
-        // If yet another one is in front, it says so.
+        // If yet another tab is in the foreground, it answers.
         this.#rest(false);
         if (!isVisible()) this.#say('who');
         return;

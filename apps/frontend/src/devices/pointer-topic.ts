@@ -3,13 +3,13 @@ import { componentTopic } from '@ubii/proto';
 /** Device and component names that existing Ubi-Interact applications use. */
 export const POINTER_DEVICE = 'web-example-mouse-pointer';
 export const POINTER_COMPONENT = 'mouse_client_position';
-/** The mirrored pointer from the session. */
+/** Component with the mirrored pointer from the session. */
 export const MIRRORED_COMPONENT = 'mouse_server_position';
-/** Switches for the axes that the session mirrors. */
+/** Components with the axes that the session mirrors. */
 export const MIRROR_X_COMPONENT = 'mirror_mouse_x';
 export const MIRROR_Y_COMPONENT = 'mirror_mouse_y';
 
-/** Selects the pointer topics of all clients. */
+/** Matches the pointer topics of all clients. */
 export const POINTER_GLOB = componentTopic('*', POINTER_DEVICE, POINTER_COMPONENT);
 
 /** Returns a topic of the example in the namespace of a client. */

@@ -16,16 +16,15 @@ export interface DevicePlan<C extends readonly ComponentInit[]> {
   readonly name: string;
   readonly tags: readonly string[];
   readonly components: C;
-  /** Who is told what comes to the subscribers among the components. */
+  /** Receivers of the records of subscriber components. */
   readonly receivers?: {
     readonly [N in NameOf<C>]?: (value: ValueOf<C, N>, record: TopicRecord) => void;
   };
 }
 
 /**
- * This browser as a device, while the calling scope lives; a tab behind another one with the same device
- * rests. What is published before the master knows the
- * device is let go: it is of the past by then.
+ * This browser as a device, while the calling scope is active; inactive while another tab with the same device is in
+ * the foreground. Records published before the registration are dropped, because they would be outdated.
  */
 export function useDevice<const C extends readonly ComponentInit[]>(plan: DevicePlan<C>) {
   const { client, isConnected } = useConnection();
@@ -35,7 +34,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
   const { name, tags, components } = plan;
   const isResting = useFrontTab(name);
 
-  /** Another number with each registration, and with each end of one. */
+  /** Incremented with each registration, and with the end of each. */
   let turn = 0;
   function register(): void {
     const mine = ++turn;
@@ -46,7 +45,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
         isRegistered.value = true;
       },
       (error: unknown) => {
-        // A viewer is told by the header of the page, with the way to another role.
+        // Viewers get a note in the page header, with a link to other roles.
         if (mine !== turn || client.role === 'viewer') return;
         deviceRefusal.value = refusal = refusalOf(name, error);
       },
@@ -65,7 +64,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
   if (!isResting.value) register();
   onScopeDispose(end);
 
-  // Topics are made of the client's id, and another connection may give another one.
+  // Topics contain the client's id, which may change with a reconnect.
   watch([isConnected, isRegistered], ([connected, registered], _before, onCleanup) => {
     if (!connected || !registered || device === undefined) return;
     const known = device;
@@ -91,7 +90,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
   return {
     isRegistered,
     publish,
-    /** Publishes what was taken `ageMs` ago, with the moment of it in the master's time. */
+    /** Publishes a value measured `ageMs` ago, with its timestamp in the master's time. */
     publishTaken<N extends NameOf<C>>(
       component: N,
       value: ValueOf<C, N>,
@@ -100,7 +99,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
     ): void {
       publish(component, value, { ...options, timestampMs: client.masterTime.nowMs() - ageMs });
     },
-    /** Says that a component's topic has no value any more. [TD-48] */
+    /** Ends the topic of a component: it has no value any more. [TD-48] */
     end: (component: NameOf<C>): void => device?.component(component).end(),
     topicOf: (component: NameOf<C>) => device?.component(component).topic,
   };

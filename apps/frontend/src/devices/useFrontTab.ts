@@ -2,13 +2,16 @@ import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowReactive, shallowRef, type ShallowRef } from 'vue';
 import { FrontTab } from './front-tab.ts';
 
-/** Names of the devices of this page that another tab has as well, and rests with. */
+/** Names of this page's devices that are inactive in another tab. */
 const elsewhere = shallowReactive(new Set<string>());
 
-/** Whether another tab of this browser rests while this one is in front. [CL-45] */
+/** Whether another tab of this browser is inactive because this one is in the foreground. [CL-45] */
 export const hasRestingTab = (): boolean => elsewhere.size > 0;
 
-/** Whether this tab is to rest with a device, because another one is in front; while the calling scope lives. */
+/**
+ * Whether this tab must be inactive for a device, because another one is in the foreground; while the calling scope is
+ * active.
+ */
 export function useFrontTab(deviceName: string): Readonly<ShallowRef<boolean>> {
   const isResting = shallowRef(false);
   const tab = new FrontTab({
@@ -22,7 +25,7 @@ export function useFrontTab(deviceName: string): Readonly<ShallowRef<boolean>> {
     elsewhere.delete(deviceName);
     tab.end();
   };
-  // A page that is kept for the way back comes back as it was.
+  // A page in the back/forward cache is restored as it was.
   useEventListener(window, 'pagehide', ({ persisted }: PageTransitionEvent) => {
     if (!persisted) end();
   });

@@ -1,4 +1,4 @@
-/** How a page is allowed to use the camera, by browser; the first that fits counts. */
+/** Instructions for allowing the camera, by browser; the first match counts. */
 const WAYS: readonly (readonly [agent: RegExp, way: string])[] = [
   [/\b(iPhone|iPad)\b.*\bCriOS\//, 'Open the system settings, choose Chrome, and turn Camera on.'],
   [
@@ -19,7 +19,7 @@ const WAYS: readonly (readonly [agent: RegExp, way: string])[] = [
 ];
 const ANY_WAY = 'Allow it in the browser’s settings of this page, beside the address.';
 
-/** What to do in this browser after the camera was refused, one sentence. */
+/** Returns instructions for this browser after the camera was refused, one sentence. */
 export function allowCameraWay(userAgent: string): string {
   return WAYS.find(([agent]) => agent.test(userAgent))?.[1] ?? ANY_WAY;
 }

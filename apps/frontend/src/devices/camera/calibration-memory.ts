@@ -4,13 +4,13 @@ import * as v from 'valibot';
 import { readStored } from '../../json/read-stored.ts';
 import { validElements } from '../../json/schemas.ts';
 
-/** Calibrations as JSON text, by id of the camera, the newest last. */
+/** Calibrations as JSON text, by camera id, newest last. */
 export type Calibrations = ReadonlyMap<string, string>;
 
-/** Ids change when a browser forgets a page: those of long ago are let go of. */
+/** Most cameras remembered. Ids change when a browser clears its site data, so old ones are dropped. */
 const MOST_CAMERAS = 8;
 
-/** The memory with another calibration of a camera. */
+/** Adds or replaces the calibration of a camera. */
 export function withCalibration(kept: Calibrations, camera: string, json: string): Calibrations {
   if (camera === '') return kept;
   const others = [...kept].filter(([id]) => id !== camera).slice(1 - MOST_CAMERAS);
@@ -33,7 +33,7 @@ function isCalibration(json: string): boolean {
   }
 }
 
-/** The calibrations of this browser's cameras. They change in all of its tabs. */
+/** Calibrations of this browser's cameras, shared by all its tabs. */
 export function useCalibrations() {
   const kept = useLocalStorage<Calibrations>('ubii.camera-calibrations', new Map(), {
     serializer: { read: readCalibrations, write: (value) => JSON.stringify([...value]) },
@@ -41,7 +41,7 @@ export function useCalibrations() {
     writeDefaults: false,
   });
   return {
-    /** JSON text; undefined for a camera that was not calibrated. */
+    /** JSON text; undefined for a camera without calibration. */
     of: (camera: string): string | undefined => kept.value.get(camera),
     keep(camera: string, json: string): void {
       kept.value = withCalibration(kept.value, camera, json);

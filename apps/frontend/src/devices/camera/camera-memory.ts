@@ -4,25 +4,25 @@ import { textOrNone, validElements } from '../../json/schemas.ts';
 import type { PictureSettings } from './encode-picture.ts';
 import { ENCODINGS, FIRST_SETTINGS, QUALITIES, RATES, WIDTHS } from './picture-choices.ts';
 
-/** What this browser remembers of its cameras. */
+/** Camera settings stored in this browser. */
 export interface CameraMemory {
-  /** Id of the one that was used last; empty for the browser's choice. */
+  /** Id of the camera used last; empty: the browser's choice. */
   readonly chosen: string;
-  /** By id of the camera, the newest last. */
+  /** By camera id, newest last. */
   readonly settings: ReadonlyMap<string, Readonly<PictureSettings>>;
 }
 
-/** Ids change when a browser forgets a page: those of long ago are let go of. */
+/** Most cameras remembered. Ids change when a browser clears its site data, so old ones are dropped. */
 const MAX_CAMERAS = 8;
 
 export const NO_MEMORY: CameraMemory = { chosen: '', settings: new Map() };
 
-/** How the pictures of a camera were sent last, or how they are sent at first. */
+/** Returns the last settings of a camera, or the defaults. */
 export function settingsOf({ settings }: CameraMemory, camera: string): Readonly<PictureSettings> {
   return settings.get(camera) ?? FIRST_SETTINGS;
 }
 
-/** The memory with this camera as the one that was used last. */
+/** Stores the settings of a camera, and marks it as used last. */
 export function remember(
   memory: CameraMemory,
   camera: string,
@@ -37,7 +37,7 @@ export function writeMemory({ chosen, settings }: CameraMemory): string {
   return JSON.stringify({ chosen, settings: [...settings] });
 }
 
-/** Each member by itself: one that is no choice of today is what it is at first. */
+/** Each member is validated separately: invalid ones get their default. */
 const SETTINGS: v.GenericSchema<unknown, PictureSettings> = v.object({
   width: v.fallback(v.picklist(WIDTHS), FIRST_SETTINGS.width),
   rateHz: v.fallback(v.picklist(RATES), FIRST_SETTINGS.rateHz),

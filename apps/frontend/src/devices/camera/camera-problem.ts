@@ -1,11 +1,11 @@
 import { allowCameraWay } from './allow-camera.ts';
 
-/** Why there is no picture, and the way out, one sentence each. */
+/** Reason why there is no picture, and the solution, one sentence each. */
 export interface CameraProblem {
   readonly kind: 'insecure' | 'unsupported' | 'refused' | 'missing' | 'in-use' | 'ended' | 'failed';
   readonly text: string;
   readonly wayOut: string;
-  /** Whether asking again may help without leaving the page. */
+  /** Whether trying again on this page can help. */
   readonly canRetry: boolean;
 }
 
@@ -23,7 +23,7 @@ const UNSUPPORTED: CameraProblem = {
   canRetry: false,
 };
 
-/** It worked, and then the camera went. */
+/** The camera was disconnected while it was in use. */
 export const CAMERA_ENDED: CameraProblem = {
   kind: 'ended',
   text: 'The camera stopped: it was unplugged, or its permission was revoked.',
@@ -31,7 +31,7 @@ export const CAMERA_ENDED: CameraProblem = {
   canRetry: true,
 };
 
-/** As far as it is known without asking. */
+/** Returns a problem that is known before the user is asked. */
 export function firstCameraProblem(page: {
   readonly isSecureContext: boolean;
   readonly hasMediaDevices: boolean;
@@ -40,7 +40,7 @@ export function firstCameraProblem(page: {
   return page.hasMediaDevices ? undefined : UNSUPPORTED;
 }
 
-/** What a browser says when it opens no camera, by the name of its error. */
+/** Returns the problem for the name of the error that the browser reported. */
 export function cameraProblemOf(errorName: string, userAgent = navigator.userAgent): CameraProblem {
   switch (errorName) {
     case 'NotAllowedError':

@@ -1,9 +1,9 @@
 import type { ComponentInit } from '@ubii/client-web';
 
-/** The name existing programs look for. */
+/** Name that existing programs look for. */
 export const CAMERA_DEVICE = 'CameraWebInterface';
 
-/** What a camera says and hears; topics are `/<client id>/CameraWebInterface/<name>`. */
+/** Components of a camera; topics are `/<client id>/CameraWebInterface/<name>`. */
 export const CAMERA_COMPONENTS = [
   {
     name: 'camera_image',
@@ -18,7 +18,7 @@ export const CAMERA_COMPONENTS = [
     tags: ['camera', 'objects'],
     description: 'Objects found in the picture, drawn over it; 0 to 1 from the top left.',
   },
-  // After those of existing programs, which may count
+  // Added at the end, because existing programs may rely on the order.
   {
     name: 'calibration',
     format: 'string',

@@ -1,22 +1,24 @@
 import { Image2DDataFormat, type Image2D } from '@ubii/proto';
 import { JpegEncoder } from './jpeg-encoder.ts';
 
-/** Raw pixels, which every program reads, or a JPEG file in the data, which takes a tenth of the room. */
+/** Raw pixels, which every program can read, or a JPEG file in the data, which is about ten times smaller. */
 export type PictureEncoding = 'RGB8' | 'RGBA8' | 'GRAY8' | 'JPEG';
 
-/** What a camera publishes at most, bytes per second: a phone's Wi-Fi has room for more than this page. */
+/** Highest data rate of a camera, bytes per second, so that a phone's Wi-Fi has capacity left. */
 export const MOST_BYTES_PER_SECOND = 8_000_000;
 
-/** What pictures are taken of, and its size in pixels: a video, a photograph, a canvas. */
+/** Source of pictures, with its size in pixels: a video, a photograph, a canvas. */
 export interface PictureSource {
   readonly element: CanvasImageSource;
   readonly width: number;
   readonly height: number;
-  /** When the picture was taken, on the clock of `performance.now()`; `undefined` where the browser does not say. */
+  /**
+   * Capture time of the picture on the clock of `performance.now()`; `undefined` where the browser does not report it.
+   */
   readonly takenMs?: number | undefined;
 }
 
-/** A video as a source; nothing before its first picture. */
+/** Returns a video as a source; undefined before its first picture. */
 export function videoSource(
   video: HTMLVideoElement | null,
   takenMs?: number,
@@ -26,22 +28,22 @@ export function videoSource(
 }
 
 export interface PictureSettings {
-  /** Of the published picture, pixels; its height follows from the camera's. */
+  /** Width of the published picture, pixels; the height keeps the aspect ratio. */
   width: number;
-  /** Pictures a second, wanted. */
+  /** Wanted rate of pictures, Hz. */
   rateHz: number;
   encoding: PictureEncoding;
-  /** Of a JPEG, 0 to 1. */
+  /** Quality of a JPEG, 0 to 1. */
   quality: number;
 }
 
-/** The rate that is wanted, or what the bound on bytes leaves of it. */
+/** Returns the wanted rate, or a lower one that keeps within `MOST_BYTES_PER_SECOND`. */
 export function affordableRate(wantedHz: number, pictureBytes: number): number {
   if (pictureBytes <= 0) return wantedHz;
   return Math.min(wantedHz, MOST_BYTES_PER_SECOND / pictureBytes);
 }
 
-/** The same shape at most so wide; pictures are never enlarged. */
+/** Scales a size down to a width, keeping the aspect ratio; never enlarges. */
 export function sizeWithin(
   source: { readonly width: number; readonly height: number },
   width: number,
@@ -53,7 +55,7 @@ export function sizeWithin(
   };
 }
 
-/** Pixels as a canvas gives them, in another layout. */
+/** Converts pixels of a canvas to another layout. */
 export function packPixels(
   rgba: Uint8ClampedArray,
   layout: Exclude<PictureEncoding, 'JPEG'>,
@@ -67,7 +69,7 @@ export function packPixels(
     const green = rgba[i * 4 + 1]!;
     const blue = rgba[i * 4 + 2]!;
     if (channels === 1) {
-      // Brightness as eyes see it (BT.601), in 256ths.
+      // Luma (BT.601), in 256ths.
       packed[i] = (77 * red + 150 * green + 29 * blue) >> 8;
     } else {
       packed[i * 3] = red;
@@ -78,14 +80,14 @@ export function packPixels(
   return packed;
 }
 
-/** Makes records of pictures, one at a time. Close it when it is not used any more. */
+/** Encodes pictures to records, one at a time. Close it after use. */
 export class PictureEncoder {
   readonly #canvas = document.createElement('canvas');
-  /** Undefined before the first JPEG, and where there can be none. */
+  /** Undefined before the first JPEG, and where workers cannot encode. */
   #jpegs: JpegEncoder | undefined;
   #hasWorker = JpegEncoder.isSupported();
 
-  /** @throws {Error} if the browser makes no JPEG */
+  /** @throws {Error} if the browser cannot encode JPEG */
   async encode(
     source: PictureSource,
     { width: maxWidth, encoding, quality }: Readonly<PictureSettings>,
@@ -98,13 +100,13 @@ export class PictureEncoder {
     context.drawImage(source.element, 0, 0, width, height);
     if (encoding === 'JPEG' && this.#hasWorker) {
       const jpegs = (this.#jpegs ??= new JpegEncoder());
-      // Of a video whose camera was opened again, Chromium may never make one.
+      // Chromium may never resolve for a video whose camera was reopened.
       const picture = await createImageBitmap(canvas);
       try {
         const data = await jpegs.encode(picture, { width, height, quality });
         return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
       } catch (error) {
-        // From the next one on they are encoded in the page.
+        // From the next picture on, encode on the main thread.
         this.#hasWorker = false;
         this.close();
         throw error;

@@ -1,9 +1,9 @@
 import type { JpegReply, JpegTask } from './jpeg-worker.ts';
 
-/** A worker that takes longer is gone, milliseconds. */
+/** Time after which a worker counts as dead, milliseconds. */
 const TIMEOUT_MS = 5000;
 
-/** Makes JPEG files in a worker of its own, one at a time. Close it when it is not used any more. */
+/** Encodes JPEG in a dedicated worker, one picture at a time. Close it after use. */
 export class JpegEncoder {
   readonly #worker: Worker;
   readonly #failed: Promise<never>;
@@ -14,7 +14,7 @@ export class JpegEncoder {
       this.#worker.onerror = () =>
         reject(new Error('The picture encoder could not start. Reload the page.'));
     });
-    this.#failed.catch(() => undefined); // told with the next picture
+    this.#failed.catch(() => undefined); // Reported with the next picture.
   }
 
   static isSupported(): boolean {
@@ -22,8 +22,8 @@ export class JpegEncoder {
   }
 
   /**
-   * @param picture is given away
-   * @throws {Error} if the worker makes no JPEG
+   * @param picture is transferred
+   * @throws {Error} if the worker cannot encode
    */
   async encode(
     picture: ImageBitmap,

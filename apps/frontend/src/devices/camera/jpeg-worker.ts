@@ -1,4 +1,4 @@
-/** One picture to be encoded, the size of the file and its quality, 0 to 1. */
+/** A picture to encode, with the size of the result and its quality, 0 to 1. */
 export interface JpegTask {
   readonly picture: ImageBitmap;
   readonly width: number;
@@ -6,13 +6,13 @@ export interface JpegTask {
   readonly quality: number;
 }
 
-/** The file, or nothing if the browser made none. */
+/** The JPEG file; undefined if encoding failed. */
 export type JpegReply = ArrayBuffer | undefined;
 
 const canvas = new OffscreenCanvas(1, 1);
 const context = canvas.getContext('2d', { willReadFrequently: true })!;
 
-/** Scales and encodes beside the page: a canvas of the page waits for idle time, a second where the page is behind another. */
+/** Scales and encodes off the main thread: there, a canvas waits for idle time, up to a second in background tabs. */
 async function encode({ picture, width, height, quality }: JpegTask): Promise<ArrayBuffer> {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;

@@ -14,7 +14,7 @@ export const ENCODINGS: readonly {
   { value: 'GRAY8', text: 'GRAY8', hint: 'raw, brightness' },
   { value: 'JPEG', text: 'JPEG', hint: 'a file, a tenth as large' },
 ];
-/** Of a JPEG. */
+/** Range of JPEG qualities. */
 export const QUALITIES = { min: 0.1, max: 0.95, step: 0.05 };
 
 export const FIRST_SETTINGS: Readonly<PictureSettings> = {

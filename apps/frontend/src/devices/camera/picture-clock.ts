@@ -1,4 +1,4 @@
 import { createPageClock } from '@ubii/client-web/processing';
 
-/** Time of pictures: their session goes on at its rate while another page, such as its graph, is in front. */
+/** Clock for pictures, which keeps its rate in background tabs, such as behind the session's graph. */
 export const pictureClock = createPageClock();

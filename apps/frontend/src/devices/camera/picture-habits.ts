@@ -5,27 +5,27 @@ import { storedAs } from '../../json/read-stored.ts';
 import { flag } from '../../json/schemas.ts';
 
 const HABITS = v.object({
-  /** Quality, size and rate follow what link and modules take. */
+  /** Adapts quality, size and rate to network and modules. */
   isAdaptive: v.fallback(v.boolean(), true),
-  /** The newest picture stays on the master when no more are sent, until this client leaves. [TD-49] */
+  /** Keeps the newest picture on the master after sending stops, until this client leaves. [TD-49] */
   keepsNewest: flag,
 });
 
-/** How this browser sends pictures, whatever they are of. */
+/** Preferences of this browser for sending pictures of any source. */
 export type PictureHabits = v.InferOutput<typeof HABITS>;
 
 export const storedHabits = storedAs(HABITS, {});
 
 const LEAST_EXPIRY_MS = 1000;
-/** Pictures may be late by two of them. */
+/** Expiry of a picture as a multiple of the interval. */
 const INTERVALS = 3;
 
-/** How long a picture stands on the master without a newer one, milliseconds. [TD-49] */
+/** Returns the expiry of a picture without a newer one, milliseconds. [TD-49] */
 export function pictureExpiryMs(rateHz: number): number {
   return Math.round(Math.max(LEAST_EXPIRY_MS, (INTERVALS * 1000) / rateHz));
 }
 
-/** The habits of this browser, remembered. */
+/** Preferences stored in this browser. */
 export function usePictureHabits(): Ref<PictureHabits> {
   return useLocalStorage('ubii.pictures', v.parse(HABITS, {}), {
     serializer: storedHabits,

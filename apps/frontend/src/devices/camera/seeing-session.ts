@@ -1,6 +1,6 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** Modules of the library that find something in pictures, by what they find. */
+/** Library modules that analyse pictures, by their results. */
 export const SEEING_MODULES = {
   objects: { module: 'object-detection', output: 'predictions' },
   bodies: { module: 'body-pose', output: 'keypoints' },
@@ -9,23 +9,23 @@ export const SEEING_MODULES = {
 
 export type Seen = keyof typeof SEEING_MODULES;
 
-/** A session that looks at the pictures of a topic. */
+/** Specification of a session that analyses the pictures of a topic. */
 export interface SeeingSpec {
   readonly name: string;
   readonly description: string;
   readonly tags: readonly string[];
   /** Topic of the pictures. */
   readonly image: string;
-  /** Where what is found goes, by what is looked for. */
+  /** Topics of the results. */
   readonly found: { readonly [S in Seen]?: string | undefined };
-  /** Topics of other inputs and outputs of `object-detection`, by their names. */
+  /** Topics of other inputs and outputs of `object-detection`, by name. */
   readonly inputs?: { readonly [input: string]: string | undefined };
   readonly outputs?: { readonly [output: string]: string | undefined };
-  /** Values of inputs of all modules, such as `{ double: 30 }`, by their names. */
+  /** Constants for inputs of all modules, such as `{ double: 30 }`, by input name. */
   readonly constants?: { readonly [input: string]: object };
 }
 
-/** The session that other programs would make of it: pictures in, boxes and keypoints out. */
+/** Creates a session that reads pictures and writes boxes and keypoints, as existing programs do. */
 export function seeingSession(spec: SeeingSpec): Init<Session> {
   const seen = (Object.keys(SEEING_MODULES) as Seen[]).filter((one) => spec.found[one]);
   const toTopics = (topics: { readonly [name: string]: string | undefined } = {}) =>

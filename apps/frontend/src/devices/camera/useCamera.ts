@@ -7,30 +7,30 @@ import {
   type CameraProblem,
 } from './camera-problem.ts';
 
-/** `paused`: the page is hidden or not connected, and the camera comes back with it. */
+/** `paused`: the page is hidden or disconnected; the camera resumes with it. */
 export type CameraStatus = 'off' | 'asking' | 'on' | 'paused';
 
-/** Browsers that have a light tell so; no declaration knows it. */
+/** Browsers report a torch, but TypeScript's DOM types lack it. */
 type TorchCapabilities = MediaTrackCapabilities & { readonly torch?: boolean };
 
-/** A connection that was lost this long ago receives nothing: the camera is let go, milliseconds. */
+/** Time without a connection after which the camera is released, milliseconds. */
 const UNNEEDED_MS = 3000;
 
-/** What is asked of a camera: enough for the largest picture that is published. */
+/** Constraints for the camera: the largest picture that is published. */
 const WANTED = { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ideal: 30 } };
 
 /**
- * The camera of this device, while the calling scope lives, the camera is needed, and the page is visible.
+ * The camera of this device, while the calling scope is active, the camera is needed, and the page is visible.
  *
- * @param first id of the one to be opened; when it is gone, any other is
- * @param isNeeded false while nothing can be sent: the camera pauses soon, and its light goes out
+ * @param first id of the camera to open; if it is not available, any other
+ * @param isNeeded false while nothing can be sent: the camera is released after `UNNEEDED_MS`
  */
 export function useCamera(first = '', isNeeded: () => boolean = () => true) {
   const status = shallowRef<CameraStatus>('off');
   const problem = shallowRef<CameraProblem | undefined>(firstProblem());
   const stream = shallowRef<MediaStream>();
   const cameras = shallowRef<readonly { readonly id: string; readonly name: string }[]>([]);
-  /** Empty: the browser's choice, on phones the one at the back. */
+  /** Id of the chosen camera; empty: the browser's choice, on phones the rear camera. */
   const chosen = shallowRef(first);
   const torch = shallowRef<'missing' | 'off' | 'on'>('missing');
   let attempt = 0;
@@ -43,9 +43,9 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
     status.value = 'asking';
     try {
       const opened = await navigator.mediaDevices.getUserMedia({ video: constraintsFor(id) });
-      // Stopped, hidden or left meanwhile.
+      // Stopped, hidden or unmounted in the meantime.
       if (mine !== attempt) return endTracks(opened);
-      // Hidden while the user was asked: it comes back with the page.
+      // The page was hidden during the permission prompt: resume when it is visible.
       if (document.visibilityState === 'hidden') {
         endTracks(opened);
         status.value = 'paused';
@@ -54,7 +54,7 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
       take(opened);
     } catch (error) {
       if (mine !== attempt) return;
-      // A camera that was chosen may be gone; any other is better than none.
+      // The chosen camera may be unavailable; use any other.
       if (id !== '' && isGone(error as DOMException)) return start('');
       problem.value = cameraProblemOf((error as DOMException).name);
       status.value = 'off';
@@ -77,7 +77,7 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
     void list();
   }
 
-  /** Names are told once a camera is allowed. */
+  /** Lists cameras; their labels are available once a camera is allowed. */
   async function list(): Promise<void> {
     const devices = await navigator.mediaDevices.enumerateDevices();
     cameras.value = devices
@@ -107,7 +107,7 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
       await track?.applyConstraints({ advanced });
       torch.value = isOn ? 'on' : 'off';
     } catch {
-      // Some cameras say that they have a light, and have none.
+      // Some cameras report a torch that they do not have.
       torch.value = 'missing';
     }
   }
@@ -122,7 +122,7 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
       void start();
     }
   }
-  // The camera stops while the page is hidden.
+  // Pauses the camera while the page is hidden.
   useEventListener(document, 'visibilitychange', () => {
     if (document.visibilityState === 'hidden') pause();
     else resume();
@@ -152,7 +152,7 @@ function constraintsFor(id: string): MediaTrackConstraints {
     : { ...WANTED, deviceId: { exact: id } };
 }
 
-/** Browsers differ in what they say of a camera that is not there any more. */
+/** Whether an error means a missing camera, for which browsers use different names. */
 function isGone({ name }: DOMException): boolean {
   return name === 'OverconstrainedError' || name === 'NotFoundError';
 }

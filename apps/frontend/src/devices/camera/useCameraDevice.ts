@@ -8,21 +8,21 @@ import type { PictureHabits } from './picture-habits.ts';
 import { useFrameTimes } from './useFrameTimes.ts';
 import { usePictures } from './usePictures.ts';
 
-/** Boxes that nothing renews are of another picture by then, milliseconds. */
+/** Time without an update after which boxes are outdated, milliseconds. */
 const OBJECTS_HOLD_MS = 5000;
 
-/** The device: pictures out, what was found in them in. */
+/** Camera device: publishes pictures, receives the objects detected in them. */
 export function useCameraDevice(options: {
   readonly video: () => HTMLVideoElement | null;
   /** True while the camera is on and has a receiver. */
   readonly isWanted: () => boolean;
   readonly settings: Readonly<PictureSettings>;
   readonly habits: () => Readonly<PictureHabits>;
-  /** JSON; empty while there is none. */
+  /** JSON text; empty without a calibration. */
   readonly calibration: () => string;
 }) {
   const objects = shallowRef<Object2DList>();
-  /** From the newest picture that was sent to the boxes that came next, milliseconds. */
+  /** Time from the newest sent picture to the next boxes, milliseconds. */
   const answerMs = shallowRef<number>();
   const results = new RateMeter(OBJECTS_HOLD_MS);
   const frames = useFrameTimes(options.video);

@@ -3,13 +3,13 @@ import { reactive, watch } from 'vue';
 import { NO_MEMORY, readMemory, remember, settingsOf, writeMemory } from './camera-memory.ts';
 import type { PictureSettings } from './encode-picture.ts';
 
-/** How pictures are sent, remembered for each camera of this browser. */
+/** Settings of each camera of this browser, stored across visits. */
 export function useCameraMemory() {
   const memory = useLocalStorage('ubii.camera', NO_MEMORY, {
     serializer: { read: readMemory, write: writeMemory },
     shallow: true,
     writeDefaults: false,
-    // Another tab may send another way.
+    // Tabs may use different settings.
     listenToStorageChanges: false,
   });
   const { chosen } = memory.value;
@@ -17,11 +17,11 @@ export function useCameraMemory() {
 
   return {
     settings,
-    /** Id of the camera that was used last; it may be gone by now. */
+    /** Id of the camera used last; it may be unavailable now. */
     lastCamera: chosen,
     /**
-     * Another camera brings its own settings, when it has any; what is changed is kept for it.
-     * @param camera id of the one that is chosen; empty while it is the browser's choice
+     * Loads the settings of the chosen camera, and stores changes for it.
+     * @param camera id of the chosen camera; empty: the browser's choice
      */
     follow(camera: () => string): void {
       watch(camera, (id) => {

@@ -1,15 +1,15 @@
 import { onScopeDispose, watch } from 'vue';
 
-/** The moment at which the picture that a video shows was taken, as far as the browser tells. */
+/** Capture time of the picture that a video shows, as far as the browser reports it. */
 export interface FrameTimes {
-  /** On the clock of `performance.now()`; `undefined` without a picture of late. */
+  /** On the clock of `performance.now()`; `undefined` without a recent picture. */
   takenMs(): number | undefined;
 }
 
-/** What is older than this is no moment of the picture that is seen, milliseconds. */
+/** Age from which a time no longer belongs to the visible picture, milliseconds. */
 const MAX_AGE_MS = 1000;
 
-/** Follows the pictures of a video: when the camera took them, else when they were ready to be shown. */
+/** Tracks the capture times of a video's pictures; otherwise the times at which they were ready for display. */
 export function useFrameTimes(video: () => HTMLVideoElement | null): FrameTimes {
   let takenMs: number | undefined;
   let end = (): void => undefined;

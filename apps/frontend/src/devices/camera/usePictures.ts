@@ -15,32 +15,32 @@ import {
 import { pictureClock } from './picture-clock.ts';
 import { pictureExpiryMs, type PictureHabits } from './picture-habits.ts';
 
-/** What was measured of the last pictures; all `undefined` while none are sent. */
+/** Measurements of the last pictures; all `undefined` while none are sent. */
 export interface PictureMeasures {
   width: number | undefined;
   height: number | undefined;
   bytes: number | undefined;
-  /** Drawing, scaling and packing one picture, milliseconds. */
+  /** Time for drawing, scaling and packing a picture, milliseconds. */
   encodeMs: number | undefined;
-  /** Until the system had taken it, milliseconds. */
+  /** Time until the operating system accepted it, milliseconds. */
   leaveMs: number | undefined;
   rateHz: number | undefined;
-  /** Fewer than wanted, to keep within the bound on bytes. */
+  /** True when the rate is reduced to the highest data rate. */
   isSlowed: boolean;
-  /** What is sent otherwise than wanted, and why, one sentence. */
+  /** How pictures differ from the wanted settings, and why, one sentence. */
   adapted: string | undefined;
-  /** When the last one left, on the clock of `performance.now()`. */
+  /** Time at which the last picture was sent, on the clock of `performance.now()`. */
   sentAtMs: number | undefined;
 }
 
-/** How a picture was made, and how it is to be published. */
+/** Timing and expiry of an encoded picture. */
 export interface TakenPicture {
-  /** From the light on the camera to the encoder; `undefined` where the browser does not tell. Milliseconds. */
+  /** Time from the exposure to the encoder, milliseconds; `undefined` where the browser does not report it. */
   readonly captureMs: number | undefined;
   readonly encodeMs: number;
-  /** Since the picture was taken, milliseconds. */
+  /** Age of the picture, milliseconds. */
   readonly ageMs: number;
-  /** How long it stands on the master without a newer one; 0: as long as the client is there. [TD-49] */
+  /** Expiry on the master without a newer picture; 0: until the client leaves. [TD-49] */
   readonly expiryMs: number;
 }
 
@@ -56,33 +56,33 @@ const NOTHING: PictureMeasures = {
   sentAtMs: undefined,
 };
 
-/** How often settings are decided on, milliseconds. */
+/** Interval of decisions about settings, milliseconds. */
 const DECIDE_MS = 500;
-/** After a time without a master, or behind another page, figures are those of before for so long, milliseconds. */
+/** Time after a disconnect or in the background during which measurements are outdated, milliseconds. */
 const CALM_MS = 4000;
-/** A decision that comes so long after the one before was held up, milliseconds. */
+/** Interval between decisions from which the page was delayed, milliseconds. */
 const LATE_MS = 1.8 * DECIDE_MS;
-/** How often is looked whether a picture has left: WebSocket has no event for it, milliseconds. */
+/** Interval of checks whether a picture was sent, for which WebSocket has no event, milliseconds. */
 const LEAVE_POLL_MS = 4;
-/** A picture has left when no more than this share of it is here. */
+/** Share of a picture still in the buffer below which it counts as sent. */
 const LEFT_SHARE = 0.1;
-/** Round trips remembered for the shortest, two seconds each. */
+/** Number of round trips for the minimum, one every two seconds. */
 const ROUND_TRIPS = 30;
 
 /**
- * Takes pictures of a source, one at a time, while they are wanted. The next one is taken when the one before has left:
- * none waits anywhere on the way to the link, and what is sent is always the newest.
+ * Takes pictures of a source, one at a time, while they are wanted. The next one is taken after the previous one was
+ * sent: no picture waits in a queue, and the newest is sent.
  */
 export function usePictures(options: {
   readonly source: () => PictureSource | undefined;
   readonly isWanted: () => boolean;
-  /** What is wanted at most. */
+  /** Highest settings to use. */
   readonly settings: Readonly<PictureSettings>;
   readonly habits: () => Readonly<PictureHabits>;
-  /** Results that modules give for the pictures, per second. */
+  /** Results of modules for the pictures, per second. */
   readonly resultHz?: () => number | undefined;
   readonly publish: (image: Image2D, taken: TakenPicture) => void;
-  /** Nothing of the pictures is to stay on the master. [TD-48] */
+  /** Ends the topic, so that no picture stays on the master. [TD-48] */
   readonly end: () => void;
 }) {
   const { client, isConnected } = useConnection();
@@ -105,7 +105,7 @@ export function usePictures(options: {
     const nowMs = performance.now();
     const isLate = nowMs - decidedMs > LATE_MS;
     decidedMs = nowMs;
-    // Browsers slow down pages behind others, also such as count as visible.
+    // Browsers slow down background pages, even some that count as visible.
     if (isLate) forget();
     if (nowMs < calmFromMs) return;
     const before = adaptedStep(state, settings);
@@ -130,7 +130,7 @@ export function usePictures(options: {
     },
   );
 
-  // A time without a master, or behind another page, is not the measure of a link, nor of a module.
+  // Measurements while disconnected or in the background say nothing about network and modules.
   const visibility = useDocumentVisibility();
   function forget(): void {
     sent.clear();
@@ -145,7 +145,7 @@ export function usePictures(options: {
   watch(
     () => options.habits().keepsNewest,
     (keeps) => {
-      // What was kept is not to be there any longer.
+      // The kept picture is no longer wanted.
       if (!keeps && !options.isWanted()) options.end();
     },
   );
@@ -193,7 +193,7 @@ export function usePictures(options: {
         cancel = pictureClock.after(Math.max(0, 1000 / rateHz - passedMs), run);
       }
 
-      /** @returns how long the picture took to leave, milliseconds */
+      /** @returns time until the picture was sent, milliseconds */
       async function left(bytes: number): Promise<number> {
         const beginMs = performance.now();
         let lookedMs = beginMs;
@@ -201,7 +201,7 @@ export function usePictures(options: {
           lookedMs = performance.now();
           await new Promise<void>((resolve) => pictureClock.after(LEAVE_POLL_MS, resolve));
         }
-        // It left soon after the last look, however late a busy page looks again.
+        // On a busy page this check is late: the picture was sent soon after the previous check.
         return Math.min(performance.now(), lookedMs + LEAVE_POLL_MS) - beginMs;
       }
 
@@ -220,7 +220,7 @@ export function usePictures(options: {
       }
 
       function run(): void {
-        // One that could not be made is let go of; the next is tried at its time.
+        // Skip a picture that could not be encoded; the next one is taken at its time.
         takeOne().catch(() => {
           if (!isOver) cancel = pictureClock.after(1000 / options.settings.rateHz, run);
         });

@@ -1,11 +1,11 @@
 import type { ComponentInit } from '@ubii/client-web';
 import { canVibrate } from '../outputs/vibrate.ts';
 
-/** Names existing programs look for. */
+/** Name that existing programs look for. */
 export const CONTROLLER_DEVICE = 'web-interface-ubii-controller';
 export const CONTROLLER_GAMEPAD_DEVICE = 'web-interface-ubii-controller-gamepad';
 
-/** What switches between gamepad and camera; its topic is `/<client id>/<device>/set_controllerMode`. */
+/** Component that switches between gamepad and camera; its topic is `/<client id>/<device>/set_controllerMode`. */
 export const CONTROLLER_COMPONENTS = [
   {
     name: 'set_controllerMode',
@@ -70,7 +70,7 @@ export const CONTROLLER_GAMEPAD_COMPONENTS = [
 
 type Components = typeof CONTROLLER_GAMEPAD_COMPONENTS;
 
-/** Those of this device: one that cannot vibrate does not say that it listens. */
+/** Components of this device; without the one for vibration if it cannot vibrate. */
 export function controllerGamepadComponents(): Components {
   if (canVibrate()) return CONTROLLER_GAMEPAD_COMPONENTS;
   return CONTROLLER_GAMEPAD_COMPONENTS.filter(
@@ -80,7 +80,7 @@ export function controllerGamepadComponents(): Components {
 
 export type ControllerMode = 'gamepad' | 'camera';
 
-/** The mode a session asks for; `undefined` for words that mean none. */
+/** Parses a requested mode; `undefined` for unknown ones. */
 export function controllerModeOf(text: string): ControllerMode | undefined {
   switch (text.trim().toLowerCase()) {
     case 'gamepad':

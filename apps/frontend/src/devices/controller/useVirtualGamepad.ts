@@ -15,11 +15,11 @@ import { useMotionSensors } from '../sensors/useMotionSensors.ts';
 import { useDevice } from '../useDevice.ts';
 import { CONTROLLER_GAMEPAD_DEVICE, controllerGamepadComponents } from './components.ts';
 
-/** The keys existing programs find in the events. */
+/** Keys of the events that existing programs expect. */
 const KEYS = { button_a: '1', button_b: '2', button_start: 'start' } as const;
 export type ControllerButton = keyof typeof KEYS;
 
-/** The controller's gamepad: what its controls say is published, what a session sends is done. */
+/** The controller's gamepad: publishes its controls, performs the outputs of a session. */
 export function useVirtualGamepad() {
   const { client } = useConnection();
   const outputs = shallowReactive({
@@ -40,7 +40,7 @@ export function useVirtualGamepad() {
       ...(canVibrate()
         ? {
             vibration_pattern: (durationMs: number) => {
-              // Seen as well: a phone on a table, or one that is muted, is not felt.
+              // Also shown, because the vibration of a phone on a table is not felt.
               outputs.isVibrating = durationMs > 0;
               clearTimeout(vibrationTimer);
               vibrationTimer = setTimeout(
@@ -73,7 +73,7 @@ export function useVirtualGamepad() {
     compass: () => undefined,
   });
 
-  // Games take the player away at once, and not when the connection is missed.
+  // Tells games that the player left, before they notice the lost connection.
   const sayFarewell = (): void =>
     client.publish(FAREWELL_TOPIC, 'string', client.id, { immediate: true });
   useEventListener(window, 'pagehide', sayFarewell);
@@ -87,7 +87,7 @@ export function useVirtualGamepad() {
     motion,
     hasMotion,
     isCalibrated,
-    /** How it is held now is no turn from here on; again takes that back. */
+    /** Sets the current orientation as zero; again: resets it. */
     calibrate(): void {
       zero = zero ? undefined : angles;
       isCalibrated.value = zero !== undefined;

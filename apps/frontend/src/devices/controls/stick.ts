@@ -1,14 +1,14 @@
 import type { Vector2 } from '@ubii/proto';
 
-/** Sticks say x to the right and y upwards, both −1 to 1, and never more than 1 in any direction. */
+/** Limits a position to the unit circle. Sticks use x to the right and y upwards, both −1 to 1. */
 export function withinCircle({ x, y }: Vector2): Vector2 {
   const length = Math.hypot(x, y);
   return length > 1 ? { x: x / length, y: y / length } : { x, y };
 }
 
 /**
- * Sticks of gamepads never rest in the very middle. Within the dead zone there is nothing; beyond it
- * the values begin at 0 and still reach 1.
+ * Applies a dead zone, because gamepad sticks do not rest exactly in the centre: 0 inside; outside, values start at 0
+ * and still reach 1.
  *
  * @param deadZone 0 to less than 1
  */
@@ -31,10 +31,10 @@ const DIRECTIONS: Readonly<Record<string, Vector2>> = {
   KeyD: { x: 1, y: 0 },
 };
 
-/** Whether a key, by its place on the keyboard, pushes a stick. */
+/** Whether a key moves a stick, by `event.code`. */
 export const isStickKey = (code: string): boolean => code in DIRECTIONS;
 
-/** Where a stick is that is pushed by arrow keys or W, A, S and D. */
+/** Returns the stick position for pressed arrow keys or W, A, S and D. */
 export function stickOfKeys(codes: Iterable<string>): Vector2 {
   let x = 0;
   let y = 0;

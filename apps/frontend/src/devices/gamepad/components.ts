@@ -1,9 +1,9 @@
 import type { ComponentInit } from '@ubii/client-web';
 
-/** The first pad's device; others have their number behind it: `web-interface-gamepad-2`. */
+/** Name of the first pad's device; others have their number appended: `web-interface-gamepad-2`. */
 export const GAMEPAD_DEVICE = 'web-interface-gamepad';
 
-/** Buttons by their places in the standard mapping. A, B and Start have the keys of the phone controller. */
+/** Buttons by index in the standard mapping. A, B and Start have the keys of the phone controller. */
 export const PAD_BUTTONS = [
   { name: 'button_a', index: 0, key: '1', text: 'A' },
   { name: 'button_b', index: 1, key: '2', text: 'B' },
@@ -31,7 +31,7 @@ const button = <N extends PadButton>(name: N) =>
     description: 'Button events: pressed and released.',
   }) as const;
 
-/** The same names as the phone controller has, so that either stands in for the other. */
+/** The same names as for the phone controller, so that each can replace the other. */
 export const GAMEPAD_COMPONENTS = [
   {
     name: 'analog_stick_left',

@@ -2,16 +2,16 @@ import type { Vector2 } from '@ubii/proto';
 import { withDeadZone } from '../controls/stick.ts';
 import { PAD_BUTTONS, type PadButton } from './components.ts';
 
-/** Sticks rest within this, a part of their way. */
+/** Dead zone of sticks, as a share of their range. */
 export const DEAD_ZONE = 0.12;
 
-/** What a browser tells of a pad. */
+/** The part of `Gamepad` that is used. */
 export interface PadSource {
   readonly axes: readonly number[];
   readonly buttons: readonly { readonly pressed: boolean; readonly value: number }[];
 }
 
-/** What a pad says at a moment. */
+/** State of a pad. */
 export interface PadState {
   readonly left: Vector2;
   readonly right: Vector2;
@@ -21,7 +21,7 @@ export interface PadState {
 }
 
 const MIDDLE: Vector2 = { x: 0, y: 0 };
-/** Nothing is pushed or pressed. */
+/** State of an untouched pad. */
 export const RESTING: PadState = {
   left: MIDDLE,
   right: MIDDLE,
@@ -30,9 +30,9 @@ export const RESTING: PadState = {
   down: new Set(),
 };
 
-/** Reads a pad of the standard mapping; what it lacks rests. Browsers count y downwards. */
+/** Reads a pad of the standard mapping; missing controls are at rest. Browsers count y downwards. */
 export function readPad({ axes, buttons }: PadSource, deadZone: number = DEAD_ZONE): PadState {
-  // Not −0, which would be another value than 0.
+  // Avoid −0, which would be a different value than 0.
   const stick = (x: number): Vector2 =>
     withDeadZone({ x: axes[x] ?? 0, y: 0 - (axes[x + 1] ?? 0) }, deadZone);
   return {
@@ -46,7 +46,7 @@ export function readPad({ axes, buttons }: PadSource, deadZone: number = DEAD_ZO
   };
 }
 
-/** What is to be told when a pad went from one state to another. */
+/** Returns the events for a change of a pad's state. */
 export function padChanges(before: PadState, after: PadState) {
   const stick = (name: 'left' | 'right') =>
     before[name].x !== after[name].x || before[name].y !== after[name].y ? after[name] : undefined;

@@ -2,12 +2,12 @@ import { useEventListener, useRafFn } from '@vueuse/core';
 import { shallowRef } from 'vue';
 
 /**
- * The pads of this computer. Browsers show none until a button was pressed while the page is in front,
- * and have no events for what pads say: they are looked at once a frame.
+ * Gamepads of this computer. Browsers report one after a button was pressed while the page has the focus, and have no
+ * events for their state: it is polled once per frame.
  */
 export function useGamepads() {
   const isSupported = 'getGamepads' in navigator;
-  /** Places of those that are there, as browsers number them; 0 to 3. */
+  /** Indices of connected pads, as numbered by the browser; 0 to 3. */
   const indices = shallowRef<readonly number[]>([]);
   const listeners = new Map<number, (pad: Gamepad | undefined) => void>();
 
@@ -28,7 +28,7 @@ export function useGamepads() {
   return {
     isSupported,
     indices,
-    /** @param listener is told the pad once a frame, and nothing when the page is left */
+    /** @param listener called once per frame with the pad; with undefined when the page is hidden */
     listen(index: number, listener: (pad: Gamepad | undefined) => void): () => void {
       listeners.set(index, listener);
       return () => listeners.delete(index);

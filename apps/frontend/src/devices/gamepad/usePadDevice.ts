@@ -7,7 +7,7 @@ import type { Gamepads } from './useGamepads.ts';
 
 const LONGEST_RUMBLE_MS = 5000;
 
-/** One pad as a device of its own, while the calling scope lives. */
+/** A pad as a separate device, while the calling scope is active. */
 export function usePadDevice(pads: Gamepads, index: number) {
   const state = shallowRef<PadState>(RESTING);
   const name = shallowRef('Gamepad');
@@ -32,7 +32,7 @@ export function usePadDevice(pads: Gamepads, index: number) {
     const duration = Math.min(Math.max(durationMs, 0), LONGEST_RUMBLE_MS);
     pad?.vibrationActuator
       ?.playEffect('dual-rumble', { duration, strongMagnitude: 1, weakMagnitude: 0.6 })
-      // Gamepads without motors, and pages without user interaction.
+      // Fails for gamepads without motors, and before any user interaction.
       .catch(() => undefined);
   }
 
@@ -58,7 +58,7 @@ export function usePadDevice(pads: Gamepads, index: number) {
       isStandard.value = now.mapping === 'standard';
       canRumble.value = Boolean(now.vibrationActuator as unknown);
     }
-    // Before the master knows the device nothing can be told, and would be missed later.
+    // Before the device is registered, changes would be lost and missing later.
     if (device.isRegistered.value) become(now ? readPad(now) : RESTING);
   });
   onScopeDispose(() => {

@@ -2,7 +2,7 @@ import type { ComponentInit } from '@ubii/client-web';
 
 export const KEYBOARD_MOUSE_DEVICE = 'web-interface-keyboard-mouse';
 
-/** Where phones and controllers have the same meaning, the same names: one stands in for the other. */
+/** The same names as for phones and controllers where the meaning is the same, so that each can replace the other. */
 export const KEYBOARD_MOUSE_COMPONENTS = [
   {
     name: 'button',

@@ -1,8 +1,11 @@
-/** A key by its place, and what it wrote when it went down: with Shift let go first that is another letter. */
+/**
+ * Pressed keys by `code`, with the `key` at the time of the press: it differs at the release if Shift is released
+ * first.
+ */
 export class HeldKeys {
   readonly #keys = new Map<string, string>();
 
-  /** Places of the keys that are down. */
+  /** Codes of the pressed keys. */
   get codes(): Iterable<string> {
     return this.#keys.keys();
   }
@@ -11,21 +14,21 @@ export class HeldKeys {
     return [...this.#keys.values()];
   }
 
-  /** @returns false when it was down already, as when the keyboard repeats it */
+  /** @returns false when it was pressed already, as for key repeat */
   press(code: string, key: string): boolean {
     if (this.#keys.has(code)) return false;
     this.#keys.set(code, key);
     return true;
   }
 
-  /** @returns what it wrote when it went down; nothing when it was not down */
+  /** @returns its `key` at the press; undefined when it was not pressed */
   release(code: string): string | undefined {
     const key = this.#keys.get(code);
     this.#keys.delete(code);
     return key;
   }
 
-  /** Lets go of all; @returns what they wrote */
+  /** Releases all keys; @returns their `key`s */
   releaseAll(): readonly string[] {
     const { names } = this;
     this.#keys.clear();
@@ -33,7 +36,7 @@ export class HeldKeys {
   }
 }
 
-/** Keys that leave the pad, and combinations that are the browser's and the system's. */
+/** False for keys that leave the pad, and for shortcuts of browser and operating system. */
 export function isCaptured(event: {
   readonly key: string;
   readonly ctrlKey: boolean;

@@ -10,7 +10,7 @@ import { HeldKeys, isCaptured } from './held-keys.ts';
 const BUTTON_BITS = [0, 2, 1, 3, 4];
 const MIDDLE: Vector2 = { x: 0, y: 0 };
 
-/** Keyboard and mouse as a device, as long as a pad has the focus or the mouse is on it. */
+/** Keyboard and mouse as a device, while a pad has the focus or the mouse is on it. */
 export function useKeyboardMouse(pad: () => HTMLElement | null) {
   const shown = shallowReactive({
     keys: [] as readonly string[],
@@ -53,7 +53,7 @@ export function useKeyboardMouse(pad: () => HTMLElement | null) {
   }
 
   function lock(): void {
-    // Refused where there is no mouse; browsers answer with a promise, or not at all.
+    // Rejected without a mouse; some browsers return no promise.
     const answer = pad()?.requestPointerLock() as Promise<void> | undefined;
     answer?.catch(() => undefined);
   }
@@ -80,17 +80,17 @@ export function useKeyboardMouse(pad: () => HTMLElement | null) {
       if (keys.press(event.code, event.key)) tellKey(event.key, true);
     },
     keyUp(event: KeyboardEvent): void {
-      // Whatever is held with it: what went down must come up.
+      // With any modifier: every pressed key must be released.
       const key = keys.release(event.code);
       if (key === undefined) return;
       event.preventDefault();
       tellKey(key, false);
     },
-    /** The pointer came down, moved or was lifted. */
+    /** The pointer was pressed, moved or released. */
     point(event: PointerEvent): void {
       const element = pad();
       if (!element) return;
-      // What the mouse says is held is so, whatever was missed.
+      // Take the state of all buttons from the event, in case one was missed.
       BUTTON_BITS.forEach((button, bit) => tellButton(button, (event.buttons & (1 << bit)) !== 0));
       if (event.type === 'pointerdown') element.setPointerCapture(event.pointerId);
       if (shown.isLocked) {
@@ -108,7 +108,7 @@ export function useKeyboardMouse(pad: () => HTMLElement | null) {
     },
     letGo,
     wheel(event: WheelEvent): void {
-      // Lines and pages, where a browser counts in them, in pixels.
+      // Converts lines and pages to pixels, for browsers that report those.
       const unit = [1, 16, 400][event.deltaMode] ?? 1;
       shown.wheel = { x: event.deltaX * unit, y: event.deltaY * unit };
       device.publish('mouse_wheel', shown.wheel);

@@ -1,6 +1,6 @@
 import type { Color } from '@ubii/proto';
 
-/** A colour that came over a topic, parts from 0 to 1, as style sheets take it: data, not a colour of the page. */
+/** Converts a colour of a topic, with parts from 0 to 1, to CSS. It is data, not a colour of the design. */
 export function cssColorOf({ r, g, b, a }: Color): string {
   return `color(srgb ${r} ${g} ${b} / ${a})`;
 }

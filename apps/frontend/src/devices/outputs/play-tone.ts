@@ -1,12 +1,12 @@
 import type { Vector3 } from '@ubii/proto';
 
 const LONGEST_MS = 5000;
-/** Attack and release, seconds: without them each tone begins and ends with a click. */
+/** Attack and release, seconds: avoid clicks at start and end of a tone. */
 const RAMP_S = 0.005;
 
 let context: AudioContext | undefined;
 
-/** Browsers keep pages silent until they are touched: to be called in the handler of a tap. */
+/** Enables sound, which browsers block before a user interaction: call it in the handler of a tap. */
 export function unlockSound(): void {
   context ??= new AudioContext();
   if (context.state === 'suspended') void context.resume();
@@ -16,7 +16,7 @@ export function unlockSound(): void {
  * Plays one tone.
  *
  * @param tone x: Hz, 20 to 20 000; y: milliseconds, 5000 at most; z: volume, 0 to 1 (0 is taken as 1: not given)
- * @returns false when it cannot be heard: the user has not touched the page yet, or the tone is invalid
+ * @returns false when it is not audible: no user interaction yet, or an invalid tone
  */
 export function playTone({ x: frequency, y: durationMs, z: volume }: Vector3): boolean {
   if (context === undefined || context.state !== 'running') return false;

@@ -1,14 +1,14 @@
-/** Longer ones are cut, milliseconds: a mistake in a session must not keep a phone buzzing. */
+/** Longest vibration, milliseconds: an error in a session must not keep a phone vibrating. */
 const LONGEST_MS = 5000;
 
-/** Whether this device can vibrate at all; iPhones and computers cannot. */
+/** Whether this device can vibrate; iPhones and computers cannot. */
 export function canVibrate(): boolean {
   return 'vibrate' in navigator;
 }
 
 /**
  * @param durationMs 0 stops
- * @returns false when the device did not: it cannot, or the user has not touched the page yet
+ * @returns false when it did not vibrate: not supported, or no user interaction yet
  */
 export function vibrate(durationMs: number): boolean {
   if (!canVibrate() || Number.isNaN(durationMs)) return false;

@@ -39,7 +39,7 @@ describe('access to motion', () => {
   it('is asked for both kinds of events at once, within the tap', async () => {
     const page = asking(() => Promise.resolve('granted'));
     const access = askForMotion(page);
-    // Not after a first answer: the tap would be over.
+    // Asked before the first answer: after it, the user interaction would be over.
     expect(page.DeviceMotionEvent.requestPermission).toHaveBeenCalledOnce();
     expect(page.DeviceOrientationEvent.requestPermission).toHaveBeenCalledOnce();
     expect(await access).toBe('granted');

@@ -1,35 +1,35 @@
 import { platformOf } from '../../connection/platform.ts';
 
-/** What stands between a page and the motion sensors of its device. */
+/** Availability of motion sensors to a page. */
 export type MotionAccess =
-  /** The page came over plain HTTP: browsers give no sensors to it. */
+  /** The page was loaded over plain HTTP, where browsers provide no sensors. */
   | 'insecure'
-  /** The browser has no such events. */
+  /** The browser does not support the events. */
   | 'unsupported'
-  /** The browser asks the person, and wants a tap first (iOS). */
+  /** The browser must ask the user, which requires a tap (iOS). */
   | 'ask'
-  /** The person, or an earlier answer, said no. */
+  /** The user refused, now or earlier. */
   | 'refused'
   | 'granted';
 
-/** iOS has this on the constructors of the events, and no declaration knows it. */
+/** iOS has this on the event constructors; TypeScript's DOM types lack it. */
 type Ask = (() => Promise<PermissionState>) | undefined;
 
-/** What a window tells of motion, in all browsers. */
+/** Properties of a window related to motion, in all browsers. */
 export interface MotionWindow {
   readonly isSecureContext: boolean;
   readonly navigator: {
     readonly userAgent: string;
     readonly maxTouchPoints: number;
-    /** Chromium has it, and no declaration knows it. */
+    /** Chromium only; TypeScript's DOM types lack it. */
     readonly userAgentData?: unknown;
   };
-  /** Constructors of the events; undefined where there are none. */
+  /** Event constructors; undefined where not supported. */
   readonly DeviceMotionEvent?: object | undefined;
   readonly DeviceOrientationEvent?: object | undefined;
 }
 
-/** As far as it is known without asking. */
+/** Returns the availability as known without asking. */
 export function motionAccessOf(page: MotionWindow): MotionAccess {
   if (!page.isSecureContext) return 'insecure';
   const { DeviceMotionEvent: motion, DeviceOrientationEvent: orientation } = page;
@@ -38,30 +38,33 @@ export function motionAccessOf(page: MotionWindow): MotionAccess {
   return hasQuestion && asksPerson(page) ? 'ask' : 'granted';
 }
 
-/** Chromium has the question as well, and answers it by itself. An iPad calls itself a Mac. */
+/**
+ * Whether the browser asks the user. Chromium has the method as well, and answers by itself. An iPad identifies itself
+ * as a Mac.
+ */
 function asksPerson({ navigator }: MotionWindow): boolean {
   const { userAgent, maxTouchPoints, userAgentData } = navigator;
   return platformOf(userAgent, maxTouchPoints) === 'ios' || userAgentData === undefined;
 }
 
-/** Asks for both kinds of events. To be called at once in the handler of a tap, before any waiting. */
+/** Requests both kinds of events. Call it synchronously in the handler of a tap. */
 export async function askForMotion(page: MotionWindow): Promise<MotionAccess> {
   const access = motionAccessOf(page);
   if (access !== 'ask') return access;
   try {
-    // One question for both; a second call in the same tap is answered without one.
+    // The browser shows one prompt for both; the second call in the same tap is answered without one.
     const answers = await Promise.all([
       questionOf(page.DeviceMotionEvent)?.(),
       questionOf(page.DeviceOrientationEvent)?.(),
     ]);
     return answers.includes('denied') ? 'refused' : 'granted';
   } catch {
-    // There was no tap: the next one may ask again.
+    // Without a user interaction; the next tap may ask again.
     return 'ask';
   }
 }
 
-/** What asks the person; it may be called from a tap only. */
+/** The method that asks the user; requires a user interaction. */
 function questionOf(event: object | undefined): Ask {
   const ask = (event as { requestPermission?: Ask } | undefined)?.requestPermission;
   return ask && (() => ask.call(event));

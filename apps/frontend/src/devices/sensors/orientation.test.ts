@@ -24,9 +24,9 @@ describe('the orientation of a device', () => {
   });
 
   it('turns about z first, then about the turned x [W3C orientation-event, Z-X′-Y″]', () => {
-    // On the table to the west, then raised about its own x: its top points up.
+    // Flat with its top to the west, then rotated about its own x: its top points up.
     const { x, y, z, w } = quaternionOf({ alpha: 90, beta: 90, gamma: 0 });
-    // The device's y axis (0, 1, 0), turned.
+    // The device's y axis (0, 1, 0), rotated.
     const top = { x: 2 * (x * y - w * z), y: 1 - 2 * (x * x + z * z), z: 2 * (y * z + w * x) };
     expectTurn(top, { x: 0, y: 0, z: 1 });
   });

@@ -1,7 +1,7 @@
 import type { Quaternion, Vector3 } from '@ubii/proto';
 
 /**
- * How a device is turned, as browsers tell it: degrees about its z, x and y axis, in this order.
+ * Orientation of a device as browsers report it: rotations about its z, x and y axis in degrees, in this order.
  * https://www.w3.org/TR/orientation-event/#deviceorientation
  */
 export interface EulerAngles {
@@ -13,7 +13,7 @@ export interface EulerAngles {
   readonly gamma: number;
 }
 
-/** The same turn as a unit quaternion: z, then the turned x, then the turned y. */
+/** The same rotation as a unit quaternion: about z, then the rotated x, then the rotated y. */
 export function quaternionOf({ alpha, beta, gamma }: EulerAngles): Quaternion {
   const half = Math.PI / 360;
   const [cx, sx] = [Math.cos(beta * half), Math.sin(beta * half)];
@@ -27,7 +27,7 @@ export function quaternionOf({ alpha, beta, gamma }: EulerAngles): Quaternion {
   };
 }
 
-/** The turn from `reference` to `now`, seen from the device as it lay at `reference`. */
+/** Rotation from `reference` to `now`, in the coordinates of the device at `reference`. */
 export function turnSince(reference: Quaternion, now: Quaternion): Quaternion {
   const { x, y, z, w } = reference;
   // conjugate(reference) * now
@@ -40,8 +40,8 @@ export function turnSince(reference: Quaternion, now: Quaternion): Quaternion {
 }
 
 /**
- * Angles less those of the calibration, axis by axis, as existing programs expect them: x, y, z are
- * alpha, beta and gamma, degrees from −180 to 180, or from 0 to 360 for alpha without a calibration.
+ * Angles minus those of the calibration, per axis, as existing programs expect them: x, y, z are alpha, beta and gamma,
+ * degrees from −180 to 180, or from 0 to 360 for alpha without a calibration.
  */
 export function calibratedAngles(now: EulerAngles, zero: EulerAngles | undefined): Vector3 {
   if (zero === undefined) return { x: now.alpha, y: now.beta, z: now.gamma };
@@ -52,7 +52,7 @@ export function calibratedAngles(now: EulerAngles, zero: EulerAngles | undefined
   };
 }
 
-/** The same angle within half a turn, degrees. */
+/** Normalises an angle to −180 to 180 degrees. */
 function shortest(degrees: number): number {
   const turned = (((degrees + 180) % 360) + 360) % 360;
   return turned - 180;

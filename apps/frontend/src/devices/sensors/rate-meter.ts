@@ -1,28 +1,28 @@
-/** How many moments are looked at in each second of the window, at most. */
+/** Most samples per second of the window. */
 const MOMENTS_PER_S = 16;
-/** Older moments say nothing of now, milliseconds. */
+/** Age from which samples are ignored, milliseconds. */
 const WINDOW_MS = 2000;
-/** Of rates that people read: fewer digits that dance, milliseconds. */
+/** Longer window for displayed rates, so that digits change less, milliseconds. */
 export const SHOWN_WINDOW_MS = 4000;
-/** So many of what happens seldom count for longer. */
+/** Number of samples that count beyond the window, for slow events. */
 const MIN_MOMENTS = 4;
 
-/** How often something happens, as measured: what a sensor really delivers, not what was asked for. */
+/** Measures the rate of events: what a sensor really delivers, not what was requested. */
 export class RateMeter {
   readonly #atMs: number[] = [];
   readonly #staleMs: number;
   readonly #windowMs: number;
 
   /**
-   * @param staleMs without anything for this long, nothing comes any more, milliseconds
-   * @param windowMs what is older does not count, milliseconds
+   * @param staleMs silence after which the rate is unknown, milliseconds
+   * @param windowMs length of the window, milliseconds
    */
   constructor(staleMs = 1000, windowMs = WINDOW_MS) {
     this.#staleMs = staleMs;
     this.#windowMs = windowMs;
   }
 
-  /** It happened. */
+  /** Counts an event. */
   note(nowMs: number): void {
     const moments = this.#atMs;
     moments.push(nowMs);
@@ -30,12 +30,12 @@ export class RateMeter {
     while (moments.length > MIN_MOMENTS && moments[0]! < nowMs - this.#windowMs) moments.shift();
   }
 
-  /** Forgets what was: something else is measured from now on. */
+  /** Resets the measurement. */
   clear(): void {
     this.#atMs.length = 0;
   }
 
-  /** Times a second over the last moments; `undefined` when it does not happen now, or did once only. */
+  /** Events per second in the window; `undefined` after `staleMs` without one, and after the first one. */
   rateHz(nowMs: number): number | undefined {
     const first = this.#atMs[0];
     const last = this.#atMs.at(-1);

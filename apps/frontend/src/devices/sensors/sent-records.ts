@@ -1,6 +1,6 @@
 const LINE_SAMPLES = 30;
 
-/** How much is sent now, and was sent in the last samples. */
+/** Current rate of sent records, and its last samples. */
 export interface SentRate {
   readonly perSecond: number;
   /** Records per second of each sample, oldest first. */
@@ -17,12 +17,12 @@ export class SentRecords {
     this.#sampledMs = nowMs;
   }
 
-  /** A record was sent. */
+  /** Counts a record. */
   note(): void {
     this.#count += 1;
   }
 
-  /** Returns the rate since the sample before. */
+  /** Returns the rate since the previous sample. */
   sample(nowMs: number): SentRate {
     const perSecond = (this.#count * 1000) / Math.max(1, nowMs - this.#sampledMs);
     this.#count = 0;

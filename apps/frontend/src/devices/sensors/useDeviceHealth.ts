@@ -2,7 +2,7 @@ import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef } from 'vue';
 import { watchBattery, type BatteryState } from '../../connection/battery.ts';
 
-/** What the browser tells of the device itself: its battery, and whether the page is seen. */
+/** State of the device: its battery, and the visibility of the page. */
 export function useDeviceHealth(handlers: {
   battery(level: number): void;
   visible(isVisible: boolean): void;
@@ -17,7 +17,7 @@ export function useDeviceHealth(handlers: {
   useEventListener(document, 'visibilitychange', tellVisible);
   return {
     battery,
-    /** Says all of it again: to a master that does not know it. */
+    /** Reports all values again, for a master that does not know them. */
     tell(): void {
       if (battery.value) handlers.battery(battery.value.level);
       tellVisible();

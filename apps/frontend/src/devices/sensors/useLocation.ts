@@ -4,9 +4,9 @@ import { onScopeDispose, shallowRef } from 'vue';
 export type LocationState = 'off' | 'insecure' | 'missing' | 'asking' | 'refused' | 'on';
 
 /**
- * The location of the device, after the user has requested it.
+ * Location of the device, after the user has requested it.
  *
- * @param handle is told x: latitude and y: longitude in degrees (WGS 84), z: altitude in metres (0 when
+ * @param handle called with x: latitude and y: longitude in degrees (WGS 84), z: altitude in metres (0 when
  *   unknown), w: radius of uncertainty in metres
  */
 export function useLocation(handle: (place: Vector4) => void) {
@@ -23,7 +23,7 @@ export function useLocation(handle: (place: Vector4) => void) {
         handle({ x: latitude, y: longitude, z: altitude ?? 0, w: accuracy });
       },
       (error) => {
-        // A place may be found later; an answer stays.
+        // A position may be found later; a refusal is final.
         if (error.code !== error.PERMISSION_DENIED) return;
         stop();
         state.value = 'refused';

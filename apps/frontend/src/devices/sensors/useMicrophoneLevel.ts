@@ -1,16 +1,16 @@
 import { onScopeDispose, shallowRef } from 'vue';
 
-/** How often the level is taken, milliseconds. */
+/** Interval between measurements, milliseconds. */
 const INTERVAL_MS = 50;
-/** Samples a level is taken of. */
+/** Number of samples per measurement. */
 const SAMPLES = 1024;
 
 export type MicrophoneState = 'off' | 'insecure' | 'missing' | 'asking' | 'refused' | 'on';
 
 /**
- * How loud it is: the root mean square of the microphone's samples, 0 to 1. No sound leaves this page.
+ * Loudness: root mean square of the microphone's samples, 0 to 1. No sound leaves this page.
  *
- * @param handle is told the level, 20 times a second
+ * @param handle called with the level, 20 times a second
  */
 export function useMicrophoneLevel(handle: (level: number) => void) {
   const state = shallowRef<MicrophoneState>(firstState());
@@ -21,7 +21,7 @@ export function useMicrophoneLevel(handle: (level: number) => void) {
     state.value = 'asking';
     try {
       const stream = await navigator.mediaDevices.getUserMedia({ audio: true });
-      // Left meanwhile.
+      // Unmounted in the meantime.
       if (state.value !== 'asking') return endTracks(stream);
       listen(stream);
       state.value = 'on';
@@ -64,7 +64,7 @@ function endTracks(stream: MediaStream): void {
   for (const track of stream.getTracks()) track.stop();
 }
 
-/** 0 for silence, 1 for the loudest square wave. */
+/** Root mean square: 0 for silence, 1 for a square wave of full amplitude. */
 export function rootMeanSquare(samples: Float32Array): number {
   let sum = 0;
   for (const sample of samples) sum += sample * sample;

@@ -2,13 +2,13 @@ import { useEventListener, useIntervalFn } from '@vueuse/core';
 import { shallowRef } from 'vue';
 import { askForMotion, type MotionAccess, motionAccessOf } from './motion-access.ts';
 
-/** A device that moves at all tells of it within this time, milliseconds. */
+/** Time without events after which sensors are taken as missing, milliseconds. */
 const SILENCE_MS = 2000;
 
-/** Safari has the heading of its own, degrees clockwise from north. */
+/** Safari reports the compass heading in its own property, degrees clockwise from north. */
 type SafariOrientationEvent = DeviceOrientationEvent & { readonly webkitCompassHeading?: number };
 
-/** Who is told what the sensors say, each at the sensor's own rate. */
+/** Receivers of sensor values, each at the sensor's own rate. */
 export interface MotionHandlers {
   motion(event: DeviceMotionEvent): void;
   orientation(event: DeviceOrientationEvent): void;
@@ -16,22 +16,22 @@ export interface MotionHandlers {
   compass(headingDegrees: number): void;
 }
 
-/** Motion sensors of this device, while the calling scope lives and as far as they are allowed. */
+/** Motion sensors of this device, while the calling scope is active and as far as they are allowed. */
 export function useMotionSensors(handlers: MotionHandlers) {
   const access = shallowRef<MotionAccess>(motionAccessOf(window));
-  /** It is allowed, and yet nothing comes: most computers have no such sensors. */
+  /** True when allowed without any event: most computers have no such sensors. */
   const isSilent = shallowRef(false);
   let lastMs = performance.now();
   const seen = (): void => {
     lastMs = performance.now();
     isSilent.value = false;
-    // Some browsers can be asked, and need not be.
+    // Some browsers offer the request, and deliver events without it.
     access.value = 'granted';
   };
 
-  // Listened to from the start: where it is not allowed, nothing comes.
+  // Always subscribed: without permission, no events arrive.
   useEventListener(window, 'devicemotion', (event) => {
-    // Browsers of computers send one event without any values.
+    // Desktop browsers send one event without values.
     if (event.acceleration?.x == null && event.accelerationIncludingGravity?.x == null) return;
     seen();
     handlers.motion(event);
@@ -43,7 +43,7 @@ export function useMotionSensors(handlers: MotionHandlers) {
     const heading = event.webkitCompassHeading;
     if (heading !== undefined && heading >= 0) handlers.compass(heading);
   });
-  // Chromium keeps what is relative to north in an event of its own.
+  // Chromium has a separate event for orientation relative to north.
   useEventListener(window, 'deviceorientationabsolute', (event: DeviceOrientationEvent) => {
     if (event.absolute && event.alpha !== null) handlers.compass((360 - event.alpha) % 360);
   });
@@ -54,7 +54,7 @@ export function useMotionSensors(handlers: MotionHandlers) {
   return {
     access,
     isSilent,
-    /** To be called in the handler of a tap. */
+    /** Call it in the handler of a tap. */
     async ask(): Promise<void> {
       access.value = await askForMotion(window);
       lastMs = performance.now();

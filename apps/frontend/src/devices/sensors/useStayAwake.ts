@@ -1,12 +1,15 @@
 import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef } from 'vue';
 
-/** `off`: the system took the lock, such as on a low battery; it is asked again when the page is shown. */
+/**
+ * `off`: the operating system released the lock, such as on a low battery; it is requested again when the page is
+ * shown.
+ */
 export type StayAwakeState = 'insecure' | 'unsupported' | 'off' | 'on';
 
 /**
- * Keeps the screen on while the calling scope lives. Browsers end the lock whenever the page is hidden,
- * so it is taken again on return.
+ * Keeps the screen on while the calling scope is active. Browsers release the lock whenever the page is hidden, so it
+ * is requested again on return.
  */
 export function useStayAwake() {
   const state = shallowRef<StayAwakeState>(firstState());
@@ -31,7 +34,7 @@ export function useStayAwake() {
 
   void take();
   useEventListener(document, 'visibilitychange', () => void take());
-  // Some browsers want a tap first.
+  // Some browsers require a user interaction.
   useEventListener(window, 'pointerup', () => void take());
   onScopeDispose(() => {
     isWanted = false;

@@ -1,16 +1,16 @@
 import type { ComponentInit } from '@ubii/client-web';
 
-/** The name existing programs look for. */
+/** Name that existing programs look for. */
 export const SMART_DEVICE = 'web-interface-smart-device';
 
-/** How often moves of fingers are sent at most, milliseconds; starts and ends leave at once. */
+/** Shortest interval between moves of fingers, milliseconds; starts and ends are sent at once. */
 export const TOUCH_MOVE_INTERVAL_MS = 16;
 
 const own = (name: string) => (clientId: string) => `/${clientId}/${SMART_DEVICE}/${name}`;
 
 /**
- * What a phone says and hears. The first four have the names, topics and tags that existing programs
- * rely on, oddities included: the orientation's topic has no slash in front.
+ * Components of a smart device. The first four have the names, topics and tags that existing programs rely on,
+ * including the missing leading slash of the orientation's topic.
  */
 export const SMART_DEVICE_COMPONENTS = [
   {

@@ -2,7 +2,7 @@ import type { Session } from '@ubii/proto';
 
 type Mapped = Pick<Session, 'id' | 'name' | 'ioMappings'>;
 
-/** The sessions with inputs that read a topic of a client, such as those of its smart device. */
+/** Returns the sessions with inputs that read a topic of a client, such as those of its smart device. */
 export function sessionsReading<S extends Mapped>(
   sessions: readonly S[],
   clientId: string,
@@ -10,7 +10,7 @@ export function sessionsReading<S extends Mapped>(
   if (clientId === '') return [];
   return sessions.filter(({ ioMappings }) =>
     ioMappings.some(({ inputMappings }) =>
-      // Some topics of a device begin without a slash
+      // Some topics of a device have no leading slash.
       inputMappings.some(({ topic }) => topic?.replace(/^\//, '').startsWith(`${clientId}/`)),
     ),
   );

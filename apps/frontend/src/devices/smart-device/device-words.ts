@@ -6,7 +6,7 @@ import type { MotionAccess } from '../sensors/motion-access.ts';
 
 const INSECURE = 'Needs HTTPS: this page uses plain HTTP';
 
-/** Numbers of a fixed width, so that nothing moves when digits change. */
+/** Formats numbers in a fixed width, so that the layout is stable. */
 export function vectorText({ x, y, z }: Vector3, decimals = 2, width = 5): string {
   return [x, y, z].map((value) => formatNumber(value, decimals).padStart(width)).join(' ');
 }
@@ -20,7 +20,7 @@ export function locationText({ x, y, w }: Vector4): string {
   return `${formatNumber(x, 5)} ${formatNumber(y, 5)} ±${formatNumber(w)} m`;
 }
 
-/** Why no motion comes, and the way out. */
+/** Returns why no motion events arrive, and the solution. */
 export function motionWords(access: MotionAccess, isSilent: boolean): string {
   switch (access) {
     case 'insecure':

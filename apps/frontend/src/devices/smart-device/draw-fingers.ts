@@ -1,7 +1,7 @@
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { Finger } from './fingers.ts';
 
-/** Colours and fonts, read once from the tokens of the page. */
+/** Colours and fonts, read once from the style tokens. */
 export interface PadInk {
   readonly finger: string;
   readonly line: string;
@@ -13,7 +13,7 @@ export interface PadInk {
 
 export function readPadInk(element: Element): PadInk {
   const style = getComputedStyle(element);
-  // Canvases know neither variables nor light-dark(): a probe has them resolved.
+  // Canvases do not resolve custom properties and light-dark(): read them from an element.
   const probe = document.createElement('span');
   element.append(probe);
   const colorOf = (token: string): string => {
@@ -35,7 +35,7 @@ export function readPadInk(element: Element): PadInk {
 const RADIUS = 30;
 const LABEL = { height: 20, padding: 8, gap: 10 };
 
-/** Crosshair, trail, disc and coordinates of each finger. Lengths in CSS pixels. */
+/** Draws crosshair, trail, disc and coordinates of each finger. Lengths in CSS pixels. */
 export function drawFingers(
   context: CanvasRenderingContext2D,
   size: { readonly width: number; readonly height: number },
@@ -86,7 +86,7 @@ function drawLabel(
   context.font = ink.font;
   const numberWidth = context.measureText(`${number} `).width;
   const width = Math.ceil(numberWidth + context.measureText(text).width) + 2 * LABEL.padding;
-  // Outward of the finger, so that two of them have room; inward at an edge.
+  // Beside the finger towards the outside, so that labels of two fingers do not overlap; inside at an edge.
   const distance = RADIUS + LABEL.gap;
   const isLeft = x < size.width / 2 ? x > distance + width : x + distance + width > size.width;
   const left = Math.round(isLeft ? x - distance - width : x + distance);
@@ -106,7 +106,7 @@ function drawLabel(
   context.fillText(text, left + LABEL.padding + numberWidth, middle);
 }
 
-/** `.412 .413`: three decimals, and no zero before the point. */
+/** `.412 .413`: three decimals, no leading zero. */
 function coordinates({ x, y }: { readonly x: number; readonly y: number }): string {
   return [x, y].map((value) => formatNumber(value, 3).replace(/^0\./, '.')).join(' ');
 }

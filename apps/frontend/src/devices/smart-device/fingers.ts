@@ -1,23 +1,23 @@
 import { TouchEventType as TouchType, type TouchEventMessage, type Vector2 } from '@ubii/proto';
 
-/** How many points of its way a finger leaves behind. */
+/** Number of points of a trail. */
 const TRAIL_POINTS = 24;
 
-/** One finger on the pad. */
+/** A finger on the pad. */
 export interface Finger {
-  /** Counted from 1: the smallest number no other finger has. */
+  /** Smallest unused number, from 1. */
   readonly number: number;
   /** 0 to 1 on both axes, origin top left. */
   at: Vector2;
-  /** 0 to 1; 0 when the device cannot tell. */
+  /** 0 to 1; 0 when not measured. */
   force: number;
-  /** Where it came along, oldest first. */
+  /** Previous positions, oldest first. */
   readonly trail: Vector2[];
-  /** Moved since the last list of moves. */
+  /** True when it moved since the last `takeMoves`. */
   hasMoved: boolean;
 }
 
-/** The fingers on a pad, and the events they make of what the browser's pointers do. */
+/** Fingers on a pad; converts pointer events to touch events. */
 export class Fingers {
   readonly #byPointer = new Map<number, Finger>();
 
@@ -25,7 +25,7 @@ export class Fingers {
     return [...this.#byPointer.values()];
   }
 
-  /** The finger that is down longest. */
+  /** The finger that has been down longest. */
   get first(): Finger | undefined {
     return this.#byPointer.values().next().value;
   }
@@ -43,7 +43,7 @@ export class Fingers {
     return eventOf(TouchType.TOUCH_START, finger);
   }
 
-  /** Keeps where the finger is; the event comes with `takeMoves`. */
+  /** Stores the position; `takeMoves` returns the event. */
   move(pointerId: number, at: Vector2, force: number): void {
     const finger = this.#byPointer.get(pointerId);
     if (finger === undefined) return;
@@ -61,12 +61,12 @@ export class Fingers {
     return eventOf(TouchType.TOUCH_END, finger);
   }
 
-  /** Lifts all that are down. */
+  /** Lifts all fingers. */
   endAll(): TouchEventMessage[] {
     return [...this.#byPointer.keys()].flatMap((pointerId) => this.end(pointerId) ?? []);
   }
 
-  /** What moved since the last time, one event a finger. */
+  /** Returns one event per finger that moved since the last call. */
   takeMoves(): TouchEventMessage[] {
     const moved = this.all.filter(({ hasMoved }) => hasMoved);
     for (const finger of moved) finger.hasMoved = false;

@@ -1,4 +1,4 @@
-/** A session repeats that a touch is near. Without a record for this time, it has ended, milliseconds. */
+/** Time after which a signal is over, milliseconds; a session repeats it while a touch is near. */
 const HOLDS_MS = 1_500;
 
 /**
@@ -19,7 +19,7 @@ export class NearSignal {
     this.#show(isNear);
   }
 
-  /** Shows nothing more. */
+  /** Ends the signal at once. */
   end(): void {
     clearTimeout(this.#timer);
   }

@@ -3,41 +3,41 @@ import { RateMeter } from '../sensors/rate-meter.ts';
 
 const LINE_POINTS = 30;
 
-/** What a person sees of a sensor. */
+/** Displayed state of a sensor. */
 export interface ShownReading<T> {
-  /** `undefined` before the first. */
+  /** `undefined` before the first value. */
   readonly value: T | undefined;
-  /** As measured; `undefined` when nothing comes now. */
+  /** Measured rate; `undefined` while no values arrive. */
   readonly rateHz: number | undefined;
-  /** The last moments as one number each, oldest first. */
+  /** Recent values as one number each, oldest first. */
   readonly line: readonly number[];
 }
 
-/** A sensor's newest value, at the sensor's rate, and what of it is shown, at a calmer one. */
+/** Newest value of a sensor at its own rate, and its display at a lower rate. */
 export class Reading<T> {
   readonly #shown = shallowRef<ShownReading<T>>({ value: undefined, rateHz: undefined, line: [] });
   readonly #meter = new RateMeter();
   readonly #measure: (value: T) => number;
   #newest: T | undefined;
 
-  /** @param measure makes a value one number, for the line */
+  /** @param measure converts a value to a number for the chart */
   constructor(measure: (value: T) => number) {
     this.#measure = measure;
   }
 
-  /** @returns the value, to be passed on */
+  /** @returns the value */
   note(value: T, nowMs: number): T {
     this.#newest = value;
     this.#meter.note(nowMs);
     return value;
   }
 
-  /** Renews what is shown. */
+  /** Updates the display. */
   show(nowMs: number): void {
     const rateHz = this.#meter.rateHz(nowMs);
     const { value: shownValue, rateHz: shownRate, line } = this.#shown.value;
     if (this.#newest === undefined || (rateHz === undefined && shownRate === undefined)) {
-      // Nothing comes, and that is what is shown; but a first value has no rate yet.
+      // No new value: the display is up to date; but the first value has no rate yet.
       if (this.#newest === shownValue) return;
     }
     const value = this.#newest as T;

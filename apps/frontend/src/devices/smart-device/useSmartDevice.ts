@@ -30,16 +30,16 @@ import { SMART_DEVICE, SMART_DEVICE_COMPONENTS } from './components.ts';
 import { NearSignal } from './near-signal.ts';
 import { Reading } from './reading.ts';
 
-/** How often people are shown what the sensors say, milliseconds. The sensors have their own rates. */
+/** Interval between updates of displayed sensor values, milliseconds. Sensors have their own rates. */
 const READOUT_MS = 100;
-/** How often people are shown how much is sent, milliseconds. */
+/** Interval between updates of the displayed send rate, milliseconds. */
 const SENT_MS = 1000;
-/** How often a finger that rests is repeated, milliseconds: else it would look like one that left. */
+/** Interval at which a resting finger is repeated, milliseconds: otherwise it would look like a lost one. */
 const RESTING_TOUCH_MS = 500;
-/** How long the page flashes where a device cannot vibrate, milliseconds at least. */
+/** Shortest flash that replaces a vibration, milliseconds. */
 const SHORTEST_FLASH_MS = 120;
 
-/** This browser as a smart device: what it senses is published, what it is sent is done. */
+/** This browser as a smart device: publishes its sensors, performs the outputs it receives. */
 export function useSmartDevice() {
   const { isConnected } = useConnection();
   const readings = {
@@ -51,13 +51,13 @@ export function useSmartDevice() {
     microphone: new Reading<number>((level) => level),
     location: new Reading<Vector4>(({ w }) => w),
   };
-  /** What came for this device, and when, epoch milliseconds. */
+  /** Received outputs, and their times, epoch milliseconds. */
   const outputs = shallowReactive({
     vibrationAtMs: undefined as number | undefined,
-    /** The device could not vibrate, or play a tone: the page shows it instead. */
+    /** True while the page flashes instead of a vibration or tone that the device could not perform. */
     isFlashing: false,
     toneAtMs: undefined as number | undefined,
-    /** A tone came, and the browser waits for a tap before it plays any. */
+    /** True when a tone arrived and the browser requires a tap before it plays sound. */
     isSilenced: false,
     isNear: false,
     color: undefined as Color | undefined,
@@ -154,7 +154,7 @@ export function useSmartDevice() {
     battery: (level) => publish('battery', level),
     visible: (isVisible) => publish('visible', isVisible, { immediate: true }),
   });
-  // A master that was restarted knows nothing of it, and nothing may change for hours.
+  // A restarted master has no state, and the values may not change for hours.
   watch([isConnected, device.isRegistered], (both) => both.every(Boolean) && health.tell());
   const awake = useStayAwake();
   useEventListener(window, 'pointerup', unlockSound);
@@ -171,7 +171,7 @@ export function useSmartDevice() {
 
   return {
     isRegistered: device.isRegistered,
-    /** What this device sends. */
+    /** Rate of sent records. */
     sent,
     readings,
     outputs,
@@ -181,13 +181,13 @@ export function useSmartDevice() {
     battery: health.battery,
     awake,
     isCalibrated,
-    /** How it lies now is no turn from here on; again takes that back. */
+    /** Sets the current orientation as zero; again: resets it. */
     calibrate(): void {
       zero = zero || !angles ? undefined : { angles, turn: quaternionOf(angles) };
       isCalibrated.value = zero !== undefined;
     },
     touch(events: TouchEventMessage[], first: Vector2 | undefined): void {
-      // Starts and ends must not wait for more of their kind.
+      // Starts and ends are not batched.
       const immediate = events.some(({ type }) => type !== TouchType.TOUCH_MOVE);
       publish('web-component-touch', { elements: events }, { immediate });
       const wasTouched = restingAt !== undefined;
@@ -204,7 +204,7 @@ export function useSmartDevice() {
       if (isDown) vibrate(10);
     },
     sendText: (text: string) => publish('text', text, { immediate: true }),
-    /** What a session would have it do, for trying. */
+    /** For testing the outputs. */
     testVibration: () => shake(200),
     testTone: () => sound({ x: 660, y: 180, z: 0.5 }),
   };
@@ -216,7 +216,7 @@ interface Axes {
   readonly z: number;
 }
 
-/** Browsers leave out what a sensor does not tell. */
+/** Browsers omit values that a sensor does not measure. */
 function isWhole(
   value: DeviceMotionEventAcceleration | null,
 ): value is DeviceMotionEventAcceleration & Axes {

@@ -7,27 +7,27 @@ import { stepCost, type PictureStep } from './picture-ladder.ts';
 import { PictureMeter } from './picture-meter.ts';
 
 const WANTED: PictureSettings = { width: 640, rateHz: 30, encoding: 'JPEG', quality: 0.8 };
-/** Bytes of one wanted picture. */
+/** Size of a picture with the wanted settings, bytes. */
 const PICTURE_BYTES = 60_000;
 const BYTES_PER_COST = PICTURE_BYTES / stepCost({ ...WANTED, rateHz: 1 });
 const DECIDE_MS = 500;
 
 interface World {
-  /** What the link takes at a moment, bytes per second. */
+  /** Capacity of the network at a time, bytes per second. */
   readonly linkAt?: (ms: number) => number;
-  /** Queue of the system between the page and the link, bytes. */
+  /** Size of the operating system's send buffer, bytes. */
   readonly systemBytes?: number;
-  /** What modules look at, hertz; none give results without. */
+  /** Rate at which modules process pictures, Hz; default: no results. */
   readonly moduleAt?: (ms: number) => number;
-  /** Results a second as they are counted. */
+  /** Measured rate of results. */
   readonly countedAs?: (hz: number) => number;
-  /** Results are counted as pages count them, one by one. */
+  /** Counts results one by one, like pages do. */
   readonly isCounted?: boolean;
   readonly encodeMs?: number;
   readonly wanted?: PictureSettings;
 }
 
-/** A page that sends pictures over a link, in steps of a millisecond, and what it decided. */
+/** Simulates a page that sends pictures over a network, in steps of a millisecond. Returns its decisions. */
 function simulate(seconds: number, world: World) {
   const { linkAt = () => 50e6, systemBytes = 0, moduleAt, encodeMs = 5, wanted = WANTED } = world;
   const { countedAs = (hz: number) => hz, isCounted = false } = world;
@@ -46,7 +46,7 @@ function simulate(seconds: number, world: World) {
   const delays: number[] = [];
   for (let ms = 0; ms < seconds * 1000; ms++) {
     const step = adaptedStep(state, wanted);
-    // The link takes from the system, the system from the page.
+    // The network drains the system's buffer, which drains the page's.
     inSystem = Math.max(0, inSystem - linkAt(ms) / 1000);
     const moved = Math.min(inPage, Math.max(0, systemBytes + linkAt(ms) / 1000 - inSystem));
     inPage -= moved;
@@ -86,7 +86,7 @@ function simulate(seconds: number, world: World) {
     steps.push({ ms, step: after, state, sentHz });
   }
   const after = (fromMs: number) => steps.filter(({ ms }) => ms >= fromMs);
-  /** How often what is sent looks otherwise than before. */
+  /** Number of changes of the sent settings. */
   const changes = (fromMs: number): number =>
     after(fromMs).filter(({ step, ms }, index, all) => {
       const before = all[index - 1]?.step ?? step;
@@ -112,10 +112,10 @@ describe('the controller of pictures', () => {
     });
     for (const { step } of after(15_000)) {
       expect(BYTES_PER_COST * stepCost(step)).toBeLessThan(1.9 * link);
-      // It does not give up more than it has to.
+      // Does not reduce more than necessary.
       expect(BYTES_PER_COST * stepCost(step)).toBeGreaterThan(0.25 * link);
     }
-    // Attempts at a level more, there and back, ever more rarely: after 15, 30 and 60 s.
+    // Tries to increase by one level, and back, at growing intervals: after 15, 30 and 60 s.
     expect(changes(20_000)).toBeLessThanOrEqual(8);
     expect(changes(90_000)).toBeLessThanOrEqual(3);
     expect(maxInPage).toBeLessThanOrEqual(PICTURE_BYTES);
@@ -132,7 +132,7 @@ describe('the controller of pictures', () => {
     let now: AdaptState = state;
     for (let ms = 0; ms < 60_000; ms += DECIDE_MS) {
       const { rateHz } = adaptedStep(now, WANTED);
-      // Counted over two to three seconds, with one result more or less
+      // Counted over two to three seconds, with one result more or less.
       const resultHz = rateHz - ((count += 1) % 3 === 0 ? 0 : 0.45);
       const sent = sentOf(rateHz);
       now = adaptPictures(now, WANTED, { nowMs: ms, sent, roundTripsMs: [5], resultHz });
@@ -181,7 +181,7 @@ describe('the controller of pictures', () => {
   });
 
   it('comes back from a module that was held up, though the few results since say little', () => {
-    // Of few pictures, one result is often missing at the moment of the decision
+    // At low rates, one result is often missing at the moment of the decision.
     const countedAs = (hz: number): number => (hz < 1.5 ? hz * 0.8 : hz);
     const moduleAt = (ms: number): number => (ms < 20_000 ? 0.3 : 4);
     const { after } = simulate(70, { moduleAt, countedAs });

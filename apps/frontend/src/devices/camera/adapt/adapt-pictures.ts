@@ -2,73 +2,73 @@ import type { PictureSettings } from '../encode-picture.ts';
 import { pictureLadder, stepCost, type PictureStep } from './picture-ladder.ts';
 import type { SentSummary } from './picture-meter.ts';
 
-/** What is known when settings are decided on. */
+/** Measurements for a decision about settings. */
 export interface PictureConditions {
   readonly nowMs: number;
-  /** `undefined` while too few pictures left with the present settings. */
+  /** `undefined` while too few pictures were sent with the current settings. */
   readonly sent: SentSummary | undefined;
-  /** Round trips to the master of late, the newest last, milliseconds. */
+  /** Recent round trips to the master, newest last, milliseconds. */
   readonly roundTripsMs?: readonly number[];
-  /** Results a second; `undefined` while nothing gives results. */
+  /** Results of modules per second; `undefined` while there are none. */
   readonly resultHz?: number | undefined;
 }
 
-/** What a controller remembers from one decision to the next. */
+/** State of the controller between decisions. */
 export interface AdaptState {
-  /** Place on the ladder, 0 for what is wanted. */
+  /** Index in the ladder of settings; 0: the wanted ones. */
   readonly level: number;
-  /** What the link took when it was too slow last, bytes per second. */
+  /** Throughput of the network when it was last too slow, bytes per second. */
   readonly linkBytesPerSecond: number | undefined;
-  /** What modules take, if it is less than what is sent, hertz. */
+  /** Rate of modules if it is below the sent rate, Hz. */
   readonly moduleHz: number | undefined;
-  /** What this device encodes without being busy with nothing else, hertz. */
+  /** Rate that this device can encode within `MAX_ENCODING`, Hz. */
   readonly deviceHz: number | undefined;
-  /** The newest measured encoding time, milliseconds. */
+  /** Newest encoding time, milliseconds. */
   readonly encodeMs: number | undefined;
-  /** Results a second when the rate was lowered for the module last. */
+  /** Rate of results when the picture rate was last lowered for a module. */
   readonly resultHz: number | undefined;
   readonly lastResultMs: number;
   readonly changedMs: number;
-  /** More is sent than the link was seen to take. */
+  /** True while more is sent than the known throughput of the network. */
   readonly isProbing: boolean;
-  /** The link took more than before: it has recovered, and more may be tried soon. */
+  /** The throughput increased: the network has recovered, and higher settings may be tried soon. */
   readonly isRecovered: boolean;
-  /** Calm time before more is tried than the link was seen to take, milliseconds. */
+  /** Time without problems before more than the known throughput is tried, milliseconds. */
   readonly probeMs: number;
 }
 
-/** Of the time between two pictures, one may take this much to leave; beyond it the link is too slow. */
+/** Share of the time between two pictures that sending one may take; above, the network is too slow. */
 const BUSY_SHARE = 0.7;
-/** Queues in the system show in the round trip only, milliseconds. */
+/** Largest increase of the round trip, which is how queues of the operating system are noticed, milliseconds. */
 const MAX_QUEUE_MS = 250;
-/** What is used of what the link takes: less than `BUSY_SHARE`, or every decision would ask for the next. */
+/** Share of the throughput that is used: below `BUSY_SHARE`, so that one decision does not cause the next. */
 const USED_SHARE = 0.6;
-/** The most that one decision takes away: a stall is not the measure of a link. */
+/** Lowest factor of one decision: a stall says nothing about the throughput. */
 const MAX_CUT = 0.3;
-/** Until figures are those of new settings; round trips come every two seconds. Milliseconds. */
+/** Time until measurements reflect new settings; round trips arrive every two seconds. Milliseconds. */
 const SETTLE_MS = 3000;
-/** Calm time before a level up, milliseconds. */
+/** Time without problems before the level is raised, milliseconds. */
 const HOLD_MS = 4000;
-/** A link that takes this much more than before has recovered. */
+/** Factor on the throughput from which the network has recovered. */
 const RECOVERED = 1.1;
 const FIRST_PROBE_MS = 15_000;
 const MAX_PROBE_MS = 120_000;
-/** Share of its time that a device may encode pictures. */
+/** Share of the time that a device may spend encoding pictures. */
 const MAX_ENCODING = 0.6;
-/** A module is sent a few more pictures than it looks at, so that it never waits for one. */
+/** Factor on the rate of modules, so that they never wait for a picture. */
 const HEADROOM = 1.1;
-/** Fewer results for the pictures sent, and fewer are sent; more, and more are tried; in between nothing changes. */
+/** Ratios of results to pictures: below, the rate is lowered; above `MANY_RESULTS`, a higher one is tried. */
 const FEW_RESULTS = 0.85;
 const MANY_RESULTS = 0.95;
 const MORE = 1.1;
 const MUCH_MORE = 1.5;
 const LEAST_HZ = 0.5;
-/** One result is often missing when those of the last seconds are counted: so much is no sign of a slow module, hertz. */
+/** Results missing at the time of counting; not a sign of a slow module, Hz. */
 const MISSED_HZ = 0.35;
-/** Of so few pictures a second, one that is missing is no sign that no more can be tried either. */
+/** Rate below which a missing result does not prevent trying a higher rate, Hz. */
 const FEW_HZ = 2;
 const FEW_MISSED_HZ = 0.2;
-/** Without results for this long there is no module, milliseconds. */
+/** Time without results after which there is no module, milliseconds. */
 const NO_MODULE_MS = 6000;
 
 export const FIRST_STATE: AdaptState = {
@@ -85,7 +85,7 @@ export const FIRST_STATE: AdaptState = {
   probeMs: FIRST_PROBE_MS,
 };
 
-/** The settings to send with: never more than what is wanted. */
+/** Returns the settings to send with: never above the wanted ones. */
 export function adaptedStep(state: AdaptState, wanted: Readonly<PictureSettings>): PictureStep {
   const ladder = pictureLadder(wanted);
   const { width, quality, rateHz } = ladder[Math.min(state.level, ladder.length - 1)]!;
@@ -94,9 +94,10 @@ export function adaptedStep(state: AdaptState, wanted: Readonly<PictureSettings>
 }
 
 /**
- * Decides again, about twice a second. The link decides on the level: down by what it takes (multiplicative), up one
- * level at a time (additive), and where it was too slow before only after a calm time that doubles with every failure.
- * Modules and this device decide on the rate alone: what they take hardly depends on quality and size.
+ * Decides about the settings, about twice a second. The network determines the level: down according to the throughput
+ * (multiplicative), up one level at a time (additive), and to a level that was too slow before only after a time
+ * without problems that doubles with each failure. Modules and this device determine the rate only: their speed hardly
+ * depends on quality and size.
  */
 export function adaptPictures(
   state: AdaptState,
@@ -124,11 +125,11 @@ function followLink(
   const busyShare = (sent.leaveMs * rateHz) / 1000;
   const offered = sent.bytes * rateHz;
   const taken = sent.bytesPerSecond;
-  // A queue shorter than the time between two pictures is empty again when the next one comes.
+  // A queue shorter than the interval between pictures is empty when the next one is sent.
   const maxQueueMs = Math.max(MAX_QUEUE_MS, (USED_SHARE * 1000) / rateHz);
   if (busyShare > BUSY_SHARE || queueMs(roundTripsMs) > maxQueueMs) {
     const share = Math.max((USED_SHARE * taken) / offered, MAX_CUT);
-    // An attempt at more has failed: the level before was borne.
+    // A failed attempt to increase: the previous level was sustainable.
     const isBorne = state.isProbing && level + 1 < ladder.length;
     const next = isBorne ? level + 1 : levelFor(ladder, level, share);
     const probeMs = state.isProbing ? Math.min(2 * state.probeMs, MAX_PROBE_MS) : state.probeMs;
@@ -148,13 +149,16 @@ function followLink(
   return { ...state, level: level - 1, changedMs: nowMs, isProbing: !isKnownToFit };
 }
 
-/** What waits in queues of the system, in time. A single long round trip may be a stall: the shorter of the last two counts. */
+/**
+ * Estimates the queueing delay in the operating system. Uses the shorter of the last two round trips, because a single
+ * long one may be a stall.
+ */
 function queueMs(roundTripsMs: readonly number[]): number {
   if (roundTripsMs.length < 2) return 0;
   return Math.min(...roundTripsMs.slice(-2)) - Math.min(...roundTripsMs);
 }
 
-/** The first level below this one that costs no more than a share of it; the last one when none does. */
+/** Returns the first lower level that costs at most a share of this one; otherwise the last level. */
 function levelFor(ladder: readonly PictureStep[], level: number, share: number): number {
   const most = share * stepCost(ladder[level]!);
   const found = ladder.findIndex((step, index) => index > level && stepCost(step) <= most);
@@ -174,14 +178,14 @@ function followModule(
   if (sent === undefined) return seen;
   if (resultHz < sent.rateHz * FEW_RESULTS - MISSED_HZ) {
     const moduleHz = Math.max(LEAST_HZ, resultHz * HEADROOM);
-    // It may have been lowered already, and the pictures of before be in the figures still.
+    // The rate may have been lowered already, while measurements still include earlier pictures.
     if (state.moduleHz !== undefined && moduleHz >= state.moduleHz) return seen;
     return { ...seen, moduleHz, resultHz };
   }
   const fewMissed = sent.rateHz < FEW_HZ ? FEW_MISSED_HZ : 0;
   if (state.moduleHz === undefined || resultHz < sent.rateHz * MANY_RESULTS - fewMissed)
     return seen;
-  // From a rate that is far below what modules usually take, a start that was slow, larger steps lead back.
+  // From very low rates, such as after a slow start of a module, increase in larger steps.
   const next = state.moduleHz * (state.moduleHz < FEW_HZ ? MUCH_MORE : MORE);
   if (next >= wanted.rateHz) return { ...seen, moduleHz: undefined, resultHz: undefined };
   return { ...seen, moduleHz: next, resultHz };
@@ -189,7 +193,7 @@ function followModule(
 
 function followDevice(state: AdaptState, { sent }: PictureConditions): AdaptState {
   if (sent === undefined) return state;
-  // Up a little at a time: one long picture says little.
+  // Increases slowly: a single long encoding time says little.
   const { encodeMs: before = sent.encodeMs } = state;
   const encodeMs = Math.min(sent.encodeMs, before + (sent.encodeMs - before) / 4);
   const deviceHz = encodeMs > 0 ? (1000 * MAX_ENCODING) / encodeMs : undefined;

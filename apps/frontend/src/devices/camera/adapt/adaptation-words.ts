@@ -5,17 +5,17 @@ import { adaptedStep, type AdaptState } from './adapt-pictures.ts';
 import { pictureLadder } from './picture-ladder.ts';
 import type { SentSummary } from './picture-meter.ts';
 
-/** Smaller differences of the rate are no change. */
+/** Ratio of rates from which they count as equal. */
 const SAME_RATE = 0.97;
-/** Fewer pictures leave than were decided on. */
+/** Ratio of the sent rate to the decided one below which sending lags behind. */
 const BEHIND = 0.8;
-/** Of the time between two pictures, that in which one leaves: more, and the network is what they wait for. */
+/** Share of the interval between pictures from which sending is limited by the network. */
 const MUCH_LEAVING = 0.5;
 
 /**
- * What is sent otherwise than wanted, and why, in one sentence; `undefined` when nothing is.
+ * Returns how pictures differ from the wanted settings, and why, in one sentence; `undefined` when they do not.
  *
- * @param sent what was measured of the pictures that left; rates are told as they are, not as they were decided on
+ * @param sent measurements of sent pictures; the text has measured rates, not decided ones
  */
 export function adaptationWords(
   state: AdaptState,
@@ -48,7 +48,7 @@ function waitsForLink({ leaveMs, rateHz }: SentSummary): boolean {
   return (leaveMs * rateHz) / 1000 > MUCH_LEAVING;
 }
 
-/** What came through before the level was lowered. A slow network and a busy machine look the same from here. */
+/** Throughput before the level was lowered. A slow network and a busy computer cannot be distinguished here. */
 function linkReason({ linkBytesPerSecond }: AdaptState, sent: SentSummary | undefined): string {
   const bytesPerSecond = linkBytesPerSecond ?? sent?.bytesPerSecond ?? 0;
   const { digits, unit } = formatBytes(bytesPerSecond, 'B/s');

@@ -1,21 +1,22 @@
 import type { PictureSettings } from '../encode-picture.ts';
 
-/** Settings that pictures may be sent with. */
+/** Settings for sending pictures. */
 export type PictureStep = Pick<PictureSettings, 'width' | 'quality' | 'rateHz'>;
 
-/** Below this quality, objects drown in blocks; smaller pictures lose less. */
+/** Lowest quality: below, compression hides objects, and smaller pictures lose less. */
 const LEAST_QUALITY = 0.5;
 const QUALITY_STEP = 0.15;
-/** Shares of the wanted width. */
+/** Factors on the wanted width. */
 const WIDTH_SHARES = [0.75, 0.5, 0.375, 0.25];
 const LEAST_WIDTH = 160;
-/** Shares of the wanted rate. */
+/** Factors on the wanted rate. */
 const RATE_SHARES = [0.67, 0.5, 0.33, 0.2, 0.1];
 const LEAST_RATE_HZ = 1;
 
 /**
- * From what is wanted to the least that is worth sending. Quality goes first, as it costs many bytes and is hardly
- * seen; then size, as models scale pictures down anyway; then rate, because motion is what pictures are live for.
+ * Returns settings from the wanted ones down to the least useful ones. Quality is reduced first, because it costs many
+ * bytes and is hardly visible; then size, because models scale pictures down anyway; then rate, because motion is the
+ * purpose of live pictures.
  */
 export function pictureLadder(wanted: Readonly<PictureSettings>): readonly PictureStep[] {
   let { width, quality, rateHz }: PictureStep = wanted;
@@ -26,7 +27,7 @@ export function pictureLadder(wanted: Readonly<PictureSettings>): readonly Pictu
     add();
   }
   for (const share of WIDTH_SHARES) {
-    // Multiples of 16 are what JPEG blocks and cameras are made of.
+    // JPEG blocks and camera sizes are multiples of 16.
     const next = Math.round((wanted.width * share) / 16) * 16;
     if (next < Math.min(LEAST_WIDTH, width)) break;
     width = next;
@@ -42,8 +43,9 @@ export function pictureLadder(wanted: Readonly<PictureSettings>): readonly Pictu
 }
 
 /**
- * Bytes a second in relation to other steps, as JPEG encoders made of the photographs of the clip: qualities of 0.35, 0.5,
- * 0.65, 0.8 and 0.95 take 0.45, 0.54, 0.69, 1 and 1.87 times as much, widths of 1, 0.75, 0.5 and 0.25 take 1, 0.56, 0.29 and 0.1.
+ * Relative bytes per second, measured with JPEG encoders on the photographs of the clip: qualities of 0.35, 0.5, 0.65,
+ * 0.8 and 0.95 take 0.45, 0.54, 0.69, 1 and 1.87 times as much, widths of 1, 0.75, 0.5 and 0.25 take 1, 0.56, 0.29 and
+ * 0.1.
  */
 export function stepCost({ width, quality, rateHz }: PictureStep): number {
   const ofQuality = 0.3 + 0.45 * quality + 1.48 * quality ** 6.6;

@@ -1,30 +1,30 @@
-/** What was measured of one picture that left. */
+/** Measurements of a sent picture. */
 export interface SentPicture {
-  /** When it was published, milliseconds. */
+  /** Time of publishing, milliseconds. */
   readonly atMs: number;
   readonly bytes: number;
   readonly encodeMs: number;
-  /** From publishing until the system had taken its bytes, milliseconds. */
+  /** Time from publishing until the operating system accepted its bytes, milliseconds. */
   readonly leaveMs: number;
 }
 
-/** Pictures of the last seconds, in figures. */
+/** Statistics of the pictures of the last seconds. */
 export interface SentSummary {
   /** Medians. */
   readonly bytes: number;
   readonly encodeMs: number;
   readonly leaveMs: number;
   readonly rateHz: number;
-  /** Bytes that left per second, over the whole time. */
+  /** Bytes sent per second, over the whole window. */
   readonly bytesPerSecond: number;
 }
 
-/** Enough to see a trend, few enough to follow it, milliseconds. */
+/** Long enough for a stable result, short enough to react, milliseconds. */
 const WINDOW_MS = 2000;
-/** Slow pictures count for longer. */
+/** Slow pictures count beyond the window, up to this number. */
 const MIN_PICTURES = 3;
 
-/** The pictures that left lately. */
+/** Recently sent pictures. */
 export class PictureMeter {
   #pictures: SentPicture[] = [];
 
@@ -38,12 +38,12 @@ export class PictureMeter {
     }
   }
 
-  /** Settings changed: what was measured before says nothing any more. */
+  /** Drops all measurements after a change of settings. */
   clear(): void {
     this.#pictures = [];
   }
 
-  /** `undefined` until there are enough pictures. */
+  /** Returns `undefined` until there are enough pictures. */
   summary(): SentSummary | undefined {
     const pictures = this.#pictures;
     const [first] = pictures;

@@ -1,23 +1,23 @@
 import type { SubscribedModule, TopicSubscribers } from '@ubii/proto';
 import { capitalised, plural } from '@ubii/words';
 
-/** How clients are called. */
+/** Names of clients. */
 export interface WatcherNames {
   /** Id of this page's client. */
   readonly selfId: string;
   readonly masterId: string;
-  /** Ids of the tabs of this browser. */
+  /** Ids of this browser's tabs. */
   readonly tabIds?: readonly string[];
   nameOf(clientId: string): string;
 }
 
-/** Names in the sentence; the others are a number there. */
+/** Most names in the sentence; further receivers are counted. */
 const MAX_NAMES = 2;
 
 /** Receivers of the pictures besides this page, in one sentence. */
 export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNames): string {
   const { clientIds, count } = subscribers;
-  // Players get a number alone. [EX-96]
+  // Players receive only the number. [EX-96]
   if (clientIds.length === 0) return sentenceOf([], count);
   const others = watcherNames(subscribers, names);
   const named = others.length <= MAX_NAMES + 1 ? others : others.slice(0, MAX_NAMES);
@@ -25,7 +25,7 @@ export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNam
   return sentenceOf(named, left);
 }
 
-/** Receivers of the pictures, except this page, by name; the other tabs of this browser are one. */
+/** Names of the receivers except this page; other tabs of this browser count as one. */
 export function watcherNames({ clientIds }: TopicSubscribers, names: WatcherNames): string[] {
   const others = clientIds.filter((id) => id !== names.selfId);
   const isOwn = (id: string): boolean => names.tabIds?.includes(id) ?? false;
@@ -38,7 +38,7 @@ export function watcherNames({ clientIds }: TopicSubscribers, names: WatcherName
   ];
 }
 
-/** A module that looks at the pictures, with its session and where it runs. */
+/** Describes a module that reads the pictures, with its session and node. */
 export function moduleWords(module: SubscribedModule, names: WatcherNames): string {
   const { name, sessionName, nodeId } = module;
   const session = sessionName === '' ? 'a session without a name' : `“${sessionName}”`;
@@ -54,7 +54,7 @@ function sentenceOf(names: readonly string[], others: number): string {
   const isOne = names.reduce((sum, one) => sum + countOf(one), others) === 1;
   const verb = isOne ? 'receives' : 'receive';
   const sentence = `${listOf(parts)} ${verb} these pictures.`;
-  // Names of clients are left as they are
+  // Client names keep their case.
   return sentence.replace(/^the master|^another tab/, capitalised);
 }
 
