@@ -7,7 +7,7 @@ export interface Example {
   /** Describes the example in a few words. */
   readonly sentence: string;
   readonly path: string;
-  /** Undefined for one whose page stands elsewhere. */
+  /** Undefined for examples whose page belongs to another feature. */
   readonly page?: () => Promise<{ default: Component }>;
   /** Thumbnail of 96 × 54 px in the colours of the theme. */
   readonly thumbnail: () => Promise<{ default: Component }>;

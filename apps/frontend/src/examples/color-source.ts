@@ -1,7 +1,7 @@
 /**
- * Gives the source code in an element the colours of its language, in the theme of the page. The first call loads what it needs.
+ * Highlights the source code in an element, in the theme of the page. Loads the highlighter on first use.
  *
- * @returns ends following the theme
+ * @returns a function that stops following the theme
  */
 export async function colorSource(element: HTMLElement): Promise<() => void> {
   const [{ monaco }, { followTheme }] = await Promise.all([

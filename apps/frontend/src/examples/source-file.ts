@@ -1,6 +1,6 @@
-/** A source file that an example shows. */
+/** A source file of an example. */
 export interface SourceFile {
-  /** What it is for: one word. */
+  /** Its purpose in one word. */
   readonly name: string;
   readonly fileName: string;
   readonly load: () => Promise<string>;

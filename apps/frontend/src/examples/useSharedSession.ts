@@ -21,8 +21,8 @@ const isLiving = (session: Session): boolean =>
   isAlive(session) || sessionState(session) === SessionState.SESSION_STARTING;
 
 /**
- * Follows, starts and stops a session that is shared by all clients. It continues after the page is left and
- * starts again with the master.
+ * Observes, starts and stops a session that is shared by all clients. It continues after the page is left, and restarts
+ * with the master.
  * @param isIt returns true for this session
  * @param spec creates the session if there is none
  */
@@ -43,7 +43,7 @@ export function useSharedSession(
   const session = computed(() => choose(sessions.list.value ?? []));
   const isRunning = computed(() => session.value !== undefined && isAlive(session.value));
 
-  /** It belongs to no page, so no page could start it again after a restart of the master. [SE-24] */
+  /** Persistent, because no page would start it again after a restart of the master. [SE-24] */
   async function lasting(): Promise<Init<Session>> {
     const session = await spec();
     return { ...session, extension: { ...session.extension, startWithMaster: true } };

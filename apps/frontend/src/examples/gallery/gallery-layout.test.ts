@@ -8,7 +8,7 @@ import { viewOf } from '../../graph/canvas/stage-view.ts';
 import { completeExample } from '../../sessions/examples/complete-example.ts';
 import { GALLERY } from './gallery.ts';
 
-/** The canvas of a window of 1440 × 900 pixels, and what covers its bottom. */
+/** Size of the canvas in a window of 1440 × 900 pixels, and the height covered at its bottom. */
 const CANVAS = { width: 840, height: 856 };
 const INSET = 60;
 const READABLE_ZOOM = 0.6;

@@ -6,15 +6,15 @@ import {
   type Session,
 } from '@ubii/proto';
 
-/** The page as a device. */
+/** Name of the page's device. */
 export const PROCESSING_DEVICE = 'web-example-image-processing';
 
-/** True for modules that process pictures: one of their inputs takes them. */
+/** True for modules with an input for pictures. */
 export function takesPictures({ inputs }: Pick<ProcessingModule, 'inputs'>): boolean {
   return pictureInput({ inputs }) !== undefined;
 }
 
-/** The input for the pictures. */
+/** Returns the input for pictures. */
 function pictureInput({ inputs }: Pick<ProcessingModule, 'inputs'>) {
   return inputs.find(
     ({ messageFormat, isRecordList }) =>
@@ -22,13 +22,13 @@ function pictureInput({ inputs }: Pick<ProcessingModule, 'inputs'>) {
   );
 }
 
-/** The other inputs: constants that people set. */
+/** Returns the other inputs, which the user sets as constants. */
 export function parametersOf(module: Pick<ProcessingModule, 'inputs'>) {
   const picture = pictureInput(module);
   return module.inputs.filter((input) => input !== picture && !input.isRecordList);
 }
 
-/** Where an output goes. */
+/** Topic of an output. */
 export const outputTopic = (clientId: string, output: string): string =>
   componentTopic(clientId, PROCESSING_DEVICE, output);
 
@@ -38,11 +38,11 @@ export interface ProcessingSpec {
   readonly module: Pick<ProcessingModule, 'name' | 'inputs' | 'outputs'>;
   /** Topic of the pictures. */
   readonly image: string;
-  /** What was set of the parameters, as JSON such as `{"double":1}`. */
+  /** Values of parameters that the user set, as JSON text such as `{"double":1}`. */
   readonly parameters: ReadonlyMap<string, string>;
 }
 
-/** One module between a topic of pictures and topics of this page. */
+/** Creates a session with one module that reads pictures and writes topics of this page. */
 export function processingSession(spec: ProcessingSpec): Init<Session> {
   const { owner, clientId, module, image, parameters } = spec;
   const picture = pictureInput(module)?.internalName ?? '';

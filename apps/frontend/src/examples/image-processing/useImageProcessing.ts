@@ -22,15 +22,15 @@ import {
 } from './processing-session.ts';
 
 const FIRST_MODULE = 'image-tools';
-/** In grey, so that one sees at once that the module did something; its own defaults change nothing. */
+/** Greyscale, so that the effect of the module is visible; its own defaults change nothing. */
 const FIRST_PARAMETERS: ReadonlyMap<string, string> = new Map([['format', '{"string":"GRAY8"}']]);
 const SETTINGS: PictureSettings = { width: 480, rateHz: 15, encoding: 'RGB8', quality: 0.8 };
 
-/** Results of slow modules come so seldom, milliseconds. */
+/** Time without a result of a slow module, milliseconds. */
 const SLOW_MS = 5000;
 const FIGURES_MS = 1000;
 
-/** One output and its newest value. */
+/** An output and its newest value. */
 export interface ShownOutput {
   readonly name: string;
   readonly format: string;
@@ -45,7 +45,7 @@ export function useImageProcessing(sources: PictureSources) {
   const { isOn, wasEnded } = useIsOn(sources);
   const place = useKeptPlace();
   const moduleName = useKeptChoice('module', FIRST_MODULE);
-  /** By module and parameter. */
+  /** Set parameters, by module and parameter name. */
   const set = shallowRef<ReadonlyMap<string, ReadonlyMap<string, string>>>(
     new Map([[FIRST_MODULE, FIRST_PARAMETERS]]),
   );
@@ -54,7 +54,7 @@ export function useImageProcessing(sources: PictureSources) {
   const modules = computed(() =>
     (library.entries.value ?? []).map(({ module }) => module).filter(takesPictures),
   );
-  // It may have been removed since it was chosen.
+  // The chosen module may have been removed.
   watch(modules, (all) => {
     if (all.length > 0 && module.value === undefined) moduleName.value = FIRST_MODULE;
   });
@@ -108,7 +108,7 @@ export function useImageProcessing(sources: PictureSources) {
       : [],
   );
   const { byTopic: newest } = useTopic(topics, { maxRateHz: VISIBLE_HZ });
-  // Modules have outputs of the same name: what one put out says nothing of the next.
+  // Modules have outputs of the same name: drop the values of the previous module.
   let chosenMs = -Infinity;
   const ofOthers = shallowRef<ReadonlySet<TopicRecord>>(new Set());
   watch([moduleName, isOn], () => {
@@ -141,7 +141,7 @@ export function useImageProcessing(sources: PictureSources) {
     held,
   );
 
-  // A module gives several results for a picture, and some only when they change: the liveliest output counts.
+  // A module can output several results per picture, and some outputs only after changes: use the highest rate.
   const meters = new Map<string, RateMeter>();
   const resultHz = shallowRef<number>();
   watch(newest, (records, before) => {

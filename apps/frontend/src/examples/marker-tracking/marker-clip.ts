@@ -1,14 +1,14 @@
 import { DEFAULT_DICTIONARY, markerCells, markerDictionary } from '@ubii/vision/markers';
 
-/** Side of the markers in the clip, metres. */
+/** Side length of the markers in the clip, metres. */
 export const CLIP_MARKER_METRES = 0.06;
-/** What the clip's longer side shows, as the module assumes without calibration. */
+/** Field of view along the clip's longer side, equal to the module's assumption without calibration. */
 const FIELD_OF_VIEW_DEGREES = 60;
 
-/** A turn of the marker that turns, milliseconds. */
+/** Period of the rotating marker, milliseconds. */
 const TURN_MS = 12_000;
 
-/** A marker in front of the clip's camera: metres and radians, as the module puts them out. */
+/** A marker in the camera coordinates of the clip: metres and radians, as the module outputs them. */
 interface ClipMarker {
   readonly id: number;
   readonly x: number;
@@ -19,7 +19,7 @@ interface ClipMarker {
   readonly roll: number;
 }
 
-/** Where the three markers of the clip are at a moment. */
+/** Returns the poses of the clip's three markers at a time. */
 export function clipMarkers(timeMs: number): readonly ClipMarker[] {
   const turn = (timeMs / TURN_MS) * 2 * Math.PI;
   return [
@@ -37,7 +37,7 @@ export function clipMarkers(timeMs: number): readonly ClipMarker[] {
   ];
 }
 
-/** Draws a moment of the clip: markers on white cards, in perspective. */
+/** Draws a frame of the clip: markers on white cards, in perspective. */
 export function drawMarkerClip(canvas: HTMLCanvasElement, timeMs: number): void {
   const context = canvas.getContext('2d')!;
   const { width, height } = canvas;
@@ -81,7 +81,7 @@ export function drawMarkerClip(canvas: HTMLCanvasElement, timeMs: number): void 
   }
 }
 
-/** From places on a marker to places before the camera: turned about its z, x and y, in this order. */
+/** Converts marker coordinates to camera coordinates: rotated about its z, x and y, in this order. */
 function placeOn({ x, y, z, yaw, pitch, roll }: ClipMarker) {
   return (across: number, up: number) => {
     const rolled = {

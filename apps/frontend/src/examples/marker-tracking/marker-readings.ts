@@ -1,19 +1,19 @@
 import type { Object3D, TopicRecord } from '@ubii/proto';
 
-/** What the module found in one picture. */
+/** Results of the module for one picture. */
 export interface MarkerReading {
   readonly markers: readonly Object3D[];
   readonly outlines: TopicRecord;
 }
 
-/** Pictures whose results have come in part. */
+/** Most pictures with incomplete results. */
 const MAX_PARTS = 4;
 
-/** Joins the outputs of a run, which come as records of their own, by the timestamp of the picture. */
+/** Joins the outputs of a run, which arrive as separate records, by the timestamp of the picture. */
 export class MarkerReadings {
   #parts = new Map<number | undefined, Partial<MarkerReading>>();
 
-  /** @returns the reading, with its last part */
+  /** @returns the reading when it is complete */
   take(
     takenMs: number | undefined,
     part: Pick<MarkerReading, 'markers'> | Pick<MarkerReading, 'outlines'>,

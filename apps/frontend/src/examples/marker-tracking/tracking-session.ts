@@ -1,7 +1,7 @@
 import type { ComponentInit } from '@ubii/client-web';
 import type { Init, Session } from '@ubii/proto';
 
-/** The page as a device; topics are `/<client id>/web-example-marker-tracking/<name>`. */
+/** Name of the page's device; topics are `/<client id>/web-example-marker-tracking/<name>`. */
 export const TRACKING_DEVICE = 'web-example-marker-tracking';
 export const TRACKING_MODULE = 'marker-tracking';
 
@@ -51,7 +51,7 @@ export const TRACKING_COMPONENTS = [
 
 type Output = 'markers' | 'outlines' | 'decodeMs' | 'durationMs' | 'error';
 
-/** What a session of tracking is made of. */
+/** Specification of a tracking session. */
 export interface TrackingSpec {
   readonly owner: string;
   /** Topic of the pictures. */
@@ -60,14 +60,17 @@ export interface TrackingSpec {
   readonly dictionary: string;
   readonly sizeMetres: number;
   readonly smoothingMs: number;
-  /** JSON; empty for none. */
+  /** JSON text; empty for none. */
   readonly calibration: string;
 }
 
-/** More than any source has: its rate is that of the pictures. */
+/** Above the rate of any source, so that the rate is that of the pictures. */
 const MAX_MODULE_HZ = 120;
 
-/** One module between a topic of pictures and topics of this page. A changed constant applies while it runs. */
+/**
+ * Creates a session with one module that reads pictures and writes topics of this page. Changed constants apply while
+ * it runs.
+ */
 export function trackingSession(spec: TrackingSpec): Init<Session> {
   const constants = {
     dictionary: { string: spec.dictionary },

@@ -17,12 +17,12 @@ import { CLIP_MARKER_METRES } from './marker-clip.ts';
 import { MarkerReadings, type MarkerReading } from './marker-readings.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
 
-/** Behind another page, and on slow nodes, results come seldom; what nothing renews is dropped then, milliseconds. */
+/** Time after which results are outdated, milliseconds; in background tabs and on slow nodes they are rare. */
 const SLOW_MS = 5000;
 const FIGURES_MS = 1000;
 const RATE_HZ = 20;
 
-/** Finds markers in the pictures of a source with a session of this page. */
+/** Tracks markers in the pictures of a source with a session of this page. */
 export function useMarkerTracking(sources: PictureSources) {
   const { isConnected, name } = useConnection();
   const { isOn, wasEnded } = useIsOn(sources);
@@ -32,7 +32,7 @@ export function useMarkerTracking(sources: PictureSources) {
     sizeMm: String(CLIP_MARKER_METRES * 1000),
     smoothingMs: 0,
   });
-  /** Corners need more pixels than objects: the width is larger than that of other examples. */
+  /** Corners need more pixels than objects: the width is larger than in other examples. */
   const settings = reactive<PictureSettings>({
     width: 1280,
     rateHz: RATE_HZ,
@@ -40,7 +40,7 @@ export function useMarkerTracking(sources: PictureSources) {
     quality: 0.9,
   });
 
-  /** Labels on the picture and the list are of the same one. */
+  /** The labels on the picture and the list show the same reading. */
   const reading = shallowRef<MarkerReading>();
   const error = shallowRef('');
   const figures = shallowRef<{
@@ -91,7 +91,7 @@ export function useMarkerTracking(sources: PictureSources) {
   });
 
   const calibrations = useCalibrations();
-  /** Of the camera that is the source, when it was calibrated in this browser. */
+  /** Calibration of the source camera, if this browser has one. */
   const calibration = computed(() =>
     sources.kind.value === 'camera' ? (calibrations.of(sources.camera.chosen.value) ?? '') : '',
   );
@@ -133,7 +133,7 @@ export function useMarkerTracking(sources: PictureSources) {
   watch([place, () => sources.kind.value, isOn, () => options.dictionary], clear);
 
   useRafFn(() => {
-    // The last results stay, as old ones, until the master is back.
+    // Without the master, the last results stay, marked as old.
     if (!isConnected.value) return;
     if (performance.now() - newestAtMs > SLOW_MS) newest = undefined;
     reading.value = newest;

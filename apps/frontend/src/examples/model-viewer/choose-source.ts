@@ -12,8 +12,8 @@ export function keyOf({ clientId, isPhone }: Pick<TurnSource, 'clientId' | 'isPh
 }
 
 /**
- * Returns the source of the rotation: the one that the user chose, else the newest phone that publishes its orientation, else
- * this browser.
+ * Returns the source of the rotation: the one that the user chose; otherwise the newest phone that publishes its
+ * orientation; otherwise this browser.
  *
  * @param moving clients of phones that publish their orientation, the newest last
  */

@@ -26,7 +26,7 @@ export interface ModelColors {
 }
 
 export interface ModelInput {
-  /** On the screen: x to the right, y up, z towards the viewer. */
+  /** Rotation in screen coordinates: x to the right, y up, z towards the viewer. */
   readonly turn: { readonly x: number; readonly y: number; readonly z: number; readonly w: number };
   readonly colors: ModelColors;
 }
@@ -90,7 +90,7 @@ export class ModelScene {
     this.#camera.updateProjectionMatrix();
   }
 
-  /** Nothing is written on it. */
+  /** Returns no labels. */
   draw({ turn, colors }: ModelInput): [] {
     this.#body.color.setStyle(colors.body);
     this.#wings.color.setStyle(colors.wings);
@@ -98,7 +98,7 @@ export class ModelScene {
     this.#renderer.setClearColor(new Color().setStyle(colors.ground));
     this.#model.quaternion.set(turn.x, turn.y, turn.z, turn.w);
     this.#renderer.render(this.#scene, this.#camera);
-    // For those who test: what was drawn, from where the scene has it.
+    // For tests: the rotation that was drawn, from the scene.
     const { x, y, z, w } = this.#model.getWorldQuaternion(new Quaternion());
     this.#canvas.dataset['turn'] = [x, y, z, w].map((part) => part.toFixed(4)).join(' ');
     return [];
@@ -108,7 +108,7 @@ export class ModelScene {
     for (const geometry of this.#geometries) geometry.dispose();
     for (const material of [this.#body, this.#wings, this.#glass]) material.dispose();
     this.#renderer.dispose();
-    // Browsers allow few contexts; this one is not needed until the garbage is collected.
+    // Browsers limit the number of WebGL contexts: release this one before garbage collection.
     this.#renderer.forceContextLoss();
   }
 

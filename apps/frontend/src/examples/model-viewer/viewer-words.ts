@@ -1,6 +1,6 @@
 import type { TurnSource } from './choose-source.ts';
 
-/** What rotates the model now, and how to rotate it. */
+/** Returns the source of the rotation, and how to rotate the model. */
 export function viewerInvitation(viewer: {
   readonly source: Pick<TurnSource, 'name' | 'isPhone'> | undefined;
   /** The user of this browser rotates the model. */

@@ -12,14 +12,14 @@ import { useMirrorSession, type MirrorPlace, type MirrorSession } from './useMir
 const whole = (spec: Init<Session>): Session =>
   fromJson('ubii.sessions.Session', toJson('ubii.sessions.Session', spec));
 
-/** A deadline costs nothing while all goes well. */
+/** A long timeout does not slow down a passing test. */
 const PATIENCE = { timeout: 20_000 };
 vi.setConfig({ testTimeout: 60_000 });
 
 let unmount: () => void = () => undefined;
 afterEach(() => unmount());
 
-/** A master that keeps the sessions it is given. */
+/** Mocks a master that keeps the sessions it receives. */
 function setup(left: Session[] = []) {
   const known = new Map(left.map((session) => [session.id, session]));
   const list = shallowRef<readonly Session[]>([...known.values()]);

@@ -95,7 +95,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     if (isOver) end();
   }
 
-  /** One change after the other, however fast the place is switched. */
+  /** Serialises changes, however fast the place is switched. */
   let changes: Promise<void> = Promise.resolve();
   function attempt(intent: () => Promise<void>): Promise<void> {
     changes = changes.then(async () => {
@@ -106,7 +106,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
         await intent();
       } catch (cause) {
         if (cause instanceof ServiceError && cause.code === 'not_found') id.value = undefined;
-        if (cause instanceof ConnectionError) return; // shown by the shell, tried again after it
+        if (cause instanceof ConnectionError) return; // Shown by the shell; retried after reconnecting.
         trouble.value = cause instanceof Error ? cause.message : String(cause);
         hasFailed.value = true;
       }
@@ -115,7 +115,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
   }
 
   watch(place, (next) => {
-    // While no node is there, it runs on where it is
+    // Without another node, the module stays where it is.
     if (next.kind !== 'node' || next.nodeId !== '') void attempt(move);
   });
   watch(isConnected, (connected) => connected && void attempt(send), { immediate: true });

@@ -72,7 +72,7 @@ export function usePointerExample() {
   const { client, clients, isConnected, publishIntervalMs } = useConnection();
   const pointers = new Pointers();
   const latency = new EchoLatencyWindow();
-  /** Through the session. The module keeps the timestamp of the pointer, but not its position. */
+  /** Round trip through the session. The module keeps the timestamp of the pointer, but not its position. */
   const through = new EchoLatencyWindow();
   const people = shallowRef<readonly Pointer[]>([]);
   const readouts = shallowRef<PointerReadouts>({

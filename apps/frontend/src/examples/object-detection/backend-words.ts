@@ -5,7 +5,7 @@ const NAMES: Readonly<Record<string, string>> = {
   cpu: 'plain JavaScript',
 };
 
-/** A backend of TensorFlow.js in words, with the graphics card where it computes there. */
+/** Describes a backend of TensorFlow.js, with the graphics card if it uses one. */
 export function backendWords(backend: string, gpu: string | undefined): string {
   const name = NAMES[backend] ?? backend;
   const isOnGpu = backend === 'webgpu' || backend === 'webgl';
@@ -13,8 +13,8 @@ export function backendWords(backend: string, gpu: string | undefined): string {
 }
 
 /**
- * The name of a graphics card as people know it.
- * @param renderer what WebGL says: `ANGLE (NVIDIA, NVIDIA GeForce RTX 3060 Direct3D11 vs_5_0 ps_5_0, D3D11)`
+ * Returns the product name of a graphics card.
+ * @param renderer renderer string of WebGL: `ANGLE (NVIDIA, NVIDIA GeForce RTX 3060 Direct3D11 vs_5_0 ps_5_0, D3D11)`
  */
 export function gpuName(renderer: string): string | undefined {
   const inner = /^ANGLE \((.*)\)$/.exec(renderer)?.[1];
@@ -28,7 +28,7 @@ export function gpuName(renderer: string): string | undefined {
   return name === '' || /^(Mozilla|WebKit WebGL)$/.test(name) ? undefined : name;
 }
 
-/** The graphics card of this browser; `undefined` where it does not tell. */
+/** Returns the graphics card of this browser; `undefined` where it is not available. */
 export function ownGpu(): string | undefined {
   const context = document.createElement('canvas').getContext('webgl');
   const info = context?.getExtension('WEBGL_debug_renderer_info');

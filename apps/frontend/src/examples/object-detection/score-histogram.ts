@@ -1,11 +1,11 @@
-/** Bars from a score of 0 to a score of 1. */
+/** Number of bars from a score of 0 to a score of 1. */
 export const SCORE_BARS = 40;
-/** Scores of this time count, seconds. */
+/** Length of the window, seconds. */
 const WINDOW_S = 10;
 
-/** How often each score came in the last ten seconds; its memory does not grow with the number of scores. */
+/** Histogram of the scores of the last ten seconds; its memory does not grow with the number of scores. */
 export class ScoreHistogram {
-  /** One for each second, oldest first. */
+  /** Counts per second, oldest first. */
   #seconds: { readonly at: number; readonly bars: number[] }[] = [];
 
   /** @param scores 0 to 1 */
@@ -23,7 +23,10 @@ export class ScoreHistogram {
     this.#forget(at);
   }
 
-  /** The height of each bar, as a share of the highest. Square roots: rare scores stay visible beside frequent ones. */
+  /**
+   * Returns the heights of the bars relative to the highest, as square roots, so that rare scores are visible beside
+   * frequent ones.
+   */
   heights(nowMs: number): number[] {
     this.#forget(Math.floor(nowMs / 1000));
     const sums = Array.from({ length: SCORE_BARS }, (_, bar) =>

@@ -1,6 +1,6 @@
 import type { ComponentInit } from '@ubii/client-web';
 
-/** The page as a device; topics are `/<client id>/web-example-object-detection/<name>`. */
+/** Name of the page's device; topics are `/<client id>/web-example-object-detection/<name>`. */
 export const SEEING_DEVICE = 'web-example-object-detection';
 
 export const SEEING_COMPONENTS = [

@@ -1,6 +1,6 @@
 import type { PlaneShape } from '../../topics/viewers/plane/plane-shapes.ts';
 
-/** Something in the picture now. */
+/** Object in the current picture. */
 export interface SeenThing {
   readonly key: string;
   readonly name: string;
@@ -10,14 +10,14 @@ export interface SeenThing {
   readonly isBelow: boolean;
 }
 
-/** Lowest score of things below the threshold that are listed, and the most of them. */
+/** Limits for listed objects below the threshold: lowest score, and number. */
 const LEAST_SCORE = 0.2;
 const MAX_BELOW = 4;
 
 /**
- * What is seen, the highest score first, and then what falls below the threshold.
- * @param above as drawn
- * @param below of the same picture
+ * Returns detected objects by descending score, followed by those below the threshold.
+ * @param above objects that are drawn
+ * @param below objects below the threshold in the same picture
  */
 export function seenThings(
   above: readonly PlaneShape[],

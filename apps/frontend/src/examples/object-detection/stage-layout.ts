@@ -1,14 +1,14 @@
-/** One stage on the bar. */
+/** A stage on the bar. */
 export interface PlacedStage {
   /** Pixels from the left end of the bar. */
   readonly x: number;
   readonly width: number;
 }
 
-/** A stage is seen, however short it is, pixels. */
+/** Smallest width of a stage, pixels, so that it is visible. */
 const LEAST_WIDTH = 2;
 
-/** Stages one after the other, to scale: the whole bar is the sum of them. */
+/** Places stages one after the other, to scale; their sum is the whole bar. */
 export function placeStages(
   durations: readonly number[],
   width: number,
@@ -26,7 +26,7 @@ export function placeStages(
   });
 }
 
-/** Moments of the scale below the bar, milliseconds: at most eight steps, of 1, 2 or 5 times a power of ten. */
+/** Returns the ticks of the scale, milliseconds: at most eight steps, of 1, 2 or 5 times a power of ten. */
 export function stageTicks(totalMs: number): number[] {
   if (!(totalMs > 0)) return [];
   const power = 10 ** Math.floor(Math.log10(totalMs / 8));
@@ -34,17 +34,17 @@ export function stageTicks(totalMs: number): number[] {
   return Array.from({ length: Math.floor(totalMs / step) + 1 }, (_, index) => index * step);
 }
 
-/** A text that belongs to a place on the bar. */
+/** Label of a position on the bar. */
 export interface StageLabel {
   readonly x: number;
   readonly width: number;
-  /** Those with the lowest weight are left out where there is no room for all. */
+  /** Without room for all, labels with the lowest weight are omitted. */
   readonly weight: number;
 }
 
 /**
- * Moves labels apart so that none covers another, each as near as possible to its place.
- * @returns pixels from the left, `undefined` for a label that is left out
+ * Moves labels apart so that they do not overlap, each as near as possible to its position.
+ * @returns pixels from the left, `undefined` for an omitted label
  */
 export function spreadLabels(
   labels: readonly StageLabel[],

@@ -1,11 +1,11 @@
-/** A part of the way of a picture, from light to screen. */
+/** Stage in the processing of a picture, from exposure to display. */
 export interface Stage {
   readonly name: string;
-  /** What happens: the picture travels, the module works, the result travels. */
+  /** Kind: transfer of the picture, work of the module, transfer of the result. */
   readonly kind: 'picture' | 'module' | 'result';
-  /** Mean of the results around the median of the whole, milliseconds. */
+  /** Mean of the results around the median total, milliseconds. */
   readonly ms: number;
-  /** How far it may be from that: the stage begins on one machine and ends on another, whose clocks differ. Milliseconds. */
+  /** Possible error, milliseconds: the stage starts on one computer and ends on another, whose clocks differ. */
   readonly errorMs?: number | undefined;
 }
 
@@ -14,7 +14,7 @@ export interface StageSummary {
   /** Age of a result when it is drawn, milliseconds. */
   readonly p50Ms: number;
   readonly p95Ms: number;
-  /** Results in the window. */
+  /** Number of results in the window. */
   readonly count: number;
 }
 
@@ -25,7 +25,7 @@ interface Sample {
   readonly totalMs: number;
 }
 
-/** In the order of the way. */
+/** In order. */
 export const STAGES = [
   { name: 'Capture', kind: 'picture' },
   { name: 'Encode', kind: 'picture' },
@@ -35,33 +35,33 @@ export const STAGES = [
   { name: 'Back', kind: 'result' },
   { name: 'Draw', kind: 'result' },
 ] as const;
-/** Those that begin on one machine and end on another. */
+/** Stages that start on one computer and end on another. */
 const CROSSING: ReadonlySet<string> = new Set(['To the module', 'Back']);
-/** Results of this time count, milliseconds. */
+/** Length of the window, milliseconds. */
 const WINDOW_MS = 10_000;
 const MAX_SAMPLES = 400;
-/** Of all results, how many on either side of the median tell what the parts are. */
+/** Share of the results on either side of the median that determine the stages. */
 const TYPICAL_SHARE = 0.1;
 
-/** One result, all moments by the clock of the master, milliseconds. */
+/** Timestamps of a result, milliseconds of the master's clock. */
 export interface ResultTimes {
-  /** When the picture was taken: the timestamp of the result. */
+  /** Capture time of the picture: the timestamp of the result. */
   readonly takenMs: number;
-  /** From the light to the encoder; `undefined` where no camera tells. */
+  /** Time from exposure to encoder; `undefined` where the camera does not report it. */
   readonly captureMs?: number | undefined;
-  /** Making a record of the picture; 0 for pictures of other clients. */
+  /** Encoding time of the picture; 0 for pictures of other clients. */
   readonly encodeMs: number;
-  /** When the module had finished: the timestamp of its duration. */
+  /** Time at which the module finished: the timestamp of its duration. */
   readonly finishedMs: number;
-  /** Decoding and detection. */
+  /** Duration of decoding and detection. */
   readonly durationMs: number;
-  /** Decoding alone; `undefined` when the module does not tell. */
+  /** Duration of decoding; `undefined` when the module does not report it. */
   readonly decodeMs?: number | undefined;
   readonly arrivedMs: number;
   readonly drawnMs: number;
 }
 
-/** What each stage took, of the results of the last ten seconds. */
+/** Durations of all stages, from the results of the last ten seconds. */
 export class StageTimes {
   #samples: Sample[] = [];
   #sinceMs = -Infinity;
@@ -77,7 +77,7 @@ export class StageTimes {
       durationMs - (decodeMs ?? 0),
       arrivedMs - finishedMs,
       drawnMs - arrivedMs,
-      // Clocks are known to a millisecond or so: what is shorter than that may come out below 0.
+      // Clocks agree to about a millisecond: shorter durations can come out negative.
     ].map((ms) => (ms === undefined ? undefined : Math.max(0, ms)));
     if (!this.counts(takenMs)) return;
     if (parts.some((ms) => ms !== undefined && !Number.isFinite(ms))) return;
@@ -86,22 +86,22 @@ export class StageTimes {
   }
 
   /**
-   * Forgets everything: another source or place.
+   * Drops all results after a change of source or node.
    *
-   * @param sinceMs pictures that were taken before do not count: they are on their way still
+   * @param sinceMs ignores pictures taken before, whose results are still to come
    */
   clear(sinceMs = -Infinity): void {
     this.#samples = [];
     this.#sinceMs = sinceMs;
   }
 
-  /** Whether a picture belongs to what is measured. */
+  /** Whether a picture belongs to the current measurement. */
   counts(takenMs: number): boolean {
     return takenMs >= this.#sinceMs;
   }
 
   /**
-   * @param errorMs how far the clocks of this page and of the module's node may be apart; `undefined` when it is one clock
+   * @param errorMs possible difference of the clocks of this page and the module's node; `undefined` when it is the same clock
    * @returns `undefined` without results in the last ten seconds
    */
   summary(nowMs: number, errorMs?: number): StageSummary | undefined {
@@ -126,7 +126,7 @@ export class StageTimes {
   }
 }
 
-/** The results around the median: their parts add up to it, which medians of the parts do not. */
+/** Returns the results around the median: their stages add up to it, unlike the medians of the stages. */
 function middle(sorted: readonly Sample[]): readonly Sample[] {
   const center = Math.ceil(0.5 * sorted.length) - 1;
   const reach = Math.floor(sorted.length * TYPICAL_SHARE);

@@ -4,10 +4,10 @@ import { shallowRef, watch, type Ref } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 
-/** How far the clocks of this page and of the node where modules run may be apart. */
+/** Possible difference of the clocks of this page and the node that runs the modules. */
 export function useClockError(place: Ref<ModulePlace>, isOn: Ref<boolean>) {
   const { client } = useConnection();
-  /** Of the node, as it says itself. [TS-10] */
+  /** Clock error that the node reports. [TS-10] */
   const nodeErrorMs = shallowRef(0);
 
   watch([place, isOn], async ([id, on]) => {
@@ -21,7 +21,7 @@ export function useClockError(place: Ref<ModulePlace>, isOn: Ref<boolean>) {
     }
   });
   return {
-    /** Milliseconds; `undefined` for a module in this tab, which has the clock of this page. */
+    /** Milliseconds; `undefined` for a module in this tab, which uses the clock of this page. */
     errorMs(): number | undefined {
       const own = client.masterTime.estimate?.errorMs;
       return own === undefined || place.value === 'tab' ? undefined : own + nodeErrorMs.value;

@@ -3,7 +3,7 @@ import { useKeptChoice } from '../pictures/useKeptChoice.ts';
 import type { useDevice } from '../../devices/useDevice.ts';
 import type { SEEING_COMPONENTS } from './seeing-topics.ts';
 
-/** Detectors of the module, with the threshold that each has by itself: their scores differ. */
+/** Detectors of the module with their default thresholds; their scores are not comparable. */
 export const DETECTORS = [
   { value: 'centernet', text: 'CenterNet', threshold: 0.4 },
   { value: 'coco-ssd', text: 'COCO-SSD', threshold: 0.5 },
@@ -12,10 +12,10 @@ export type DetectorName = (typeof DETECTORS)[number]['value'];
 
 type SeeingDevice = ReturnType<typeof useDevice<typeof SEEING_COMPONENTS>>;
 
-/** Which detector looks at the pictures, with which threshold, and what is wrong with it. */
+/** Chosen detector, its threshold, and its problem. */
 export function useDetector() {
   const name = shallowRef<DetectorName>('centernet');
-  /** What the module says of detector, backend and pictures; empty when all is well. */
+  /** Problem that the module reports about detector, backend or pictures; empty when there is none. */
   const problem = shallowRef('');
   const thresholds = useKeptChoice<Record<string, number>>(
     'thresholds',
@@ -27,10 +27,10 @@ export function useDetector() {
   });
   return {
     name,
-    /** Of this detector; each keeps its own. */
+    /** Threshold of this detector; each has its own. */
     threshold,
     problem,
-    /** Tells the module, now, with each change, and again after a restart of the master. */
+    /** Publishes the choice for the module now, with each change, and after a restart of the master. */
     publishOn(
       device: Pick<SeeingDevice, 'publish' | 'isRegistered'>,
       isConnected: Readonly<Ref<boolean>>,

@@ -19,19 +19,19 @@ import { useDetector } from './useDetector.ts';
 import { StageTimes, type StageSummary } from './stage-times.ts';
 import type { PictureSources } from '../pictures/usePictureSource.ts';
 
-/** Results that nothing renews are of another picture by then, milliseconds. */
+/** Time after which results are outdated, milliseconds. */
 const HOLD_MS = 3000;
-/** How often figures are renewed, milliseconds. */
+/** Interval between updates of figures, milliseconds. */
 const FIGURES_MS = 1000;
 const WANTED_HZ = 30;
 const MAX_MODULE_HZ = 120;
-/** Pictures whose encoding time is remembered until their result comes. */
+/** Most pictures whose encoding time is kept until their result arrives. */
 const MAX_UNDERWAY = 64;
 
-/** What was found in the newest picture, by what is looked for. */
+/** Results for the newest picture, by kind of detection. */
 export type Found = ReadonlyMap<Seen, TopicRecord>;
 
-/** Looks at the pictures of a source with a session of this page. */
+/** Analyses the pictures of a source with a session of this page. */
 export function useObjectDetection(sources: PictureSources) {
   const { client, isConnected, name } = useConnection();
   const { isOn, wasEnded } = useIsOn(sources);
@@ -59,7 +59,7 @@ export function useObjectDetection(sources: PictureSources) {
     readonly sentHz?: number | undefined;
     readonly seenHz?: number | undefined;
   }>({});
-  /** Median time of detection by place, of places that were tried. */
+  /** Median detection time of the nodes that were tried. */
   const placeMs = shallowRef<
     ReadonlyMap<ModulePlace, { readonly ms: number; readonly hint: string }>
   >(new Map());
@@ -67,14 +67,14 @@ export function useObjectDetection(sources: PictureSources) {
   const newest = new Map<Seen, { readonly record: TopicRecord; readonly atMs: number }>();
   const times = new StageTimes();
   const results = new RateMeter(HOLD_MS);
-  /** As the pictures that are sent are counted: both are shown side by side. */
+  /** Measured like the rate of sent pictures, which is shown beside it. */
   const shown = new RateMeter(HOLD_MS, SHOWN_WINDOW_MS);
   const made = new Map<number, Pick<TakenPicture, 'captureMs' | 'encodeMs'>>();
   let decodeMs: number | undefined;
   let result: { readonly takenMs: number; readonly arrivedMs: number } | undefined;
   let hasChanged = false;
 
-  /** Not one that was retained since an earlier time. */
+  /** Ignores retained records from an earlier time. */
   const isNew = ({ timestampMs }: TopicRecord): boolean =>
     timestampMs === undefined || times.counts(timestampMs);
 
@@ -89,7 +89,7 @@ export function useObjectDetection(sources: PictureSources) {
     result = takenMs === undefined ? undefined : { takenMs, arrivedMs: client.masterTime.nowMs() };
   }
 
-  /** Comes after the objects of the same picture. */
+  /** Arrives after the objects of the same picture. */
   function takeDuration(durationMs: number, finishedMs: number | undefined): void {
     const of = result;
     const decodedInMs = decodeMs;
@@ -108,7 +108,7 @@ export function useObjectDetection(sources: PictureSources) {
     );
   }
 
-  /** Pictures of other clients may be old: a retained one is looked at as it is. */
+  /** Pictures of other clients may be old: retained ones are analysed, too. */
   const clearTimes = (): void => times.clear(isOwn.value ? client.masterTime.nowMs() : undefined);
 
   const device = useDevice({
@@ -137,7 +137,7 @@ export function useObjectDetection(sources: PictureSources) {
     settings,
     isRegistered: device.isRegistered,
     ownTopic: () => device.topicOf('image'),
-    // Only the results for objects are counted.
+    // Only results for objects are counted.
     resultHz: () => (looksFor.objects ? results.rateHz(performance.now()) : undefined),
     publish(picture, { takenMs, captureMs, encodeMs, expiryMs }) {
       made.set(Math.round(takenMs), { captureMs, encodeMs });
@@ -165,7 +165,7 @@ export function useObjectDetection(sources: PictureSources) {
             hands: topicIf('hands'),
           },
           inputs: { threshold: device.topicOf('threshold'), detector: device.topicOf('detector') },
-          // Its rate is that of the pictures, which is adapted.
+          // The rate is that of the pictures, which is adapted.
           constants: { maxRate: { double: MAX_MODULE_HZ } },
           outputs: {
             decodeMs: device.topicOf('decode'),
@@ -181,7 +181,7 @@ export function useObjectDetection(sources: PictureSources) {
     () => (isOn.value = false),
   );
 
-  // The module reads it with the next picture. A master that was restarted does not know it.
+  // The module applies it to the next picture. A restarted master does not know it.
   watch(
     [threshold, device.isRegistered, isConnected],
     ([value, isKnown, connected]) => isKnown && connected && device.publish('threshold', value),
@@ -200,11 +200,11 @@ export function useObjectDetection(sources: PictureSources) {
     hasChanged = true;
   });
 
-  // The time without a master, behind another page, or before this page was opened is no part of the way of a picture.
+  // Time while disconnected, in the background, or before this page was opened is not latency.
   watch([isConnected, useDocumentVisibility()], clearTimes, { immediate: true });
 
   useRafFn(() => {
-    // The last results stay, as old ones, until the master is back.
+    // Without the master, the last results stay, marked as old.
     if (!isConnected.value) return;
     const nowMs = performance.now();
     for (const [what, { atMs }] of newest) {

@@ -3,23 +3,23 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSources } from '../pictures/usePictureSource.ts';
 
-/** How many pictures of each second come so far. */
+/** Rate of pictures at a step of the processing. */
 export interface FunnelRate {
   readonly name: string;
   /** `undefined` while nothing is measured. */
   readonly hz: number | undefined;
   readonly unit: string;
   readonly kind: 'picture' | 'result' | 'replaced';
-  /** More than is good. */
+  /** True when the rate is too high. */
   readonly isMuch: boolean;
-  /** The last moments, oldest first. */
+  /** Recent rates, oldest first. */
   readonly history: readonly (number | undefined)[];
 }
 
-/** Twenty seconds. */
+/** Interval between samples, milliseconds; the history covers twenty seconds. */
 const SAMPLE_MS = 500;
 const SAMPLES = 40;
-/** Share of the pictures that may be replaced by newer ones without a warning. */
+/** Share of replaced pictures from which a warning is shown. */
 const MANY_REPLACED = 0.15;
 const GIVERS = {
   clip: 'From the clip',
@@ -28,7 +28,7 @@ const GIVERS = {
   topic: 'From the topic',
 };
 
-/** Pictures from their source to their results as rates: given, sent, looked at, replaced. */
+/** Rates of pictures from the source to the results: captured, sent, analysed, replaced. */
 export function useRateFunnel(
   sources: PictureSources,
   detection: {

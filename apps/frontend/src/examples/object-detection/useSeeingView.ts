@@ -9,16 +9,16 @@ import { planeShapes } from '../../topics/viewers/plane/plane-shapes.ts';
 import { ScoreHistogram } from './score-histogram.ts';
 import { seenThings } from './seen-things.ts';
 
-/** How often the histogram is drawn, milliseconds. */
+/** Interval between updates of the histogram, milliseconds. */
 const HISTOGRAM_MS = 250;
 
-/** What people see of the results: marks, the list, and the scores of the last ten seconds. */
+/** Display of the results: marks, list, and histogram of the last ten seconds. */
 export function useSeeingView(detection: {
   readonly found: Readonly<{ value: ReadonlyMap<Seen, TopicRecord> }>;
   readonly belowThreshold: Readonly<{ value: TopicRecord | undefined }>;
   readonly threshold: Readonly<{ value: number }>;
   readonly isOn: Readonly<{ value: boolean }>;
-  /** The picture goes on without the master. */
+  /** True for sources that change without the master. */
   readonly isMoving: Readonly<{ value: boolean }>;
 }) {
   const { isConnected } = useConnection();
@@ -30,9 +30,9 @@ export function useSeeingView(detection: {
     const topic = found.value.get('objects')?.topic;
     return followed.value.find((layer) => layer.topic === topic)?.shapes ?? [];
   });
-  /** A threshold that rises counts at once; one that falls, with the next picture. */
+  /** A higher threshold applies at once, a lower one from the next picture. */
   const isAbove = ({ score = 1 }: { readonly score?: number }): boolean => score >= threshold.value;
-  /** Results from before the master was away are those of another picture. */
+  /** Hide results from before a disconnect: they belong to an older picture. */
   const fitting = computed(() => (isConnected.value || !isMoving.value ? followed.value : []));
   const layers = computed((): PictureLayer[] =>
     fitting.value.map((layer) => ({

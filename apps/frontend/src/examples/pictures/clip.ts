@@ -3,18 +3,18 @@ import camera from '@ubii/vision/photos/camera.jpg?url';
 import chelsea from '@ubii/vision/photos/chelsea.jpg?url';
 import coffee from '@ubii/vision/photos/coffee.jpg?url';
 
-/** What the built-in clip shows; rights: `packages/vision/photos/README.md`. */
+/** Photographs of the built-in clip; rights: `packages/vision/photos/README.md`. */
 const PHOTOS = [coffee, astronaut, chelsea, camera];
-/** Which part of each is seen where it is cut, from the top (0) to the bottom (1). */
+/** Vertical focus of each when it is cropped, from the top (0) to the bottom (1). */
 const FOCUS_Y = [0.4, 0.05, 0.4, 0.2];
-/** Each photograph, milliseconds. */
+/** Duration of each photograph, milliseconds. */
 const SHOWN_MS = 5000;
 const FADE_MS = 400;
-/** How much nearer the view comes while a photograph is shown. */
+/** Zoom while a photograph is shown, as a share. */
 const ZOOM = 0.12;
 export const CLIP_RATE_HZ = 30;
 
-/** Which photographs are seen at a moment of the clip, and how strongly. */
+/** Returns the visible photographs at a time of the clip, with their opacities. */
 export function clipFrame(
   timeMs: number,
   count: number,
@@ -28,7 +28,7 @@ export function clipFrame(
   return [before, { ...now, alpha: inside / FADE_MS }];
 }
 
-/** The photographs of the clip. */
+/** Loads the photographs of the clip. */
 export async function loadClip(): Promise<readonly ImageBitmap[]> {
   return await Promise.all(
     PHOTOS.map(async (url) => {
@@ -38,7 +38,7 @@ export async function loadClip(): Promise<readonly ImageBitmap[]> {
   );
 }
 
-/** Draws a moment of the clip; photographs fill the canvas and are cut at two sides. */
+/** Draws a frame of the clip; photographs fill the canvas and are cropped. */
 export function drawClip(
   canvas: HTMLCanvasElement,
   photos: readonly ImageBitmap[],

@@ -1,16 +1,16 @@
 import type { Image2D } from '@ubii/proto';
 
-/** Of all held pictures, bytes; the oldest are evicted. */
+/** Largest memory of all held pictures, bytes; the oldest are evicted. */
 const MAX_BYTES = 24_000_000;
-/** Results are expected for no more than these. */
+/** Most pictures held. */
 const MAX_PICTURES = 64;
 
-/** The last pictures that were sent, until their results come. */
+/** Sent pictures, held until their results arrive. */
 export class HeldPictures {
   #pictures = new Map<number, Image2D>();
   #bytes = 0;
 
-  /** @param takenMs the timestamp with which it is published */
+  /** @param takenMs timestamp of its record */
   add(takenMs: number, picture: Image2D): void {
     this.#pictures.set(Math.round(takenMs), picture);
     this.#bytes += picture.data.length;
@@ -21,7 +21,7 @@ export class HeldPictures {
     }
   }
 
-  /** The picture with this timestamp; undefined when it is not held any more. */
+  /** Returns the picture with this timestamp; undefined when it is no longer held. */
   at(takenMs: number): Image2D | undefined {
     return this.#pictures.get(Math.round(takenMs));
   }

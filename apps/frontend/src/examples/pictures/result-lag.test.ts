@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { HeldPictures } from './held-pictures.ts';
 import { opacityAt, ResultLag } from './result-lag.ts';
 
-/** Shows results, each as old when it comes as `lagMs`, `everyMs` apart. */
+/** Shows `count` results of age `lagMs` at intervals of `everyMs`. */
 function show(lag: ResultLag, lagMs: number, everyMs: number, count: number, fromMs = 0): number {
   for (let at = 0; at < count * everyMs; at += 10) {
     lag.note(fromMs + Math.floor(at / everyMs) * everyMs, fromMs + at + lagMs);

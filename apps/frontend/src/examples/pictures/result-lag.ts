@@ -1,28 +1,27 @@
-/** Older results do not fit a picture that moves on, milliseconds. */
+/** Age from which results no longer match a moving picture, milliseconds. */
 export const MAX_LAG_MS = 300;
-/** Results are current again when they become no older than this, milliseconds. */
+/** Age below which results are current again, milliseconds. */
 const CALM_LAG_MS = 200;
-/** Results that count. */
+/** Number of results for the median. */
 const RESULTS = 5;
-/** A result this much older than `MAX_LAG_MS` has faded, milliseconds, to this opacity. */
+/** Age beyond `MAX_LAG_MS` at which a result has faded, milliseconds, and its final opacity. */
 const FADE_MS = 700;
 const FADED = 0.25;
 
 /**
- * How old results become on the screen before the next one replaces them: the median of the last ones, so that a single late one
- * changes nothing.
+ * Age of results when the next one replaces them: the median of the last ones, so that a single late one has no effect.
  */
 export class ResultLag {
   #newestMs: number | undefined;
-  /** Of the last results, the newest last, milliseconds. */
+  /** Ages of the last results, newest last, milliseconds. */
   #oldest: number[] = [];
   #isBehind = false;
 
   /**
-   * Notes what is on the screen now.
+   * Records the displayed result.
    *
-   * @param takenMs when the picture of the newest result was taken; undefined without a result
-   * @param nowMs on the same clock
+   * @param takenMs capture time of the newest result's picture; undefined without a result
+   * @param nowMs of the same clock
    */
   note(takenMs: number | undefined, nowMs: number): void {
     if (takenMs === undefined) return this.clear();
@@ -32,12 +31,12 @@ export class ResultLag {
     this.#isBehind = this.medianMs > (this.#isBehind ? CALM_LAG_MS : MAX_LAG_MS);
   }
 
-  /** Results are those of a picture that is over. */
+  /** True when results belong to an outdated picture. */
   get isBehind(): boolean {
     return this.#isBehind;
   }
 
-  /** Milliseconds; 0 without results. */
+  /** Median age, milliseconds; 0 without results. */
   get medianMs(): number {
     const sorted = this.#oldest.toSorted((a, b) => a - b);
     return sorted[Math.floor(sorted.length / 2)] ?? 0;
@@ -50,9 +49,9 @@ export class ResultLag {
   }
 }
 
-/** How much is seen of a result over a picture that was taken so much later, 0 to 1. */
+/** Opacity of a result over a picture that was taken this much later, 0 to 1. */
 export function opacityAt(laterMs: number): number {
   const faded = (laterMs - MAX_LAG_MS) / FADE_MS;
-  // In steps, so that not every frame is a new one.
+  // Rounded, so that not every frame causes an update.
   return Math.max(FADED, Math.min(1, Math.round((1 - faded) * 20) / 20));
 }

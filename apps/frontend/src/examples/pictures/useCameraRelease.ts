@@ -1,7 +1,7 @@
 import { watch, type Ref } from 'vue';
 import type { PictureSources } from './usePictureSource.ts';
 
-/** Lets go of the camera when its pictures are sent no more, so that its light goes out; Start opens it again. */
+/** Releases the camera when sending stops, so that its indicator turns off; Start opens it again. */
 export function useCameraRelease({ kind, camera }: PictureSources, isOn: Ref<boolean>): void {
   watch(isOn, (on) => {
     if (kind.value !== 'camera') return;

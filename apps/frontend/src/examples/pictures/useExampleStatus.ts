@@ -3,23 +3,23 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { OUT_OF_CONTACT } from '../../sessions/state/session-state.ts';
 import type { MarkedState } from '../../ui/UiStateMark.vue';
 
-/** A mark and its word. */
+/** Status mark and its text. */
 export interface ExampleState {
   readonly state: MarkedState;
   readonly word: string;
 }
 
-/** How an example with pictures is doing, in one word. */
+/** Status of an example with pictures. */
 export function useExampleStatus(example: {
   readonly isOn: () => boolean;
-  /** It ran until the page was reloaded. */
+  /** True when a reload ended it. */
   readonly wasEnded: () => boolean;
   readonly isStarting: () => boolean;
-  /** Something does not work. */
+  /** True when there is a problem. */
   readonly hasProblem: () => boolean;
-  /** What is loaded before the module starts; `undefined` when nothing is. */
+  /** What is being loaded before the module starts; `undefined` when nothing is. */
   readonly loads: () => string | undefined;
-  /** Results have come of late. */
+  /** True when results arrived recently. */
   readonly hasResults: () => boolean;
 }): ComputedRef<ExampleState> {
   const { isConnected } = useConnection();

@@ -4,10 +4,10 @@ import { useRoute } from 'vue-router';
 import type { PictureSources } from './usePictureSource.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 
-/** Whether an example runs. It ends with the page; after a reload the page says so, and offers to start it again. */
+/** Whether an example runs. It ends with the page; after a reload, the page offers to start it again. */
 export function useIsOn(sources: Pick<PictureSources, 'kind'>): {
   readonly isOn: ShallowRef<boolean>;
-  /** It ran until the page was reloaded, and was not started since. */
+  /** True when a reload ended it, and it was not started again. */
   readonly wasEnded: Readonly<ShallowRef<boolean>>;
 } {
   const isOn = shallowRef(false);
@@ -22,7 +22,7 @@ export function useIsOn(sources: Pick<PictureSources, 'kind'>): {
   }
   watch(isOn, () => (wasEnded.value = false));
   useEventListener(window, 'pagehide', ({ persisted }) => {
-    // One that is kept goes on when it is shown again
+    // Sources that are kept resume when the page is shown again.
     const isKept = ['clip', 'camera'].includes(sources.kind.value);
     if (isOn.value && isKept && !persisted) sessionStorage.setItem(key, 'yes');
   });

@@ -2,7 +2,9 @@ import { useSessionStorage, type RemovableRef } from '@vueuse/core';
 import { useRoute } from 'vue-router';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 
-/** What people chose on this page; this tab keeps it over reloads. @param isGood whether a kept value is one still */
+/**
+ * A choice of the user on this page, kept in this tab over reloads. @param isGood whether a stored value is still valid
+ */
 export function useKeptChoice<T>(
   name: string,
   initial: T,
@@ -15,7 +17,7 @@ export function useKeptChoice<T>(
   return kept;
 }
 
-/** Where the module runs; other nodes may be gone after a reload. */
+/** Node of the module. Only the master is restored after a reload; other nodes may be gone. */
 export function useKeptPlace(): RemovableRef<ModulePlace> {
   return useKeptChoice<ModulePlace>('place', 'tab', (kept) => kept === 'master');
 }

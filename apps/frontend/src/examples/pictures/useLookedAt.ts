@@ -6,24 +6,27 @@ import type { HeldPictures } from './held-pictures.ts';
 import { opacityAt, ResultLag } from './result-lag.ts';
 import type { PictureSources } from './usePictureSource.ts';
 
-/** What the stage shows so that results and picture belong together. */
+/** Displayed picture, such that it matches the results. */
 export interface LookedAt {
-  /** The picture of the newest result, in place of a newer one; undefined while results are current, or when it is not held. */
+  /**
+   * Picture of the newest result, shown instead of a newer one; undefined while results are current, or when it is not
+   * held.
+   */
   readonly picture: ComputedRef<Image2D | undefined>;
-  /** How old results become; undefined while they are current. Milliseconds. */
+  /** Age of results, milliseconds; undefined while they are current. */
   readonly behindMs: Readonly<ShallowRef<number | undefined>>;
-  /** How much is seen of results that are older than the picture, 0 to 1, by topic. */
+  /** Opacities of results that are older than the picture, 0 to 1, by topic. */
   readonly opacities: Readonly<ShallowRef<ReadonlyMap<string, number>>>;
 }
 
-/** Steps of the age in words, milliseconds. */
+/** Rounding of the displayed age, milliseconds. */
 const AGE_STEP_MS = 100;
 
 /**
- * Compares results with the picture on the stage. Results that lag behind are shown with the picture that was looked at, while it
- * is held; others fade.
+ * Compares results with the displayed picture. Late results are shown with the picture that was analysed, if it is
+ * held; otherwise they fade.
  *
- * @param records the newest results, with the timestamps of their pictures
+ * @param records newest results, with the timestamps of their pictures
  */
 export function useLookedAt(
   { kind }: Pick<PictureSources, 'kind'>,
@@ -35,7 +38,7 @@ export function useLookedAt(
   const isBehind = shallowRef(false);
   const behindMs = shallowRef<number>();
   const opacities = shallowRef<ReadonlyMap<string, number>>(new Map());
-  /** Files do not move; topics are shown as they are, and their clocks are those of others. */
+  /** Files do not change; the pictures of topics have other clients' clocks. */
   const isMoving = computed(() => kind.value === 'clip' || kind.value === 'camera');
   const newestMs = computed(() => {
     const times = isMoving.value ? records().flatMap(({ timestampMs }) => timestampMs ?? []) : [];
@@ -52,7 +55,7 @@ export function useLookedAt(
     return new Map(faded.filter(([, opacity]) => opacity < 1));
   }
   useRafFn(() => {
-    // Without the master, results are marked as old ones.
+    // Without the master, results are marked as old.
     if (!isConnected.value) return;
     const nowMs = client.masterTime.nowMs();
     lag.note(newestMs.value, nowMs);

@@ -5,7 +5,7 @@ import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.t
 
 type Measured = ReadonlyMap<ModulePlace, { readonly ms: number; readonly hint: string }>;
 
-/** Median run time of the module of a session, by the places that were tried. */
+/** Median run time of a session's module, by node that was tried. */
 export function useMeasuredPlaces(
   session: Readonly<{ value: Session | undefined }>,
   place: Readonly<{ value: ModulePlace }>,

@@ -16,47 +16,47 @@ import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { CLIP_RATE_HZ, drawClip, loadClip } from './clip.ts';
 import { useKeptChoice } from './useKeptChoice.ts';
 
-/** Where pictures come from. */
+/** Kinds of picture sources. */
 export type SourceKind = 'clip' | 'camera' | 'photo' | 'topic';
 
 type PictureElement = HTMLVideoElement | HTMLCanvasElement;
 
-/** Pictures of this page: the built-in clip, a camera or an image file; or those of a topic. */
+/** Source of pictures: the built-in clip, a camera, an image file, or a topic. */
 export interface PictureSources {
   readonly kind: ShallowRef<SourceKind>;
   readonly camera: ReturnType<typeof useCamera>;
-  /** Shown as it is; `undefined` while there is no picture, and for a topic. */
+  /** Displayed element; `undefined` while there is no picture, and for a topic. */
   readonly element: ComputedRef<PictureElement | undefined>;
-  /** Of the picture that is shown, pixels. */
+  /** Size of the displayed picture, pixels. */
   readonly size: ComputedRef<{ readonly width: number; readonly height: number } | undefined>;
   /** Name of the image file. */
   readonly fileName: Readonly<ShallowRef<string | undefined>>;
-  /** What is wrong with the image file, one sentence. */
+  /** Problem of the image file, one sentence. */
   readonly fileProblem: Readonly<ShallowRef<string | undefined>>;
-  /** The topic whose pictures are looked at; empty until one is chosen. */
+  /** Topic of the pictures; empty until one is chosen. */
   readonly topic: ShallowRef<string>;
-  /** Pictures are sent: the clip goes on while another page is in front. */
+  /** True while pictures are sent: the clip then continues in background tabs. */
   readonly isSent: ShallowRef<boolean>;
   takeFile(file: File): Promise<void>;
-  /** What pictures are taken of now. */
+  /** Returns the current source for the encoder. */
   source(): PictureSource | undefined;
-  /** Pictures per second of the clip or the camera, as measured; `undefined` for other sources. */
+  /** Measured pictures per second of the clip or the camera; `undefined` for other sources. */
   givenHz(): number | undefined;
 }
 
 const CLIP_SIZE = { width: 960, height: 540 };
-/** Larger photographs are reduced, pixels of the longer side. */
+/** Longer side of a photograph to which larger ones are scaled down, pixels. */
 const MAX_PHOTO_SIDE = 1280;
 
 /**
- * The sources of a page, while the calling scope lives; the built-in clip at first.
+ * Sources of a page, while the calling scope is active; initially the built-in clip.
  *
- * @param drawOwn draws a moment of another clip, in place of the one with photographs
+ * @param drawOwn draws a frame of another clip, instead of the one with photographs
  */
 export function usePictureSource(
   drawOwn?: (canvas: HTMLCanvasElement, timeMs: number) => void,
 ): PictureSources {
-  // Files and topics are not kept with it.
+  // Files and topics are not restored.
   const kind = useKeptChoice<SourceKind>('source', 'clip', (kept) => kept === 'camera');
   const topic = shallowRef('');
   const isSent = shallowRef(false);
@@ -94,7 +94,7 @@ export function usePictureSource(
     if (stream) countFrame();
     else videoSize.value = undefined;
   });
-  /** Browsers that do not tell of the pictures of a video have no figure for them. */
+  /** Counts frames, where browsers report those of a video. */
   function countFrame(): void {
     video.requestVideoFrameCallback?.(() => {
       given.note(performance.now());
@@ -113,7 +113,7 @@ export function usePictureSource(
       isLoading = true;
       loadClip().then(
         (photos) => (clipPhotos.value = photos),
-        () => (isLoading = false), // the master is away, which the shell tells
+        () => (isLoading = false), // The master is disconnected, which the shell shows.
       );
     },
     { immediate: true },

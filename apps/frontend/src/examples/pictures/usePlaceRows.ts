@@ -4,7 +4,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { canRun, nodeHint, nodeName } from '../../sessions/words/node-words.ts';
 
-/** A place where modules can run. */
+/** A place that can run modules. */
 export interface PlaceRow {
   readonly id: ModulePlace;
   readonly name: string;
@@ -13,7 +13,7 @@ export interface PlaceRow {
 
 const NODES_INTERVAL_MS = 2000;
 
-/** This tab, and every node that can run all modules now. */
+/** Returns this tab, and every node that can run all modules now. */
 export function usePlaceRows(
   modules: () => readonly string[],
   chosen: () => ModulePlace,

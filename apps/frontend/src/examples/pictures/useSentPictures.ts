@@ -8,33 +8,33 @@ import { HeldPictures } from './held-pictures.ts';
 import { useCameraRelease } from './useCameraRelease.ts';
 import type { PictureSources } from './usePictureSource.ts';
 
-/** An image file changes when another one is chosen. */
+/** Rate for image files, which change only when another one is chosen, Hz. */
 const PHOTO_HZ = 2;
 
-/** A picture with the timestamp that its results will have, master's clock. */
+/** A picture with the timestamp of its results, master's clock. */
 export type SentPicture = TakenPicture & { readonly takenMs: number };
 
-/** Sends the pictures of a page's source while the example runs, unless a topic is the source. */
+/** Sends the pictures of a page's source while the example runs, unless the source is a topic. */
 export function useSentPictures(options: {
   readonly sources: PictureSources;
   readonly isOn: Ref<boolean>;
-  /** What is wanted at most; the rate follows the kind of source. */
+  /** Highest settings; the rate depends on the kind of source. */
   readonly settings: PictureSettings;
   readonly isRegistered: Readonly<Ref<boolean>>;
   /** Topic of the page's own pictures. */
   readonly ownTopic: () => string | undefined;
-  /** Results of modules per second; counts for sources that change. */
+  /** Results of modules per second; used for sources that change. */
   readonly resultHz?: () => number | undefined;
   readonly publish: (image: Image2D, taken: SentPicture) => void;
   readonly end: () => void;
 }): {
-  /** The pictures are those of this page. */
+  /** True when the pictures are those of this page. */
   readonly isOwn: ComputedRef<boolean>;
-  /** Topic of the pictures that modules take; `undefined` while there is none. */
+  /** Topic that modules read; `undefined` while there is none. */
   readonly image: ComputedRef<string | undefined>;
   readonly habits: ReturnType<typeof usePictureHabits>;
   readonly measures: ReturnType<typeof usePictures>;
-  /** The last ones. */
+  /** Recently sent pictures. */
   readonly held: HeldPictures;
 } {
   const { sources, isOn, settings, isRegistered, ownTopic, resultHz, publish, end } = options;
@@ -60,7 +60,7 @@ export function useSentPictures(options: {
     isWanted,
     settings,
     habits: () => habits.value,
-    // A photograph is looked at as often as it is sent.
+    // Every sent photograph is analysed.
     resultHz: () => (sources.kind.value === 'photo' ? undefined : resultHz?.()),
     publish(picture, taken) {
       const takenMs = client.masterTime.nowMs() - taken.ageMs;

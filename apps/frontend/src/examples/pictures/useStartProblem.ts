@@ -3,7 +3,7 @@ import { useRole } from '../../connection/useRole.ts';
 import { computed, type ComputedRef } from 'vue';
 import type { PictureSources } from './usePictureSource.ts';
 
-/** Why a session with these pictures cannot be started now, one sentence; `undefined` when it can. */
+/** Returns why a session with these pictures cannot be started now, one sentence; `undefined` when it can. */
 export function useStartProblem(sources: PictureSources): ComputedRef<string | undefined> {
   const { isConnected } = useConnection();
   const { role } = useRole();

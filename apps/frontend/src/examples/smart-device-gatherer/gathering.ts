@@ -33,7 +33,7 @@ interface Finger {
   y: number;
 }
 
-/** The phones, their fingers, their motion, and near touches. Plain code without network. */
+/** Phones, their fingers and motion, and near touches. No network access. */
 export class Gathering {
   #clients = new Map<string, PhoneClient>();
   readonly #fingers = new Map<string, Map<string, Finger>>();

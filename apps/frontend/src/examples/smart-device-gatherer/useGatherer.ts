@@ -20,7 +20,7 @@ import { Gathering, type GatheredTouch, type NearPair, type PhoneClient } from '
 const LIST_INTERVAL_MS = 150;
 const LINE_POINTS = 40;
 
-/** A phone as the list shows it. */
+/** Row of a phone in the list. */
 export interface PhoneRow extends PhoneClient {
   readonly fingers: number;
   readonly isNear: boolean;
@@ -30,7 +30,7 @@ export interface PhoneRow extends PhoneClient {
   readonly line: readonly number[];
 }
 
-/** Follows all phones and the shared session, while the calling scope lives. */
+/** All phones and the shared session, while the calling scope is active. */
 export function useGatherer() {
   const { client, clients, isConnected } = useConnection();
   const gathering = new Gathering();
@@ -98,8 +98,8 @@ export function useGatherer() {
     },
     { immediate: true },
   );
-  // What a session said ends with it. The next one may speak before it is known to run: its topics keep
-  // what it said.
+  // Drop the results of a session that ended. The next one may publish before it is known to run: its topics keep the
+  // newest value.
   watch(isRunning, (running) => !running && gathering.forgetNear());
   useTopic(() => (isRunning.value ? { glob: NEAR_GLOB } : undefined), {
     format: 'bool',
@@ -118,7 +118,7 @@ export function useGatherer() {
     pairs,
     distance,
     proximity,
-    /** For everybody: the session and all who look hear of it. */
+    /** Published for all: the session and other clients receive it. */
     setDistance: (next: number): void => client.publish(DISTANCE_TOPIC, 'double', next),
     async stop(): Promise<void> {
       const near = gathering.phones().filter(({ id }) => gathering.isNear(id));
@@ -129,7 +129,7 @@ export function useGatherer() {
   };
 }
 
-/** The master remembers a client for a while after it went. [CL-13] */
+/** The master keeps a client for some time after it left. [CL-13] */
 function isHere({ state }: Client): boolean {
   return state !== ClientState.UNAVAILABLE;
 }

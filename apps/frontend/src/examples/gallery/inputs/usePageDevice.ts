@@ -6,7 +6,7 @@ import { useConnection } from '../../../connection/useConnection.ts';
 import { HeldKeys, isCaptured } from '../../../devices/keyboard-mouse/held-keys.ts';
 import { PAGE_COMPONENTS, PAGE_DEVICE } from './page-device.ts';
 
-/** Text that a person types into a field is not published. */
+/** Text that the user types into a field is not published. */
 function isTyping(target: EventTarget | null): boolean {
   return (
     target instanceof HTMLElement &&
@@ -73,7 +73,7 @@ export function usePageDevice(isOn: Ref<boolean>, takesKeys: Ref<boolean>): void
         const key = keys.release(event.code);
         if (key !== undefined) publishKey(ButtonEventType.UP, key);
       } else if (takesKeys.value && isCaptured(event) && !isTyping(event.target)) {
-        // A letter is for the session: no single-key shortcut takes it as well.
+        // Prevent single-key shortcuts: letters are input of the session.
         if (event.key.length === 1 && event.key !== ' ') event.preventDefault();
         if (keys.press(event.code, event.key)) publishKey(ButtonEventType.DOWN, event.key);
       }

@@ -1,7 +1,7 @@
 import { ButtonEventType, type RecordInit } from '@ubii/proto';
 import type { GalleryEntry } from '../gallery.ts';
 
-/** How often a demonstration input is sampled, milliseconds. */
+/** Interval between samples of a demonstration input, milliseconds. */
 export const DEMO_INTERVAL_MS = 25;
 const CLICK_EVERY_MS = 650;
 const CLICK_MS = 160;

@@ -5,7 +5,9 @@ import { onScopeDispose } from 'vue';
 import { completeExample } from '../../../sessions/examples/complete-example.ts';
 import type { GalleryEntry } from '../gallery.ts';
 
-/** Shared by all previews of a page: the library, one worker for all modules, and patterns when needed. */
+/**
+ * Shared by all previews of a page: the library, one worker for all modules, and a pattern compiler, loaded on demand.
+ */
 export interface PreviewKit {
   readonly library: readonly ProcessingModule[];
   readonly sandboxes: SandboxFactory;

@@ -37,7 +37,7 @@ export class PreviewRun {
 
   /**
    * @param session complete, with an id for each module
-   * @param onRecord gets every record of the session, including its inputs
+   * @param onRecord called with every record of the session, including its inputs
    */
   constructor(
     session: Session,
@@ -73,7 +73,7 @@ export class PreviewRun {
       await this.#runtime.create({
         module: { ...module, id, sessionId: 'preview', processingMode: mode },
         mapping,
-        // Part of this program
+        // Part of this program.
         isTrusted: true,
       });
       if (this.#isClosed) return this.#runtime.close();
@@ -85,7 +85,7 @@ export class PreviewRun {
     }
   }
 
-  /** Publishes a value of the page. */
+  /** Publishes an input of the page. */
   put(record: RecordInit): void {
     if (!this.#isClosed) this.#topics.put(record);
   }
