@@ -22,7 +22,8 @@ const CHECK_TIMEOUT_MS = 30_000;
 const FORMAT = 'ubii.processing.ProcessingModule';
 const FOLDERS = readdirSync(import.meta.dirname, { withFileTypes: true })
   .filter((entry) => entry.isDirectory() && !['examples', 'generated'].includes(entry.name))
-  .map(({ name }) => name);
+  .map(({ name }) => name)
+  .sort();
 
 function isDefinition(value: unknown): value is AnyModuleDefinition {
   return typeof value === 'object' && value !== null && 'onProcessing' in value;
@@ -40,10 +41,13 @@ describe('the library', () => {
     (name, module) => {
       expect(module).toMatchObject({ version: expect.stringMatching(/^\d+\.\d+\.\d+$/) });
       // Two lines of the palette, with the formats before it.
-      expect(module.description).toMatch(/^[A-Z].{20,48}\.$/);
+      expect(module.description, 'one sentence of 22 to 50 characters').toMatch(
+        /^[A-Z].{20,48}\.$/,
+      );
       expect(module.tags?.length).toBeGreaterThan(0);
       expect(readFileSync(`${import.meta.dirname}/../README.md`, 'utf8')).toContain(`\`${name}\``);
-      const folder = FOLDERS.find((folder) => name.startsWith(folder))!;
+      // The longest that fits: `noise-gate` is not in the folder `noise`.
+      const folder = FOLDERS.findLast((folder) => name.startsWith(folder))!;
       const page = readFileSync(`${import.meta.dirname}/${folder}/README.md`, 'utf8');
       expect(page).toContain(`\`${name}\``);
       for (const io of Object.keys({ ...module.inputs, ...module.outputs })) {
