@@ -47,7 +47,10 @@ it('a service whose payload names a client says whether it is the caller [AC-22]
     const namesClient = isMessage && type.fieldByName.has('clientId');
     return namesClient && !actsForClient && !ABOUT_CLIENTS.includes(name);
   });
-  expect(silent.map(({ name }) => name)).toEqual([]);
+  expect(
+    silent.map(({ name }) => name),
+    'client_id is the caller: define `subject`, or call another client target_id',
+  ).toEqual([]);
 });
 
 describe('services, in both directions [AC-21]', () => {

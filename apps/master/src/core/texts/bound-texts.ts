@@ -170,7 +170,11 @@ function planMessage(descriptor: MessageDescriptor, known: Map<MessageDescriptor
     const name = `${descriptor.name}.${protoName}`;
     if (type === 'string') {
       const rule = TEXT_RULES[name];
-      if (rule === undefined) throw new RangeError(`the text ${name} has no row in text-limits.ts`);
+      if (rule === undefined) {
+        throw new RangeError(
+          `Text "${name}" has no limit. Add a row to TEXT_RULES in text-limits.ts.`,
+        );
+      }
       if ('limit' in rule) texts.push({ jsonName, protoName, rule, listed: LISTED_TEXTS[name] });
     } else if (typeof type === 'object' && type.kind === 'message') {
       messages.push({ jsonName, protoName, plan: planMessage(type, known) });
