@@ -8,18 +8,18 @@ import {
 import { counted } from '@ubii/words';
 import { formatLook } from '../formats/families.ts';
 
-/** More sockets than this are not distinguished at a glance. */
+/** Most sockets shown; more cannot be distinguished at a glance. */
 const MAX_SOCKETS = 6;
 
-/** One socket for the data formats of a client that look alike. */
+/** Socket for the data formats of a client with the same shape and colour. */
 export interface ClientSocket {
-  /** One of the formats, for shape and colour. */
+  /** One of the formats. */
   readonly format: string;
-  /** All of them by name. */
+  /** Names of all its formats. */
   readonly names: string;
 }
 
-/** The sockets of a client's components, one of each shape, publishers first. */
+/** Sockets of a client's components, one per shape, publishers first. */
 export function clientSockets(client: Pick<Client, 'devices'>): ClientSocket[] {
   const names = new Map<string, string[]>();
   const components = client.devices.flatMap((device) => device.components);
@@ -36,8 +36,8 @@ export function clientSockets(client: Pick<Client, 'devices'>): ClientSocket[] {
 }
 
 /**
- * Since when a client is away, the master's clock, epoch milliseconds; `undefined` when it is here or
- * it is unknown.
+ * Returns the time since which a client is away, epoch milliseconds of the master's clock; `undefined` when it is
+ * present or the time is unknown.
  * @param events oldest first
  */
 export function awaySinceMs(
@@ -53,7 +53,7 @@ export function awaySinceMs(
   return lost?.kind === StatusEventKind.CLIENT_LOST ? lost.timeMs : undefined;
 }
 
-/** What a client is, in a few words: what it says of itself, else what can be seen. */
+/** Kind of a client in a few words: from its own description, otherwise from its properties. */
 export function clientKind(client: Client): string {
   const words = client.description.trim() || client.tags.join(', ');
   if (words !== '') return words;
@@ -63,8 +63,8 @@ export function clientKind(client: Client): string {
 export type ClientNote = { readonly text: string; readonly tone: 'plain' | 'warn' };
 
 /**
- * The words at the end of a client's row.
- * @param silence for how long, as shown: `38 s`; `undefined` when unknown
+ * Note at the end of a client's row.
+ * @param silence formatted duration: `38 s`; `undefined` when unknown
  */
 export function clientNote(
   state: Client['state'],

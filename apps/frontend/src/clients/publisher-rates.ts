@@ -1,13 +1,13 @@
 import type { TopicRate } from '../connection/topic-rates.ts';
 
-/** What one client publishes. */
+/** Publishing rate of a client. */
 export interface PublisherRate {
   /** `undefined` until a rate is known. */
   readonly hz: number | undefined;
   readonly topics: number;
 }
 
-/** Rates and topics summed by publisher. The master's own topics are left out. */
+/** Rates and numbers of topics by publisher, without the master's own topics. */
 export function publisherRates(rates: Iterable<TopicRate>): Map<string, PublisherRate> {
   const sums = new Map<string, { hz: number | undefined; topics: number }>();
   for (const { statistic, hz } of rates) {

@@ -6,15 +6,15 @@ import type { ClientIntent } from './act/client-menu.ts';
 import { useClientActions } from './act/useClientActions.ts';
 import type { ClientView } from './model/client-view.ts';
 
-/** What a user wants of a client, from the choice to the action, with the questions in between. */
+/** Actions on clients, from the menu to the request, with dialogs in between. */
 export interface ClientIntents {
-  /** Why the last action failed; stays until the next one. */
+  /** Reason why the last action failed; kept until the next one. */
   readonly failure: ShallowRef<string | undefined>;
-  /** What is being asked about which client. */
+  /** Open dialog, and its client. */
   readonly question: Readonly<
     ShallowRef<{ readonly about: 'throttle' | 'disconnect'; readonly view: ClientView } | undefined>
   >;
-  /** Id of the client whose name is being changed. */
+  /** Id of the client being renamed. */
   readonly renaming: ShallowRef<string | undefined>;
   run(intent: ClientIntent, view: ClientView): void;
   dismiss(): void;
@@ -28,7 +28,7 @@ export function useClientIntents(show: (view: ClientView) => void): ClientIntent
   const actions = useClientActions();
   const router = useRouter();
   const toasts = useToasts();
-  // Plain HTTP on the network has no clipboard interface; the old command works there
+  // Without a secure context there is no clipboard API; `legacy` uses `execCommand`.
   const { copy } = useClipboard({ legacy: true });
   const question: ClientIntents['question'] & ShallowRef = shallowRef();
   const renaming = shallowRef<string>();

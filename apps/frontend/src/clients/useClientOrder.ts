@@ -3,7 +3,7 @@ import { filterClients, sortClients, type ClientWishes } from './filter/client-f
 import type { ClientView } from './model/client-view.ts';
 import { useStillOrder } from './useStillOrder.ts';
 
-/** The clients that are wanted, in an order that stands still for a while. */
+/** Filtered clients, in an order that is stable for some time. */
 export function useClientOrder(
   views: ComputedRef<readonly ClientView[] | undefined>,
   wishes: ComputedRef<ClientWishes>,
@@ -17,7 +17,7 @@ export function useClientOrder(
     () => {
       const { sort, isDescending } = wishes.value;
       const ids = (views.value ?? []).map(({ client }) => client.id).join();
-      // The first report changes what is unknown into numbers
+      // The first report replaces unknown values by numbers: sort again.
       const isMeasured = views.value?.some(({ activity }) => activity !== undefined) ?? false;
       return `${sort} ${isDescending} ${isMeasured} ${ids}`;
     },

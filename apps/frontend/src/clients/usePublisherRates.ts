@@ -5,13 +5,13 @@ import { publisherRates, type PublisherRate } from './publisher-rates.ts';
 const INTERVAL_MS = 1000;
 const HISTORY = 28;
 
-/** What a client publishes, now and over the last half minute. */
+/** Publishing rate of a client, now and over the last half minute. */
 export interface PublisherTrend extends PublisherRate {
   /** Records per second, oldest first. */
   readonly history: readonly number[];
 }
 
-/** Rates by client, once a second while the calling component lives; `undefined` without statistics. */
+/** Rates by client, once a second while the calling component is mounted; `undefined` without statistics. */
 export function usePublisherRates(): Readonly<
   ShallowRef<ReadonlyMap<string, PublisherTrend> | undefined>
 > {

@@ -1,13 +1,13 @@
 import { useIntervalFn } from '@vueuse/core';
 import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 
-/** How often numbers may move rows, milliseconds: rows that jump cannot be read or pressed. */
+/** Shortest interval between changes of the order, milliseconds: moving rows cannot be read or clicked. */
 const ORDER_MS = 2500;
 
 /**
- * Things in an order that goes by live numbers, and stands still for a while anyway.
- * @param sorted in the order of now
- * @param reasons what puts them into the order of now at once, when it changes
+ * Sorts items by live numbers, and keeps the order for some time.
+ * @param sorted items in the current order
+ * @param reasons a change of these applies the current order at once
  */
 export function useStillOrder<T>(
   sorted: () => readonly T[],

@@ -2,11 +2,11 @@ import { Copy, Gauge, ListTree, Pencil, Unplug, Zap } from '@lucide/vue';
 import type { MenuItem } from '../../ui/UiMenu.vue';
 import type { ClientView } from '../model/client-view.ts';
 
-/** What a menu of a client can lead to. */
+/** Action of a client menu. */
 export type ClientIntent =
   'identify' | 'rename' | 'topics' | 'copy-id' | 'throttle' | 'unthrottle' | 'disconnect';
 
-/** The menu of one client. What cannot be taken back stands last. */
+/** Menu of a client. Irreversible actions are last. */
 export function clientMenu(
   view: ClientView,
   run: (intent: ClientIntent, view: ClientView) => void,

@@ -1,6 +1,6 @@
 import { MAX_NAME_LENGTH } from '../../connection/name-length.ts';
 
-/** What is wrong with a name for a client, one sentence; `undefined` when the master takes it. [EX-29] */
+/** Returns why a client name is invalid, one sentence; `undefined` when the master accepts it. [EX-29] */
 export function nameProblem(text: string): string | undefined {
   if (text.trim() === '') return 'Enter a name of at least one character.';
   if (text.trim().length > MAX_NAME_LENGTH) {

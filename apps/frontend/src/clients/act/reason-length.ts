@@ -1,2 +1,2 @@
-/** What fits beside a name into the reason of a close, which has 123 bytes. [EX-30] Characters. */
+/** Longest reason, characters: it fits, with a name, into a close reason of 123 bytes. [EX-30] */
 export const MAX_REASON_LENGTH = 80;

@@ -1,7 +1,7 @@
-/** The slowest throttle: a record in ten seconds. [EX-31] */
+/** Lowest throttle, Hz: one record in ten seconds. [EX-31] */
 const SLOWEST = 0.1;
 
-/** Records per second from what a person wrote, or what is wrong with it, one sentence. */
+/** Parses a rate in records per second; otherwise returns why it is invalid, one sentence. */
 export function readThrottleRate(
   text: string,
 ): { readonly rate: number } | { readonly problem: string } {

@@ -9,9 +9,9 @@ import type { ClientView } from '../model/client-view.ts';
 
 /** Actions on clients. Each resolves to whether it succeeded; otherwise `failure` has the reason. */
 export interface ClientActions {
-  /** Why the last intent failed; stays until the next one. */
+  /** Reason why the last action failed; kept until the next one. */
   readonly failure: ShallowRef<string | undefined>;
-  /** Asks a client to show which device it is. [EX-34] */
+  /** Asks a client to identify its device. [EX-34] */
   identify(view: ClientView): Promise<boolean>;
   rename(view: ClientView, name: string): Promise<boolean>;
   /** @param rate records per second; 0 lifts the throttle */
@@ -50,7 +50,7 @@ export function useClientActions(): ClientActions {
       attempt(async () => {
         const topic = identifyTopic(id);
         const report = await client.call('clientReport', { clientIds: [id], subscriptions: true });
-        // The value stays on the topic: without a connection it would be shown much later.
+        // The value stays on the topic: a client without a connection would show it much later.
         const [activity] = report.clients;
         if (activity?.connected !== true) return `${label} is not connected.`;
         client.publish(topic, 'string', name.value, { immediate: true });
@@ -80,7 +80,7 @@ export function useClientActions(): ClientActions {
   };
 }
 
-/** True when one of the subscriptions takes a topic. Their expressions are the client's: matched as the master does. */
+/** True when one of the subscriptions matches a topic. Regular expressions of clients are matched as on the master. */
 async function isHeard(
   wanted: string,
   subscriptions: readonly ClientSubscription[],
@@ -94,7 +94,7 @@ async function isHeard(
     try {
       return compiler?.compile(pattern).test(wanted) === true;
     } catch {
-      return false; // refused here, or too slow: nothing is known of it
+      return false; // Refused here, or too slow: unknown.
     }
   });
 }

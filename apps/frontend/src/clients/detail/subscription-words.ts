@@ -1,11 +1,11 @@
 import type { ClientSubscription, Component } from '@ubii/proto';
 import { formatRate } from '../../ui/readouts/format-rate.ts';
 
-/** A subscription as a line. */
+/** A subscription as a line of text. */
 export interface SubscriptionLine {
   readonly kind: 'topic' | 'pattern' | 'component';
   readonly text: string;
-  /** At most how often; empty for every record. */
+  /** Highest rate; empty for every record. */
   readonly limit: string;
 }
 
@@ -17,7 +17,7 @@ export function subscriptionLine(subscription: ClientSubscription): Subscription
   return { kind: 'topic', text: topic, limit };
 }
 
-/** What a component has to be like: the members that are not empty. */
+/** Properties that a component must have: the members of the profile that are not empty. */
 function profileWords({ name, messageFormat, topic, tags, description }: Component): string {
   const parts = [
     name && `name ${name}`,

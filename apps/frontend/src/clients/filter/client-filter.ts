@@ -2,7 +2,7 @@ import { ClientState } from '@ubii/proto';
 import { findClientColumn, type ClientColumnKey } from '../model/client-columns.ts';
 import type { ClientKind, ClientView } from '../model/client-view.ts';
 
-/** Which clients are wanted, and in which order; what stands in the address of the page. */
+/** Filter, order and view of the clients, as stored in the URL. */
 export interface ClientWishes {
   readonly text: string;
   readonly state: 'here' | 'silent' | 'lost' | undefined;
@@ -10,7 +10,7 @@ export interface ClientWishes {
   readonly isBroken: boolean;
   readonly sort: ClientColumnKey;
   readonly isDescending: boolean;
-  /** `load`: who is hurting us. */
+  /** `load`: clients ranked by the load they cause. */
   readonly view: 'all' | 'load';
 }
 
@@ -38,7 +38,7 @@ const first = (value: unknown): string => {
   return typeof text === 'string' ? text : '';
 };
 
-/** What an address asks for; what is not understood is left out. */
+/** Parses the query of the URL; ignores invalid values. */
 export function readWishes(query: Query): ClientWishes {
   const state = first(query['state']);
   const kind = first(query['kind']);
@@ -55,7 +55,7 @@ export function readWishes(query: Query): ClientWishes {
   };
 }
 
-/** The address that asks for it; what is as ever is left out, so that addresses stay short. */
+/** Query of the URL for these options, without defaults, to keep URLs short. */
 export function writeWishes(wishes: ClientWishes): Record<string, string> {
   const column = findClientColumn(wishes.sort)!;
   const query: Record<string, string> = {};
@@ -71,11 +71,11 @@ export function writeWishes(wishes: ClientWishes): Record<string, string> {
   return query;
 }
 
-/** True when some clients may be left out. */
+/** True when some clients may be hidden. */
 export const isFiltering = ({ text, state, kind, isBroken }: ClientWishes): boolean =>
   text.trim() !== '' || state !== undefined || kind !== undefined || isBroken;
 
-/** Those that are wanted. Every word of the text has to stand somewhere in what a client says of itself. */
+/** Filters clients. Every word of the search must occur in the texts of a client. */
 export function filterClients(
   views: readonly ClientView[],
   { text, state, kind, isBroken }: ClientWishes,
@@ -108,7 +108,7 @@ function hasWords({ client, agent, activity }: ClientView, wanted: readonly stri
   return wanted.every((word) => text.includes(word));
 }
 
-/** In the order that is wanted; what is not known goes last, and those alike stay in the order of names. */
+/** Sorts clients; unknown values last, equal ones in the order of names. */
 export function sortClients(
   views: readonly ClientView[],
   { sort, isDescending }: Pick<ClientWishes, 'sort' | 'isDescending'>,

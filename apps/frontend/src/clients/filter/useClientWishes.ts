@@ -2,7 +2,7 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
 import { readWishes, writeWishes, type ClientWishes } from './client-filter.ts';
 
-/** What is wanted to be seen, kept in the address, so that it can be shared and survives a reload. */
+/** Filter, order and view, stored in the URL, so that they can be shared and survive a reload. */
 export function useClientWishes(): {
   wishes: ComputedRef<ClientWishes>;
   change(changes: Partial<ClientWishes>): void;

@@ -4,18 +4,18 @@ export interface IdentifyCall {
   readonly byName: string;
 }
 
-/** What a page remembers of it, so that a value that stays on the topic is not taken for a new call. */
+/** Last request that was shown, so that the value on the topic is not taken for a new one. */
 export interface SeenCall {
   load(): string | null;
   save(call: string): void;
 }
 
-/** Longer names are cut. */
+/** Longest name, characters; longer ones are cut. */
 const MAX_NAME = 60;
 
 /**
- * Tells new calls from ones that were shown already: the value stays on its topic, and comes again with
- * every reload and reconnect. [EX-34] [TD-24]
+ * Returns new requests only: the value stays on its topic, and is received again with every reload and reconnect.
+ * [EX-34] [TD-24]
  */
 export function readCall(
   record: {

@@ -6,10 +6,10 @@ import { readCall, type IdentifyCall } from './identify-calls.ts';
 
 const SEEN_KEY = 'ubii.identifySeen';
 const BUZZ_MS = [180, 120, 180];
-/** Calls that follow each other faster are one: a page must not flash all the time. */
+/** Time within which further requests are merged, milliseconds: limits flashing. */
 const REST_MS = 3000;
 
-/** The call this page shows now; assign `undefined` to dismiss it. `count` goes up with each flash. */
+/** Current request; set `undefined` to dismiss it. `count` is incremented with each flash. */
 export function useIdentifyCalls(): {
   call: ShallowRef<IdentifyCall | undefined>;
   count: Readonly<ShallowRef<number>>;
@@ -29,11 +29,11 @@ export function useIdentifyCalls(): {
     if (nowMs - flashedMs < REST_MS) return;
     flashedMs = nowMs;
     count.value += 1;
-    // Without a touch before, browsers refuse, and complain about it
+    // Without a user interaction, browsers refuse and log a warning.
     if (navigator.userActivation?.hasBeenActive) navigator.vibrate?.(BUZZ_MS);
   }
 
-  // The id comes with the connection, and an original master may give another one.
+  // The id is known after connecting, and an original master may assign another one.
   const topic = computed<string | undefined>((before) =>
     isConnected.value ? identifyTopic(client.id) : before,
   );

@@ -2,18 +2,18 @@ import type { Component, Device } from '@ubii/proto';
 import type { ClientView } from '../model/client-view.ts';
 
 interface Place {
-  /** Of the whole list, and stays the same while the thing is there. */
+  /** Unique in the list, and stable while the element exists. */
   readonly key: string;
   readonly level: 1 | 2 | 3;
-  /** From 1, among its siblings. */
+  /** Position among its siblings, from 1. */
   readonly position: number;
   readonly setSize: number;
-  /** `undefined` for what has nothing below it. */
+  /** `undefined` for rows without children. */
   readonly isExpanded: boolean | undefined;
   readonly view: ClientView;
 }
 
-/** A row of the list: a client, a device of it, or a component of that. */
+/** Row of the list: a client, one of its devices, or a component of a device. */
 export type ListRow =
   | (Place & { readonly kind: 'client' })
   | (Place & { readonly kind: 'device'; readonly device: Device })
@@ -23,7 +23,7 @@ export type ListRow =
       readonly component: Component;
     });
 
-/** The rows of clients in this order, with what is unfolded below them. */
+/** Returns the rows of clients in this order, with the children of expanded rows. */
 export function listRows(
   views: readonly ClientView[],
   expanded: ReadonlySet<string>,
@@ -40,7 +40,7 @@ export function listRows(
 /** Devices are expanded unless the user collapsed them: a user who expands a client wants to see them. */
 const closedKey = (key: string): string => `closed ${key}`;
 
-/** What `expanded` holds for a row that is not as it is at first. */
+/** Key in `expanded` of a row whose expansion differs from the default. */
 export const foldKey = ({ kind, key }: ListRow): string =>
   kind === 'client' ? key : closedKey(key);
 

@@ -4,36 +4,36 @@ import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { ClientView } from '../model/client-view.ts';
 
-/** By what clients are ranked: share of the master's work, bytes a second, bytes that wait. */
+/** Criteria for ranking clients: share of the master's work, bytes per second, queued bytes. */
 export type LoadMeasure = 'work' | 'bandwidth' | 'queue';
 
-/** What one client costs the others, why, and what to do about it. */
+/** Load of a client, its cause, and a remedy. */
 export interface ClientLoad {
   readonly view: ClientView;
-  /** Of the master's work, 0 to 1. */
+  /** Share of the master's work, 0 to 1. */
   readonly workShare: number;
-  /** Both ways, bytes per second. */
+  /** Both directions, bytes per second. */
   readonly bytesPerSecond: number;
   readonly queuedBytes: number;
-  /** Why it is here, one sentence. */
+  /** Cause, one sentence. */
   readonly cause: string;
-  /** What can be done, one sentence; empty when there is no need. */
+  /** Remedy, one sentence; empty when none is needed. */
   readonly remedy: string;
   readonly isTrouble: boolean;
-  /** Throttling helps only against what a client publishes. */
+  /** True when the load comes from publishing, which throttling reduces. */
   readonly isThrottleUseful: boolean;
 }
 
-/** From this share of the work on, a client is marked as heavy. */
+/** Share of the work from which a client counts as heavy. */
 const MUCH_WORK = 0.5;
-/** A thread that is less busy than this has room for everybody, percent. */
+/** Utilisation of the master's thread below which load is no problem, percent. */
 const BUSY_PERCENT = 50;
-/** Which of a client's problems tell of load; what is being done about one comes before it. */
+/** Problem codes of clients that indicate load, in order of precedence. */
 const LOAD_PROBLEMS = ['client_slow', 'client_throttled', 'publisher_noisy'];
 
 /**
- * Clients that cost something, the most costly first.
- * @param busyPercent how busy the master's thread is
+ * Ranks the clients that cause load, highest first.
+ * @param busyPercent utilisation of the master's thread
  */
 export function rankLoads(
   views: readonly ClientView[],
@@ -102,7 +102,7 @@ function flow(records: number, bytes: number): string {
   return `${formatNumber(many)} ${plural(many, 'record')} per second, ${digits} ${unit ?? ''}`;
 }
 
-/** The master's sentence begins with the name, which stands beside it already. */
+/** Removes the name from the master's sentence, because it is shown beside it. */
 function withoutName(text: string, name: string): string {
   if (!text.startsWith(`${name} `)) return text;
   const rest = text.slice(name.length + 1);

@@ -3,21 +3,21 @@ import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { Readout } from '../../ui/readouts/readout.ts';
 import type { ClientView } from './client-view.ts';
 
-/** The clock of a client that is here, as it measured it itself; `undefined` when it says nothing. [TS-10] */
+/** Clock offset that a client has measured; `undefined` when it reports none. [TS-10] */
 export function clockOf({ activity }: ClientView): ClientClock | undefined {
   return activity?.connected ? activity.clock : undefined;
 }
 
-/** How far the client's clock is ahead of the master's: below 0 it is behind. */
+/** Time by which the client's clock is ahead of the master's; negative: behind. */
 export function clockAhead(clock: ClientClock): Readout {
   const aheadMs = -clock.offsetMs;
   const { value, unit } = inUnit(aheadMs);
-  // What is less than the error may be anything.
+  // Offsets within the error are shown as zero.
   if (Math.abs(aheadMs) <= clock.errorMs) return { digits: '0', unit: 'ms' };
   return { digits: value > 0 ? `+${formatted(value, unit)}` : formatted(value, unit), unit };
 }
 
-/** How certain that is, such as `±1.4 ms`. */
+/** Error of the offset, such as `±1.4 ms`. */
 export function clockError({ errorMs }: ClientClock): string {
   const { value, unit } = inUnit(errorMs);
   return `±${formatNumber(value, value < 10 ? 1 : 0)} ${unit}`;

@@ -7,25 +7,25 @@ import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
 import { clockAhead, clockOf } from './client-clock.ts';
 import type { ClientView } from './client-view.ts';
 
-/** What is known of a client, as a column: in the table while there is room, and to sort by. */
+/** Property of a client: column of the table while there is room, and sort criterion. */
 export interface ClientColumn {
   readonly key: ClientColumnKey;
-  /** In the head of the table. */
+  /** Heading of the column. */
   readonly head: string;
-  /** In full, where it stands alone. */
+  /** Full name, used without context. */
   readonly title: string;
-  /** Pixels in the table; 0 for what is never a column of it. */
+  /** Width of the column, pixels; 0: never a column. */
   readonly width: number;
-  /** Which columns stay when there is little room: small ones. */
+  /** Precedence of columns when space is short: lower numbers stay. */
   readonly priority: number;
-  /** What comes first when one sorts by it. */
+  /** Initial direction of sorting. */
   readonly first: 'ascending' | 'descending';
   readonly isText?: boolean;
-  /** To sort by; `undefined` goes last. */
+  /** Value for sorting; `undefined` is last. */
   valueOf(view: ClientView): number | string | undefined;
   /** @param nowMs master's clock, epoch milliseconds */
   show(view: ClientView, nowMs: number): Readout;
-  /** True when it asks for the eye. */
+  /** True for values that are highlighted. */
   isWarning?(view: ClientView): boolean;
 }
 
@@ -51,9 +51,9 @@ export type ClientColumnKey =
   | 'agent'
   | 'address';
 
-/** Above this, people notice. */
+/** Round trip from which users notice a delay, milliseconds. */
 const SLOW_MS = 50;
-/** Under this, an unchanged number is as good as nothing. */
+/** Rate below which a value is shown as zero. */
 const NOTHING = 0.05;
 
 const ADDRESSES: Record<ClientActivity['addressKind'], string> = {
@@ -63,7 +63,7 @@ const ADDRESSES: Record<ClientActivity['addressKind'], string> = {
   [ClientActivityAddressKind.PUBLIC]: 'beyond',
 };
 
-/** Where the other end of a client's socket is, seen from the master; empty when unknown. */
+/** Network location of a client, as seen from the master; empty when unknown. */
 export const addressWords = (kind: ClientActivity['addressKind']): string => ADDRESSES[kind] ?? '';
 
 type Show = (value: number) => Readout;
@@ -75,7 +75,7 @@ const percent: Show = (share) => ({ digits: formatNumber(share * 100), unit: '%'
 
 type NumberColumn = Omit<ClientColumn, 'show' | 'valueOf' | 'first' | 'isText'>;
 
-/** A column of a number of the report, the most first. */
+/** Column of a number of the report, highest first. */
 function measured(
   column: NumberColumn,
   read: (activity: ClientActivity, view: ClientView) => number | undefined,
@@ -94,7 +94,7 @@ function measured(
   };
 }
 
-/** A moment, as its age: what was last comes first. */
+/** Column of a time, shown as its age, most recent first. */
 function moment(column: NumberColumn, read: (activity: ClientActivity) => number): ClientColumn {
   return {
     ...column,
@@ -109,7 +109,7 @@ function moment(column: NumberColumn, read: (activity: ClientActivity) => number
 
 const words = (text: string): Readout => (text === '' ? NO_VALUE : { digits: text });
 
-/** Time to a client and back, milliseconds; `undefined` while it is not here or was not measured. */
+/** Round trip to a client, milliseconds; `undefined` while it is away or not measured. */
 export function tripMs({ client, activity }: ClientView): number | undefined {
   if (client.state !== ClientState.ACTIVE) return undefined;
   return activity?.roundTripMs || client.latency || undefined;
@@ -327,13 +327,13 @@ const BY_KEY = new Map(CLIENT_COLUMNS.map((column) => [column.key as string, col
 
 export const clientColumn = (key: ClientColumnKey): ClientColumn => BY_KEY.get(key)!;
 
-/** The column of this key, or `undefined` for a text that is none. */
+/** Returns the column with a key; `undefined` for other texts. */
 export const findClientColumn = (key: string): ClientColumn | undefined => BY_KEY.get(key);
 
-/** Pixels that the name and what stands at the ends of a row need. */
+/** Width of name, actions and padding, pixels. */
 const NAME_WIDTH = 300;
 
-/** The columns beside the name that fit, the most useful of them, in their order. */
+/** Returns the columns that fit beside the name, by precedence, in display order. */
 export function columnsThatFit(width: number): readonly ClientColumn[] {
   const wanted = CLIENT_COLUMNS.filter((column) => column.width > 0).sort(
     (a, b) => a.priority - b.priority,

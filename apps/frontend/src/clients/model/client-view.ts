@@ -3,31 +3,31 @@ import { describeAgent } from '../../connection/agent-description.ts';
 import type { MarkedState } from '../../ui/UiStateMark.vue';
 import { clientKind } from '../client-facts.ts';
 
-/** What a client is, roughly; one may be several. */
+/** Kinds of clients; one client may be of several. */
 export type ClientKind = 'phone' | 'browser' | 'node' | 'program';
 
-/** Everything that is known of one client now: what it says, what it does, what is wrong with it. */
+/** Current data of a client: description, statistics, problems. */
 export interface ClientView {
   readonly client: Client;
-  /** `undefined` until the first report, and with masters that make none. */
+  /** `undefined` before the first report, and with masters without reports. */
   readonly activity: ClientActivity | undefined;
-  /** Of the master, about this client. */
+  /** The master's problems of this client. */
   readonly problems: readonly StatusProblem[];
   readonly isSelf: boolean;
   /** Name, or id when it has none. */
   readonly label: string;
-  /** What it is, in a few words. */
+  /** Kind, in a few words. */
   readonly words: string;
-  /** Browser and system, or library, with their usual names; empty when unknown. */
+  /** Browser and system, or library, by common names; empty when unknown. */
   readonly agent: string;
   readonly kinds: ReadonlySet<ClientKind>;
-  /** Something is wrong that a user may want to correct. */
+  /** True for problems that a user may want to correct. */
   readonly isBroken: boolean;
-  /** How it is, in a word: what is wrong with it, else its state. */
+  /** Status in a word: its problem, otherwise its state. */
   readonly look: ClientStateLook;
 }
 
-/** The word for a client's state, with its mark. */
+/** Text and mark for a client's state. */
 export interface ClientStateLook {
   readonly mark: MarkedState;
   readonly word: string;
@@ -43,7 +43,7 @@ export function clientStateLook(state: Client['state']): ClientStateLook {
   return STATES[state] ?? STATES[ClientState.UNAVAILABLE];
 }
 
-/** What is wrong, in a word; the first that holds is told. */
+/** Texts of problems; the first match is shown. */
 const TROUBLES: readonly (readonly [code: string, word: string])[] = [
   ['client_silent', 'silent'],
   ['client_slow', 'slow'],
@@ -103,7 +103,7 @@ function kindsOf(client: Client, userAgent: string): ReadonlySet<ClientKind> {
   return kinds;
 }
 
-/** `Android, Chrome` for a browser, else the library, else the first word of what it sent. */
+/** `Android, Chrome` for a browser, otherwise the library, otherwise the first word of the user agent. */
 function agentWords(userAgent: string, library: string): string {
   if (userAgent.startsWith('Mozilla/')) return describeAgent(userAgent);
   return library || (userAgent.split(/[\s(]/, 1)[0] ?? '');

@@ -21,7 +21,7 @@ describe('Comings', () => {
     expect(comings.next([anna, lost])).toEqual([{ kind: 'lost', clientId: 'r', name: 'Robot' }]);
     expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);
     comings.next([anna, lost]);
-    expect(comings.next([anna])).toEqual([]); // given up, which is no news
+    expect(comings.next([anna])).toEqual([]); // Removed from the list, which is not reported again.
   });
 
   it('reports the return of a client that was lost before the first list', () => {

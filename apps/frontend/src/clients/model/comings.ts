@@ -2,7 +2,7 @@ import { ClientState, StatusEventKind, type Client, type StatusEvent } from '@ub
 
 /** A client left, was lost or came back while the page was open. */
 export interface Coming {
-  /** Who is lost said nothing: its connection broke. */
+  /** `lost`: the connection broke without a deregistration. */
   readonly kind: 'left' | 'lost' | 'back';
   readonly clientId: string;
   readonly name: string;
@@ -10,13 +10,13 @@ export interface Coming {
   readonly isNew?: boolean;
 }
 
-/** Tells who left, who was lost and who came back from one list of clients to the next. */
+/** Compares consecutive lists of clients to report who left, was lost or came back. */
 export class Comings {
   #present: ReadonlyMap<string, string> | undefined;
-  /** Names of those who left, by id; the latest last. */
+  /** Names of clients that left, by id; latest last. */
   readonly #gone = new Map<string, string>();
 
-  /** What happened since the list before. The first list is how it is, and no news. */
+  /** Returns the changes since the previous list. The first list reports none. */
   next(clients: readonly Client[]): Coming[] {
     const isLost = ({ state }: Client): boolean => state === ClientState.UNAVAILABLE;
     const lost = new Set(clients.filter(isLost).map(({ id }) => id));
@@ -25,7 +25,7 @@ export class Comings {
     const before = this.#present;
     this.#present = present;
     if (before === undefined) {
-      // A client that was lost before may come back while the page is open.
+      // A client that was lost earlier may come back while the page is open.
       for (const { id, name } of clients.filter(isLost)) this.#gone.set(id, name || id);
       return [];
     }
@@ -49,7 +49,7 @@ export class Comings {
   }
 }
 
-/** @param events oldest first: the master knows who did it */
+/** @param events oldest first; for removed clients, they name the user */
 export function comingWords(coming: Coming, events: readonly StatusEvent[]): string {
   const { kind, name, clientId } = coming;
   if (kind === 'back') {

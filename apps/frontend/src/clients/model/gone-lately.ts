@@ -3,13 +3,13 @@ import { StatusEventKind, type StatusEvent } from '@ubii/proto';
 /** How a client left: it deregistered, an admin removed it, or its connection was lost. [EX-55] */
 export type GoneHow = 'left' | 'disconnected' | 'lost';
 
-/** A client that is in no list any more. */
+/** A client that is no longer listed. */
 export interface GoneClient {
   readonly clientId: string;
   readonly how: GoneHow;
-  /** What happened, in the words of the master: `Mara left`. */
+  /** Description by the master: `Mara left`. */
   readonly text: string;
-  /** When, milliseconds since the Unix epoch, master's clock. */
+  /** Time, epoch milliseconds of the master's clock. */
   readonly atMs: number;
 }
 
@@ -18,7 +18,7 @@ const HOW: Partial<Record<StatusEvent['kind'], GoneHow>> = {
   [StatusEventKind.CLIENT_DISCONNECTED]: 'disconnected',
   [StatusEventKind.CLIENT_LOST]: 'lost',
 };
-/** What tells nothing of whether a client is there. */
+/** Events that say nothing about the presence of a client. */
 const BESIDE_THE_POINT: ReadonlySet<StatusEvent['kind']> = new Set([
   StatusEventKind.CLIENT_RENAMED,
   StatusEventKind.CLIENT_THROTTLED,
@@ -27,9 +27,9 @@ const BESIDE_THE_POINT: ReadonlySet<StatusEvent['kind']> = new Set([
 ]);
 
 /**
- * Who went lately and is not there any more, the latest first.
+ * Returns the clients that left recently, latest first.
  * @param events oldest first
- * @param isListed whether a client is still in the list: then that says how it is
+ * @param isListed whether a client is listed; such clients are skipped
  */
 export function goneLately(
   events: readonly StatusEvent[],

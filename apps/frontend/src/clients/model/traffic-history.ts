@@ -1,20 +1,20 @@
 import type { ClientActivity } from '@ubii/proto';
 import type { ChartPoint } from '../../ui/charts/with-gaps.ts';
 
-/** How far back the traffic of a client is drawn, milliseconds. */
+/** Time span of a client's traffic chart, milliseconds. */
 export const TRAFFIC_MS = 5 * 60_000;
-/** Reports remembered: as many as come in that time, and some. */
+/** Number of reports kept: slightly more than arrive in that time. */
 const SLOTS = 450;
 
-/** What a client sent and got, records per second, oldest first. */
+/** Sent and received records per second of a client, oldest first. */
 export interface Traffic {
   readonly sends: readonly ChartPoint[];
   readonly gets: readonly ChartPoint[];
 }
 
 /**
- * The rates of every client at the last reports, in rings whose times are shared: a report costs a
- * client two numbers, and points are made only of the client that is looked at.
+ * Rates of all clients at the last reports, in rings with shared times: a report adds two numbers per client, and
+ * points are created only for the selected client.
  */
 export class TrafficHistory {
   readonly #times = new Float64Array(SLOTS);
@@ -24,7 +24,7 @@ export class TrafficHistory {
   >();
   #count = 0;
 
-  /** @param timeMs when the report was made; one of the past, or the same again, is left out */
+  /** @param timeMs time of the report; earlier or equal ones are ignored */
   add(timeMs: number, activities: Iterable<ClientActivity>): void {
     if (this.#count > 0 && timeMs <= this.#times[(this.#count - 1) % SLOTS]!) return;
     const slot = this.#count % SLOTS;
@@ -46,7 +46,7 @@ export class TrafficHistory {
   }
 
   #begin(clientId: string): { sends: Float32Array; gets: Float32Array } {
-    // Before it was there it did nothing, which is not the same as 0.
+    // NaN before the client existed, which differs from a rate of 0.
     const ring = {
       sends: new Float32Array(SLOTS).fill(NaN),
       gets: new Float32Array(SLOTS).fill(NaN),

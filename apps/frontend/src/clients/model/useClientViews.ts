@@ -2,10 +2,10 @@ import { computed, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { viewClient, type ClientView } from './client-view.ts';
 
-/** How often clients are asked about while the page is seen, milliseconds. */
+/** Interval of requests while the page is visible, milliseconds. */
 const REPORT_MS = 700;
 
-/** Every client with what it does, kept fresh while the calling component lives. */
+/** All clients with their statistics, updated while the calling component is mounted. */
 export function useClientViews(): ComputedRef<readonly ClientView[] | undefined> {
   const { client, clients, reports, master } = useConnection();
   reports.watch(REPORT_MS);

@@ -2,7 +2,7 @@ import { computed, watch, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { TrafficHistory, type Traffic } from './traffic-history.ts';
 
-/** What a client sent and got since this page was opened; all clients are remembered meanwhile. */
+/** Traffic of a client since this page was opened; recorded for all clients. */
 export function useTrafficHistory(clientId: () => string | undefined): ComputedRef<Traffic> {
   const { reports } = useConnection();
   const history = new TrafficHistory();

@@ -34,17 +34,17 @@ const ACTIVITY = {
   subscriptions: [],
 };
 
-/** A client for tests; what is not said is empty. */
+/** Client for tests; members are empty unless given. */
 export function aClient(id: string, changes: Partial<Client> = {}): Client {
   return { ...CLIENT, id, name: id, ...changes } as unknown as Client;
 }
 
-/** What a client does, for tests; what is not said is nothing. */
+/** Client statistics for tests; members are zero unless given. */
 export function anActivity(changes: Partial<ClientActivity>): ClientActivity {
   return { ...ACTIVITY, ...changes } as unknown as ClientActivity;
 }
 
-/** A client with what it does, for tests. */
+/** Client with statistics, for tests. */
 export function aView(
   id: string,
   activity: Partial<ClientActivity> = {},

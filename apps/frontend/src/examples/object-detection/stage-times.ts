@@ -101,7 +101,7 @@ export class StageTimes {
   }
 
   /**
-   * @param errorMs possible difference of the clocks of this page and the module's node; `undefined` when it is the same clock
+   * @param errorMs possible difference of the clocks of page and module's node; `undefined` for the same clock
    * @returns `undefined` without results in the last ten seconds
    */
   summary(nowMs: number, errorMs?: number): StageSummary | undefined {
