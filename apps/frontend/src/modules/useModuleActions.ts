@@ -17,15 +17,15 @@ import { exportModule, exportModules, importModules } from './file/module-file.t
 import { isDeletable, type ModuleEntry } from './library/module-entry.ts';
 import type { ModuleLibrary } from './library/useModuleLibrary.ts';
 
-/** What people do with modules of the library. */
+/** Actions on modules of the library. */
 export interface ModuleActions {
-  /** Why the last intent failed; stays until the next one. */
+  /** Reason why the last action failed; kept until the next one. */
   readonly failure: ShallowRef<string | undefined>;
   menuFor(entry: ModuleEntry): readonly MenuItem[];
   importFiles(files: readonly TextFile[]): Promise<void>;
-  /** All of these in one file. */
+  /** Exports these modules as one file. */
   exportAll(entries: readonly ModuleEntry[]): void;
-  /** Begins a new module; it is at the master once it is saved. */
+  /** Opens the editor for a new module, which is stored on the first save. */
   create(draft: ModuleDraft): Promise<void>;
 }
 

@@ -5,7 +5,7 @@ import { defineComponent, h, ref } from 'vue';
 import { createMemoryHistory, createRouter, RouterView } from 'vue-router';
 import ModuleEditorPage from './ModuleEditorPage.vue';
 
-// Files share their modules: what is mocked here is neither there before nor afterwards
+// Test files share modules: reset them before and after mocking.
 vi.hoisted(() => vi.resetModules());
 afterAll(() => void vi.resetModules());
 vi.mock('./ModuleWorkbench.vue', () => ({

@@ -2,7 +2,7 @@ import type { Session } from '@ubii/proto';
 import { counted, plural } from '@ubii/words';
 import { isAlive } from '../../sessions/state/session-state.ts';
 
-/** Names the sessions that run, in words; `undefined` when none does. */
+/** Names of the running sessions in words; `undefined` without any. */
 export function runningWords(users: readonly Session[]): string | undefined {
   const running = users
     .filter(isAlive)
@@ -16,7 +16,7 @@ export function runningWords(users: readonly Session[]): string | undefined {
 
 export const errorWords = (errors: number): string => counted(errors, 'error');
 
-/** What saving does, for people: which running sessions continue with the new code; `undefined` when none runs. [SE-26] */
+/** Describes which running sessions continue with the saved code; `undefined` when none is running. [SE-26] */
 export function savedNote(users: readonly Session[]): string | undefined {
   const who = runningWords(users);
   if (who === undefined) return undefined;

@@ -8,28 +8,28 @@ import { draftProblems, isFatalProblem, type DraftProblems } from './draft/draft
 import { draftOf, isSameDraft, moduleOf, type ModuleDraft } from './draft/module-draft.ts';
 import { reconcile } from './draft/reconcile.ts';
 
-/** A file on the master's disk that is changed shows here within this time, milliseconds. */
+/** Interval of requests, milliseconds, to notice changed files on the master's disk. */
 const INTERVAL_MS = 1000;
 
-/** `readonly`: it came with the program or from a folder, and cannot be changed here. [SE-22] */
+/** `readonly`: built in, or from a folder of the master, and cannot be changed here. [SE-22] */
 export type EditorStatus = 'loading' | 'missing' | 'readonly' | 'ready';
 
-/** One module as it is being written. */
+/** State of the module editor. */
 export interface ModuleEditor {
   readonly status: ComputedRef<EditorStatus>;
   readonly draft: Readonly<ShallowRef<ModuleDraft | undefined>>;
-  /** As it was at the master when the draft was made; `undefined` for one never saved. */
+  /** Version of the master that the draft is based on; `undefined` if never saved. */
   readonly base: Readonly<ShallowRef<ModuleDraft | undefined>>;
   /** The version of another user, while a conflict is open. */
   readonly theirs: Readonly<ShallowRef<ModuleDraft | undefined>>;
-  /** It is gone at the master while there is work on it here. */
+  /** True when the module was deleted on the master while there are unsaved changes. */
   readonly isGone: Readonly<Ref<boolean>>;
   readonly isChanged: ComputedRef<boolean>;
   readonly problems: ComputedRef<DraftProblems>;
   readonly failure: Readonly<ShallowRef<string | undefined>>;
   readonly isSaving: Readonly<Ref<boolean>>;
   edit(change: Partial<ModuleDraft>): void;
-  /** Back to what the master has. */
+  /** Discards unsaved changes. */
   discard(): void;
   takeTheirs(): void;
   keepMine(): void;
@@ -38,7 +38,7 @@ export interface ModuleEditor {
 }
 
 export function useModuleEditor(
-  /** The name in the address: that of the module, or of the draft of a new one. */
+  /** Name in the URL: that of the module, or of the draft of a new one. */
   address: () => string,
   taken: () => readonly string[],
   onOverwritten: () => void,
@@ -48,7 +48,7 @@ export function useModuleEditor(
   const draft = shallowRef(kept?.draft);
   const base = shallowRef(kept?.base);
   const theirs = shallowRef<ModuleDraft>();
-  /** What was said no to, so that it is not asked twice. */
+  /** Version that the user rejected, to ask only once. */
   const refused = shallowRef<ModuleDraft>();
   const isGone = ref(false);
   const isKnown = ref(false);
@@ -74,7 +74,7 @@ export function useModuleEditor(
     refused.value = undefined;
   }
 
-  /** What the master has now. */
+  /** Handles the version of the master. */
   function look(stored: ModuleDraft | undefined): void {
     isKnown.value = true;
     if (isSaving.value) return;
@@ -102,7 +102,7 @@ export function useModuleEditor(
       const found = elements[0];
       const origin = found?.extension?.origin;
       isReadonly.value = found !== undefined && origin !== ModuleOrigin.MODULE_ORIGIN_STORED;
-      // The name of a new module is in use: the field shows the error
+      // The name of a new module is in use: the field shows the error.
       if (isReadonly.value && draft.value) {
         isKnown.value = true;
         isReadonly.value = false;
@@ -167,7 +167,7 @@ export function useModuleEditor(
         base.value = stored;
         theirs.value = undefined;
         isGone.value = false;
-        // What was typed while it travelled stays
+        // Keep changes made during the save.
         if (draft.value && isSameDraft(draft.value, mine))
           draft.value = { ...stored, code: mine.code };
         dropDraft(address());

@@ -3,8 +3,8 @@ import { plural } from '@ubii/words';
 import { isFixed, type ModuleEntry } from '../library/module-entry.ts';
 
 /**
- * What can be stored of a file of several: a file with the whole library also holds what came with the
- * program, which is there anyway. One that is imported alone was meant: the master says why not.
+ * Removes built-in modules from an import of several: a file with the whole library contains them, and they exist
+ * anyway. A single module is kept, so that the master reports why it is refused.
  */
 export function withoutFixed(
   modules: readonly ProcessingModule[],
@@ -15,7 +15,7 @@ export function withoutFixed(
   return modules.filter(({ name }) => !fixed.has(name));
 }
 
-/** What is said of an import; nothing of one module, which is opened. */
+/** Message about an import; undefined for a single module, which is opened. */
 export function importedWords(imported: number, inFile: number): string | undefined {
   if (inFile < 2) return undefined;
   const left = inFile - imported;

@@ -3,24 +3,24 @@ import { fileName, type TextFile } from '../../files/text-file.ts';
 import { jsonLines } from '../../sessions/text/json-lines.ts';
 import { moduleSpec } from '../../sessions/text/session-spec.ts';
 
-/** Ends the name of an exported module; the master's own files have it too. [SE-20] */
+/** Filename extension of an exported module, the same as for the master's own files. [SE-20] */
 export const MODULE_FILE_ENDING = '.pm';
 
 const MODULE = 'ubii.processing.ProcessingModule';
 
-/** A file's modules, or one sentence why it holds none. */
+/** Modules of a file, or the reason why it has none, one sentence. */
 export type ReadModules =
   | { readonly kind: 'read'; readonly modules: readonly ProcessingModule[] }
   | { readonly kind: 'broken'; readonly message: string };
 
-/** What is kept of a module; its place and life are not part of it. */
+/** JSON of a module without node and status. */
 function moduleJson(module: ProcessingModule): JsonObject {
   const json = toJson(MODULE, { ...moduleSpec(module), id: '', nodeId: '' });
   const { id: _id, status: _status, sessionId: _session, nodeId: _node, ...kept } = json;
   return kept;
 }
 
-/** A module as one file. */
+/** Exports a module as a file. */
 export function exportModule(module: ProcessingModule): TextFile {
   return {
     name: `${fileName(module.name) || 'module'}${MODULE_FILE_ENDING}`,
@@ -28,7 +28,7 @@ export function exportModule(module: ProcessingModule): TextFile {
   };
 }
 
-/** Several modules as one file, a list of them. */
+/** Exports several modules as one file with a list. */
 export function exportModules(modules: readonly ProcessingModule[]): TextFile {
   return {
     name: `modules${MODULE_FILE_ENDING}`,
@@ -36,7 +36,7 @@ export function exportModules(modules: readonly ProcessingModule[]): TextFile {
   };
 }
 
-/** The module of a file, or the list of them. */
+/** Parses a file with one module or a list of them. */
 export function importModules({ name, text }: TextFile): ReadModules {
   const lines = jsonLines(text);
   if (lines.kind === 'broken') {

@@ -1,17 +1,17 @@
 import { ModuleOrigin, type NodeInfo, type ProcessingModule, type Session } from '@ubii/proto';
 import { formatLook } from '../../formats/families.ts';
 
-/** A module of the library, with who has it and who uses it. */
+/** Module of the library, with the nodes that offer it and the sessions that use it. */
 export interface ModuleEntry {
   readonly module: ProcessingModule;
   readonly origin: ModuleOrigin;
   /** Nodes that have its code. */
   readonly offeredBy: readonly NodeInfo[];
-  /** Sessions that have a module of this name. */
+  /** Sessions with a module of this name. */
   readonly usedBy: readonly Session[];
 }
 
-/** Where a module is from, for people. */
+/** Display texts of origins. */
 export const ORIGIN_WORDS: Readonly<Record<ModuleOrigin, string>> = {
   [ModuleOrigin.MODULE_ORIGIN_UNKNOWN]: 'on the master',
   [ModuleOrigin.MODULE_ORIGIN_BUILT_IN]: 'built in',
@@ -20,12 +20,12 @@ export const ORIGIN_WORDS: Readonly<Record<ModuleOrigin, string>> = {
   [ModuleOrigin.MODULE_ORIGIN_NODE]: 'offered by a client',
 };
 
-/** Only what was stored through a service can be deleted again. [SE-22] */
+/** Only modules stored through a service can be deleted. [SE-22] */
 export function isDeletable({ origin }: Pick<ModuleEntry, 'origin'>): boolean {
   return origin === ModuleOrigin.MODULE_ORIGIN_STORED;
 }
 
-/** Came with the program or from its operator's folder: the master stores none of the same name. [SE-22] */
+/** Built in, or from the operator's folder: the master stores no other module of this name. [SE-22] */
 export function isFixed({ origin }: Pick<ModuleEntry, 'origin'>): boolean {
   return (
     origin === ModuleOrigin.MODULE_ORIGIN_BUILT_IN || origin === ModuleOrigin.MODULE_ORIGIN_FOLDER
@@ -49,7 +49,7 @@ export function moduleEntries(
     .sort((a, b) => a.module.name.localeCompare(b.module.name) || a.origin - b.origin);
 }
 
-/** What is looked for: words, a data format, where it is from; empty for all. */
+/** Search: words, data format, origin; empty for all. */
 export interface ModuleSearch {
   readonly text: string;
   readonly format: string;
@@ -69,7 +69,7 @@ export function filterModules(
   });
 }
 
-/** Short names of the data formats of inputs and outputs, each once. */
+/** Short names of the data formats of inputs and outputs, without duplicates. */
 export function moduleFormats({ inputs, outputs }: ProcessingModule): string[] {
   const texts = [...inputs, ...outputs].map(({ messageFormat }) => formatLook(messageFormat).text);
   return [...new Set(texts)].filter((text) => text !== '');

@@ -1,10 +1,10 @@
 import type { DataFormat, ProcessingModule } from '@ubii/proto';
 import { parseDataFormat } from '@ubii/proto';
 
-/** What is at hand: modules that take it come before others that are as good. */
+/** Formats of available topics: modules that read them come before others of equal relevance. */
 export type FormatsAtHand = ReadonlySet<DataFormat>;
 
-/** How well a module answers words that were typed; 0: not at all. Each word has to be somewhere. */
+/** Relevance of a module for typed words; 0: no match. Each word must occur. */
 export function moduleScore(module: ProcessingModule, words: readonly string[]): number {
   const name = module.name.toLowerCase();
   const parts = name.split(/[-_\s]+/);
@@ -24,9 +24,9 @@ export function moduleScore(module: ProcessingModule, words: readonly string[]):
 }
 
 /**
- * Modules that answer the words, the best first; of those that are equally good, the ones that take
- * what is at hand, then those with the fewest inputs: they are the quickest to use.
- * @param atHand undefined: those that are equally good keep their order
+ * Returns the modules that match the words, by relevance; equally relevant ones by whether they read an available
+ * format, then by the number of inputs, fewest first.
+ * @param atHand undefined: equally relevant modules keep their order
  */
 export function rankModules<T>(
   all: readonly T[],
@@ -55,7 +55,7 @@ export function rankModules<T>(
     .map(({ one }) => one);
 }
 
-/** `vector2 → vector2`: what goes in and comes out first. */
+/** `vector2 → vector2`: formats of the first input and output. */
 export function moduleFlow(
   { inputs, outputs }: Pick<ProcessingModule, 'inputs' | 'outputs'>,
   formatText: (format: string) => string,
@@ -69,7 +69,7 @@ export function moduleFlow(
   return `${end(inputs)} → ${end(outputs)}`;
 }
 
-/** The first sentence of what a module says of itself. */
+/** First sentence of a module's description. */
 export function firstSentence(text: string): string {
   return /^.*?[.!?](?=\s|$)/s.exec(text.trim())?.[0] ?? text.trim();
 }

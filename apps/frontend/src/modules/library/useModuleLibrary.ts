@@ -5,12 +5,12 @@ import { usePoll } from '../../connection/poll.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { moduleEntries, type ModuleEntry } from './module-entry.ts';
 
-/** Files are changed by hand, and nodes come and go: nothing announces all of it. [SE-23] */
+/** Interval of requests, milliseconds: changes of files and nodes are not announced completely. [SE-23] */
 const INTERVAL_MS = 3000;
 
-/** All modules of the master and the nodes, kept up to date while the calling scope lives. */
+/** All modules of the master and the nodes, updated while the calling scope is active. */
 export interface ModuleLibrary {
-  /** `undefined` until the first list. */
+  /** `undefined` until the first list arrives. */
   readonly entries: ComputedRef<readonly ModuleEntry[] | undefined>;
   readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
   refresh(): Promise<void>;

@@ -1,23 +1,23 @@
 import type { TextPlace } from '../text/module-text.ts';
 
-/** Something to be seen at a place of the text. */
+/** Mark at a position of the text. */
 export interface CodeMark extends TextPlace {
   readonly severity: 'error' | 'warning';
   readonly message: string;
-  /** It was found by running the module. */
+  /** True when it was found by running the module. */
   readonly isOfRun?: boolean;
 }
 
-/** What TypeScript found. */
+/** Problem found by TypeScript. */
 export interface TypeMark extends CodeMark {
-  /** The text is no JavaScript there; false: a type does not fit. */
+  /** True for syntax errors; false for type errors. */
   readonly isSyntax: boolean;
 }
 
 /**
- * Each mistake once, errors first. Where the text is no JavaScript, what the engine says about the same
- * place and what types say about the rest are left out.
- * @param marks of the checks of the project
+ * Removes duplicates and sorts errors first. Where there is a syntax error, drops the engine's message at the same
+ * position and all type errors.
+ * @param marks from the checks of the module
  */
 export function firstCauses(
   marks: readonly CodeMark[],
@@ -34,7 +34,7 @@ export function firstCauses(
       .filter(({ severity }) => severity === 'error')
       .map(({ line }) => line),
   );
-  // A run fails at a line because of the mistake that is told there already.
+  // Drop failures of a run at lines whose error is listed already.
   const all = [...own.filter(({ isOfRun, line }) => !isOfRun || !wrongLines.has(line)), ...told];
   const byPlace = new Map(
     all.map((mark) => [`${mark.line}:${mark.column} ${mark.message}`, mark] as const),

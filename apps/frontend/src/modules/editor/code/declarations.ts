@@ -1,7 +1,7 @@
 import { parseDataFormat } from '@ubii/proto';
 import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
 
-/** Declarations of what every module sees, in terms of the data formats. [PM-10] to [PM-14] */
+/** TypeScript declarations visible to every module, in terms of the data formats. [PM-10] to [PM-14] */
 const COMMON = `
 type DataFormats = import('./data-formats/data-format-values.ts').DataFormatValues;
 type DataFormat = keyof DataFormats;
@@ -109,7 +109,7 @@ function outputType({ format, isList }: IoDraft): string {
   return `${isList ? 'OutputList' : 'OutputValue'}<'${known}'> | undefined`;
 }
 
-/** What the code of this module sees: its own inputs, outputs and state. */
+/** Returns the declarations for the code of a module: its inputs, outputs and state. */
 export function moduleDeclarations({
   inputs,
   outputs,

@@ -1,6 +1,6 @@
 import type { monaco } from './monaco.ts';
 
-/** Options of every editor of ours. */
+/** Options common to all editors. */
 export function editorOptions(): monaco.editor.IEditorOptions {
   const style = getComputedStyle(document.documentElement);
   return {
@@ -23,13 +23,13 @@ export function editorOptions(): monaco.editor.IEditorOptions {
     wrappingIndent: 'indent',
     folding: false,
     glyphMargin: false,
-    // A field is what shortcuts of the page, screen readers and tests know as one
+    // Use a text area, which page shortcuts, screen readers and tests recognise as a field.
     editContext: false,
     lineDecorationsWidth: 8,
   };
 }
 
-/** Monaco measures letters once: it must do so with the face that is shown. */
+/** Monaco measures characters once: do it after the font is loaded. */
 export async function remeasure(editor: { remeasureFonts(): void }): Promise<void> {
   await document.fonts.load("13px 'JetBrains Mono Variable'");
   editor.remeasureFonts();

@@ -1,6 +1,6 @@
 import { monaco } from './monaco.ts';
 
-/** Token of a colour of Monaco; what is missing follows from these. */
+/** Style tokens for Monaco's colours; others are derived from these. */
 const COLORS = {
   'editor.background': '--canvas',
   'editor.foreground': '--ink-1',
@@ -56,7 +56,7 @@ const COLORS = {
   'diffEditor.unchangedRegionForeground': '--ink-3',
 } as const;
 
-/** Chrome is ink: words are distinguished by a few of the families' colours, as data is. */
+/** The design uses colour for data: syntax is distinguished by a few colours of data format families. */
 const TOKENS = {
   '': '--ink-1',
   comment: '--ink-3',
@@ -70,7 +70,7 @@ const TOKENS = {
   delimiter: '--ink-2',
 } as const;
 
-/** The colour a token has now, as Monaco wants it; it knows no `light-dark()`. */
+/** Returns the current colour of a token in hex, because Monaco does not support `light-dark()`. */
 function hexOf(probe: HTMLElement, token: string): string {
   probe.style.color = `var(${token})`;
   const parts =
@@ -83,7 +83,7 @@ function hexOf(probe: HTMLElement, token: string): string {
     .join('')}`;
 }
 
-/** Gives Monaco the tokens of the page as they are now. */
+/** Applies the current style tokens of the page to Monaco. */
 export function applyTheme(): void {
   const probe = document.createElement('span');
   document.body.append(probe);
@@ -105,7 +105,7 @@ export function applyTheme(): void {
   monaco.editor.setTheme('ubii');
 }
 
-/** Follows the theme of the page. @returns ends it */
+/** Follows the theme of the page. @returns a function that stops it */
 export function followTheme(): () => void {
   applyTheme();
   const media = matchMedia('(prefers-color-scheme: dark)');

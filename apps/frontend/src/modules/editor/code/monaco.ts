@@ -8,15 +8,15 @@ import 'monaco-editor/languages/definitions/typescript/register.js';
 import * as languages from 'monaco-editor/languages/features/typescript/register.js';
 import TypeScriptWorker from 'monaco-editor/languages/features/typescript/ts.worker.js?worker';
 
-/** Everything of Monaco in one chunk, which only the editor of modules loads. */
+/** All of Monaco in one chunk, which only the module editor loads. */
 export { monaco };
 
-/** Where the files of the one module being edited are; they exist in the worker only. */
+/** URI of the module being edited, which exists only in the worker. */
 export const MODULE_URI = 'file:///ubii/module.js';
 
 const defaults = languages.javascriptDefaults;
 
-// Workers are files of the master: its policy lets nothing else in, and needs no eval.
+// Workers are files of the master, as required by its content security policy, without eval.
 globalThis.MonacoEnvironment = {
   getWorker: (_id, label) =>
     label === 'javascript' || label === 'typescript' ? new TypeScriptWorker() : new EditorWorker(),
@@ -25,7 +25,7 @@ defaults.setCompilerOptions({
   target: languages.ScriptTarget.ESNext,
   module: languages.ModuleKind.ESNext,
   moduleResolution: languages.ModuleResolutionKind.NodeJs,
-  // No page and no Node around a module: only the language. [PM-52]
+  // Modules have no DOM and no Node.js: only the language. [PM-52]
   lib: ['lib.es2023.d.ts'],
   allowJs: true,
   checkJs: true,
@@ -35,13 +35,13 @@ defaults.setCompilerOptions({
   allowImportingTsExtensions: true,
   types: [],
 });
-// 7044: implicit any, a hint only. 80001, 80005: proposals to make it something else.
+// 7044: implicit any, a hint only. 80001, 80005: suggestions to convert the code.
 defaults.setDiagnosticsOptions({
   diagnosticCodesToIgnore: [7043, 7044, 7045, 80001, 80004, 80005],
 });
 defaults.setEagerModelSync(true);
 
-/** Tells the worker what the code sees from now on. */
+/** Sets the declarations that the worker uses. */
 export function setDeclarations(declarations: string, state: string): void {
   defaults.setExtraLibs([
     { filePath: 'file:///ubii/generated/messages.ts', content: messagesSource },

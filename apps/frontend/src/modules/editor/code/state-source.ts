@@ -4,8 +4,8 @@ const ARROW = /^(?:async\s+)?\(?\s*([\w$]+)\s*\)?\s*=>\s*\{/;
 const FUNCTION = /^(?:async\s+)?function\s*[\w$]*\s*\(\s*([\w$]+)\s*\)\s*\{/;
 
 /**
- * A class whose members are what `onCreated` puts into the state: TypeScript finds their types by the
- * assignments in its constructor. Without such, a class without members.
+ * Source of a class with the members that `onCreated` assigns to the state: TypeScript infers their types from the
+ * assignments in its constructor. Empty class without such members.
  */
 export function stateSource({ sections }: ModuleText): string {
   const created = sections.find(({ callback }) => callback === 'onCreated')?.source ?? '';

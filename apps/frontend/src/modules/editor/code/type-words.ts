@@ -16,7 +16,7 @@ const NO_RESULT =
 
 type Declared = Pick<ModuleDraft, 'inputs' | 'outputs'>;
 
-/** What TypeScript says of a module, in terms of its inputs and outputs, as a run would say it. */
+/** Rewrites a message of TypeScript in terms of the module's inputs and outputs, as a run would report it. */
 export function typeWords(message: string, { inputs, outputs }: Declared): string {
   const lines = message.split('\n').map((line) => line.trim());
   const find = (pattern: RegExp): RegExpExecArray | undefined => {
@@ -56,7 +56,7 @@ function outputWords(
   return name === undefined ? `W${sentence}` : `Output "${name}": w${sentence}`;
 }
 
-/** A type as the value that was written. */
+/** Formats a type as the value that was written. */
 function written(type: string): string {
   if (type === 'number' || type === 'string' || type === 'boolean') return `a bare ${type}`;
   if (type.endsWith('[]')) return 'an array';

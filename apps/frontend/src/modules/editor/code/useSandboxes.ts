@@ -1,7 +1,7 @@
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { onScopeDispose } from 'vue';
 
-/** Sandboxes of this page, loaded when they are asked for first, and ended with it. */
+/** Sandboxes of this page, loaded on first use, and closed with it. */
 export function useSandboxes(): () => Promise<SandboxFactory> {
   let opening: Promise<SandboxFactory> | undefined;
   let isOver = false;

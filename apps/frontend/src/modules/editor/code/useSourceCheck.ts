@@ -8,9 +8,7 @@ import type { CodeMark } from './code-mark.ts';
 
 const DELAY_MS = 250;
 
-/**
- * Problems of the text, and errors from the sandbox: the engine that runs untrusted modules on every node.
- */
+/** Problems of the text, and errors of the sandbox, which is the engine that runs untrusted modules on all nodes. */
 export function useSourceCheck(
   draft: () => ModuleDraft | undefined,
   sandboxes: () => Promise<SandboxFactory>,
@@ -28,7 +26,7 @@ export function useSourceCheck(
         return;
       }
       const found = await (await sandboxes()).check(source);
-      // Only the newest answer counts
+      // Ignore outdated results.
       if (draft()?.code !== code) return;
       const place = found && (placeInText(text.value, found) ?? { line: 1, column: 1 });
       fault.value = found && place && { ...place, severity: 'error', message: found.message };

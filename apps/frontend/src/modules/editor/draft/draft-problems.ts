@@ -2,11 +2,11 @@ import { DEFAULT_RUNTIME_LIMITS, moduleProblems } from '@ubii/pm-sandbox';
 import { parseDataFormat } from '@ubii/proto';
 import { moduleOf, type ModuleDraft } from './module-draft.ts';
 
-/** What is wrong with the fields of a draft: a sentence by the place of the field, as `inputs[0].name`. */
+/** Problems in the fields of a draft: a sentence by path, such as `inputs[0].name`. */
 export type DraftProblems = ReadonlyMap<string, string>;
 
 const IDENTIFIER = /^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u;
-/** Runs per second that the runtime starts at most. [PM-20] */
+/** Highest frequency that the runtime supports. [PM-20] */
 export const MAX_HERTZ = DEFAULT_RUNTIME_LIMITS.maxFrequencyHz;
 
 /** @param taken names of other modules */
@@ -14,7 +14,7 @@ export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): D
   const problems = new Map<string, string>();
   for (const { path, message } of moduleProblems(moduleOf(draft))) {
     const place = path.replace('.internalName', '.name');
-    // What the text lacks is said in the text
+    // Problems of the code are shown in the code.
     if (place !== 'onProcessingStringified' && !problems.has(place)) problems.set(place, message);
   }
   const name = draft.name.trim();

@@ -3,10 +3,10 @@ import { readStored } from '../../../json/read-stored.ts';
 import { finite, textOrNone } from '../../../json/schemas.ts';
 import type { ModuleDraft } from './module-draft.ts';
 
-/** Unsaved work: what is being written, and what it was made of. */
+/** Unsaved changes, and the version they are based on. */
 export interface KeptDraft {
   readonly draft: ModuleDraft;
-  /** As it was at the master; `undefined` for a module that was never saved. */
+  /** Version stored on the master; `undefined` for a module that was never saved. */
   readonly base: ModuleDraft | undefined;
 }
 
@@ -30,7 +30,7 @@ const DRAFT: v.GenericSchema<unknown, ModuleDraft> = v.object({
   authors: NAMES,
   version: textOrNone,
   libraries: NAMES,
-  // Drafts of before asset sets lack them.
+  // Drafts of earlier versions have no asset sets.
   assets: v.fallback(NAMES, []),
   optionalAssets: v.fallback(NAMES, []),
   inputs: IOS,
@@ -48,11 +48,11 @@ const KEPT: v.GenericSchema<unknown, KeptDraft> = v.pipe(
   v.transform(({ draft, base }) => ({ draft, base })),
 );
 
-/** What this browser keeps under the name in the address; `undefined` for nothing that can be read. */
+/** Returns the draft stored under the name in the URL; `undefined` without a valid one. */
 export const readDraft = (name: string): KeptDraft | undefined =>
   readStored(KEPT, localStorage.getItem(PREFIX + name));
 
-/** @returns whether there was room for it */
+/** @returns false when the storage is full */
 export function keepDraft(name: string, kept: KeptDraft): boolean {
   try {
     localStorage.setItem(PREFIX + name, JSON.stringify(kept));
@@ -66,7 +66,7 @@ export function dropDraft(name: string): void {
   localStorage.removeItem(PREFIX + name);
 }
 
-/** Names of modules with unsaved work, in order. */
+/** Sorted names of modules with unsaved changes. */
 export function draftNames(): string[] {
   return Object.keys(localStorage)
     .filter((key) => key.startsWith(PREFIX))

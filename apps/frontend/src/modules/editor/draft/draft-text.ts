@@ -21,7 +21,7 @@ function modeText({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): 
   }
 }
 
-/** All of a module as one text, to be compared line by line: what is declared, then the code. */
+/** Formats a module as one text for line-by-line comparison: declarations, then code. */
 export function draftText(draft: ModuleDraft): string {
   const lines = [
     `Name: ${draft.name}`,

@@ -11,23 +11,23 @@ import {
 } from '@ubii/proto';
 import { composeText, sourcesOf, splitText } from '../text/module-text.ts';
 
-/** An input or output as it is written in the form. */
+/** Input or output in the form. */
 export interface IoDraft {
   readonly name: string;
-  /** Short name of a data format, what the module says when it is another one, or empty for any. */
+  /** Short name of a data format, the module's own text for unknown formats, or empty for any. */
   readonly format: string;
   readonly isList: boolean;
-  /** Of an input: what the callbacks use while nothing is connected. [PM-5] */
+  /** Of an input: value that the callbacks use without a connection. [PM-5] */
   readonly defaultJson?: string;
-  /** What its values mean, with unit and range. [PM-6] */
+  /** Meaning of its values, with unit and range. [PM-6] */
   readonly description?: string | undefined;
-  /** Of an input for a string: the texts that it understands. [PM-7] */
+  /** Of a string input: the accepted texts. [PM-7] */
   readonly choices?: readonly string[] | undefined;
 }
 
 export type ModeKind = 'frequency' | 'trigger' | 'lockstep' | 'free';
 
-/** When it runs, with the parameters of all kinds, so that none is lost by a look at another. */
+/** Processing mode with the parameters of all kinds, so that switching between kinds loses none. */
 export interface ModeDraft {
   readonly kind: ModeKind;
   readonly hertz: number;
@@ -35,7 +35,7 @@ export interface ModeDraft {
   readonly allInputsNeedUpdate: boolean;
 }
 
-/** A module as it is being written. Plain data: it is kept as JSON. */
+/** Module in the editor. Plain data, stored as JSON. */
 export interface ModuleDraft {
   readonly name: string;
   readonly description: string;
@@ -43,14 +43,14 @@ export interface ModuleDraft {
   readonly authors: readonly string[];
   readonly version: string;
   readonly libraries: readonly string[];
-  /** Names of the asset sets it needs in `state.assets`. */
+  /** Names of required asset sets, available in `state.assets`. */
   readonly assets: readonly string[];
-  /** Names of the asset sets it may load with `state.loadAssets`. */
+  /** Names of optional asset sets, loaded with `state.loadAssets`. */
   readonly optionalAssets: readonly string[];
   readonly inputs: readonly IoDraft[];
   readonly outputs: readonly IoDraft[];
   readonly mode: ModeDraft;
-  /** All callbacks, see module-text.ts. */
+  /** Source of all callbacks, see module-text.ts. */
   readonly code: string;
 }
 
@@ -127,7 +127,7 @@ function modeOf({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): In
   }
 }
 
-/** The module a draft says. */
+/** Converts a draft to a module. */
 export function moduleOf(draft: ModuleDraft): ProcessingModule {
   const { name, description, tags, authors, version, libraries, assets, optionalAssets } = draft;
   const module: ProcessingModule = {
@@ -152,7 +152,7 @@ export function moduleOf(draft: ModuleDraft): ProcessingModule {
   });
 }
 
-/** Fills in what the form has no field for. */
+/** Sets the members without a field in the form. */
 function fromInit(
   module: ProcessingModule,
   init: {
@@ -174,12 +174,12 @@ function fromInit(
   return { ...module, inputs, outputs, processingMode, extension };
 }
 
-/** Whether both say the same. */
+/** Whether two drafts are equivalent. */
 export function isSameDraft(a: ModuleDraft, b: ModuleDraft): boolean {
   return fingerprint(a) === fingerprint(b);
 }
 
-/** Compares code by its callbacks: spaces between them do not count as a change, nor does the order of members. */
+/** Key for comparison. Whitespace between callbacks and the order of members are ignored. */
 function fingerprint({ code, name, inputs, outputs, ...rest }: ModuleDraft): string {
   const split = splitText(code);
   const isSound = split.problems.length === 0;

@@ -1,19 +1,19 @@
 import { isSameDraft, type ModuleDraft } from './module-draft.ts';
 
-/** What is known on both sides. */
+/** Versions to compare. */
 export interface Sides {
   readonly draft: ModuleDraft | undefined;
-  /** What the draft was made of. */
+  /** Version that the draft is based on. */
   readonly base: ModuleDraft | undefined;
-  /** What the master has now. */
+  /** Version on the master now. */
   readonly stored: ModuleDraft | undefined;
-  /** What of the master's was refused already. */
+  /** Version of the master that the user has rejected. */
   readonly refused: ModuleDraft | undefined;
 }
 
 /**
- * What to do: nothing of one's own would be lost (`take`), both say the same (`same`), both changed
- * (`ask`), it was deleted there (`gone`), or nothing (`keep`).
+ * Action: replace the unchanged draft (`take`), equal versions (`same`), conflict (`ask`), deleted on the master
+ * (`gone`), or none (`keep`).
  */
 export type Reconciled =
   | { readonly kind: 'take'; readonly draft: ModuleDraft }
@@ -25,7 +25,7 @@ export type Reconciled =
 export function reconcile({ draft, base, stored, refused }: Sides): Reconciled {
   if (stored === undefined) return base === undefined ? { kind: 'keep' } : { kind: 'gone' };
   if (draft === undefined) return { kind: 'take', draft: stored };
-  // A new module of a name that is taken: the field of the name says so
+  // A new module with a name in use: the name's field shows the error.
   if (base === undefined) return { kind: 'keep' };
   if (isSameDraft(stored, base)) return { kind: 'keep' };
   if (isSameDraft(stored, draft)) return { kind: 'same', base: stored };

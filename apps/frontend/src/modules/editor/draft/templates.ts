@@ -1,6 +1,6 @@
 import type { IoDraft, ModeDraft, ModuleDraft } from './module-draft.ts';
 
-/** A module to begin with. */
+/** Template for a new module. */
 export interface ModuleTemplate {
   readonly title: string;
   /** One sentence. */

@@ -1,8 +1,8 @@
-/** A slash after one of these begins an expression, not a division. */
+/** Characters and keywords after which a slash starts a regular expression instead of a division. */
 const BEFORE_REGEXP =
   /(?:^|[([{,;:=!&|?+\-*%~^<>]|\b(?:return|typeof|case|in|of|void|delete|await))$/;
 
-/** End of what begins with this quote: past its closing one, or the end of a broken line. */
+/** Index after a string literal: past the closing quote, or at the end of an unterminated line. */
 function endOfString(text: string, start: number): number {
   const quote = text[start];
   for (let at = start + 1; at < text.length; at++) {
@@ -26,7 +26,7 @@ function endOfRegExp(text: string, start: number): number {
   return start + 1;
 }
 
-/** A template with the expressions in it. */
+/** Index after a template literal, including its expressions. */
 function endOfTemplate(text: string, start: number): number {
   for (let at = start + 1; at < text.length; at++) {
     if (text[at] === '\\') at++;
@@ -75,11 +75,10 @@ function endOfToken(text: string, at: number, before: string): number {
 const blank = (text: string): string => text.replace(/[^\n]/g, ' ');
 
 /**
- * The text with everything blanked that stands in brackets, strings, templates, regular expressions and
- * comments; what is left is what stands outside. It has the same length and lines. Text that is not
- * closed reaches to the end.
+ * Blanks the contents of brackets, strings, templates, regular expressions and comments, so that only top-level code
+ * remains. Length and lines are unchanged. Unclosed elements extend to the end.
  *
- * @param keepsBrackets what stands in brackets stays, too
+ * @param keepsBrackets keeps the contents of brackets
  */
 export function maskSource(text: string, keepsBrackets = false): string {
   let mask = '';

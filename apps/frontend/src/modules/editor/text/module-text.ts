@@ -5,7 +5,7 @@ import { maskSource } from './mask-source.ts';
 /** A callback of a module, by its name in the text. */
 export type Callback = Exclude<ModulePhase, ''>;
 
-/** In the order of an instance's life. */
+/** In the order of an instance's life cycle. */
 export const CALLBACKS: readonly Callback[] = [
   'onCreated',
   'onProcessing',
@@ -13,28 +13,28 @@ export const CALLBACKS: readonly Callback[] = [
   'onDestroyed',
 ];
 
-/** A place in the text, both from 1. */
+/** Position in the text, line and column from 1. */
 export interface TextPlace {
   readonly line: number;
   readonly column: number;
 }
 
-/** One callback in the text. */
+/** A callback in the text. */
 export interface TextSection {
   readonly callback: Callback;
-  /** An expression that is a function. [PM-2] */
+  /** Function expression. [PM-2] */
   readonly source: string;
-  /** Where the source begins. */
+  /** Start of the source. */
   readonly at: TextPlace;
 }
 
-/** Something wrong with a text, and where. */
+/** Problem in a text, with its position. */
 export interface TextProblem extends TextPlace {
   readonly message: string;
   readonly severity: 'error' | 'warning';
 }
 
-/** A text as it was understood. */
+/** Result of parsing a text. */
 export interface ModuleText {
   readonly sections: readonly TextSection[];
   readonly problems: readonly TextProblem[];
@@ -50,7 +50,7 @@ type Sources = Pick<
   | 'onDestroyedStringified'
 >;
 
-/** All callbacks of a module as one text: each stands there as it travels, after its name. */
+/** Joins all callbacks of a module to one text: the source of each, after its name. */
 export function composeText(module: Sources): string {
   return CALLBACKS.map((callback) => [callback, module[`${callback}Stringified`].trim()] as const)
     .filter(([, source]) => source !== '')
@@ -64,7 +64,7 @@ export function placeOf(text: string, offset: number): TextPlace {
   return { line: before.split('\n').length, column: offset - lineStart + 1 };
 }
 
-/** Takes the callbacks out of a text, and says what of it would be lost. */
+/** Extracts the callbacks of a text, and reports everything that would be lost. */
 export function splitText(text: string): ModuleText {
   const mask = maskSource(text);
   const starts = [...mask.matchAll(SECTION)];
@@ -73,7 +73,7 @@ export function splitText(text: string): ModuleText {
   const report = (offset: number, severity: TextProblem['severity'], message: string): void => {
     problems.push({ ...placeOf(text, offset), severity, message });
   };
-  /** Nothing but callbacks travels. [PM-2] */
+  /** Only callbacks are stored. [PM-2] */
   const lookOutside = (from: number, to: number): void => {
     const code = mask.slice(from, to).search(/[^\s;]/);
     if (code >= 0) {
@@ -122,7 +122,7 @@ export function splitText(text: string): ModuleText {
   return { sections, problems };
 }
 
-/** The callbacks of a text as they travel; what is missing is empty. */
+/** Returns the sources of the callbacks, in the form of a module; missing ones are empty. */
 export function sourcesOf({ sections }: ModuleText): Sources {
   const of = (callback: Callback): string =>
     sections.find((section) => section.callback === callback)?.source ?? '';
@@ -134,7 +134,7 @@ export function sourcesOf({ sections }: ModuleText): Sources {
   };
 }
 
-/** Where in the text a place in the source of a callback is; `undefined` when it is not known. */
+/** Converts a position in the source of a callback to a position in the text; `undefined` when it is unknown. */
 export function placeInText(
   { sections }: ModuleText,
   fault: {
@@ -152,7 +152,7 @@ export function placeInText(
   return { line: section.at.line + line - 1, column: Math.max(1, column) };
 }
 
-/** The place in the text of an address such as `onProcessing:7:12`. */
+/** Returns the position in the text of an address such as `onProcessing:7:12`. */
 export function addressInText(text: ModuleText, address: string): TextPlace | undefined {
   const [phase = '', line, column] = address.split(':');
   return placeInText(text, { phase, line: Number(line) || 0, column: Number(column) || 0 });

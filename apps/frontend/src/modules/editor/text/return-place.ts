@@ -8,16 +8,16 @@ import {
 } from './module-text.ts';
 
 const RETURN = /\breturn\b/g;
-/** What follows a `return` without a value. */
+/** Matches a `return` without a value. */
 const NO_VALUE = /^return\s*[;}]/;
-/** The output that a sentence about a result begins with. */
+/** Matches the output at the beginning of a message about a result. */
 const OUTPUT = /^Output "([^"]+)"/;
-/** A name in an object literal. */
+/** Name of a member in an object literal. */
 const MEMBER = /(?<![\w$.])[\p{ID_Start}$_][\p{ID_Continue}$]*(?=\s*[:,}])/gu;
 
 /**
- * Where a callback returns its result: the last `return` with a value that stands in no block of its
- * body. `undefined` when it has none, as a function without a body.
+ * Returns the position of a callback's result: the last `return` with a value at the top level of its body. `undefined`
+ * when it has none, as for an arrow function without a body.
  */
 export function returnPlace(text: string, callback: Callback): TextPlace | undefined {
   const section = sectionOf(text, callback);
@@ -26,8 +26,8 @@ export function returnPlace(text: string, callback: Callback): TextPlace | undef
 }
 
 /**
- * Where the result is made that a sentence is about: the output it names, else the `return`. A run tells no place of a
- * wrong result, and TypeScript tells the name of the callback.
+ * Returns the position that produces the result a message is about: the output it names, otherwise the `return`. Runs
+ * report no position of a wrong result, and TypeScript reports the name of the callback.
  */
 export function resultPlace(
   text: string,

@@ -1,17 +1,17 @@
 import type { CodeMark } from '../code/code-mark.ts';
 import type { TextPlace } from '../text/module-text.ts';
 
-/** What stands at a fault of the module that is tried. */
+/** Texts shown for a problem of the module in the try-out. */
 export interface FaultWords {
   readonly text: string;
   readonly place: TextPlace | undefined;
 }
 
 /**
- * A mistake that is told below the code is not told a second time: the try-out leads to it.
+ * Returns the texts for a problem. For one that is listed below the code, only a link to it.
  *
- * @param place where it went wrong, if that is known
- * @param listed what stands below the code
+ * @param place position of the problem, if known
+ * @param listed problems listed below the code
  */
 export function faultWords(
   text: string,

@@ -1,10 +1,10 @@
 import type { SandboxCall, SandboxFactory, SandboxResult } from '@ubii/pm-sandbox';
 
-/** The same sandboxes; what each run gave is seen on its way. */
+/** Wraps sandboxes to observe the result of each run. */
 export function tapSandboxes(
   sandboxes: SandboxFactory,
   onResult: (result: SandboxResult, call: SandboxCall) => void,
-  /** A run that failed has no result. */
+  /** Called for failed runs, which have no result. */
   onFailure: () => void = () => undefined,
 ): SandboxFactory {
   return {
@@ -26,7 +26,7 @@ export function tapSandboxes(
       };
     },
     check: (source) => sandboxes.check(source),
-    // Those who opened them close them
+    // The owner of the wrapped sandboxes closes them.
     close: () => Promise.resolve(),
   };
 }

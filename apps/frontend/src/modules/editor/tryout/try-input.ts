@@ -11,28 +11,28 @@ import {
 import { capitalised } from '@ubii/words';
 import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
 
-/** Where the values of one input come from while it is tried. */
+/** Source of an input's values in the try-out. */
 export interface TryInput {
-  /** `form`: members one by one; `json`: a record as text; `topic`: live, of the master. */
+  /** `form`: members as fields; `json`: a record as text; `topic`: live records of the master. */
   readonly source: 'form' | 'json' | 'topic';
   /** Elements of a list; a single input uses the first. */
   readonly values: readonly JsonValue[];
   readonly json: string;
-  /** Of a list a glob. */
+  /** Topic; a glob for lists. */
   readonly topic: string;
 }
 
-/** A member of a value that a form can set. */
+/** Member of a value that a form can set. */
 export interface ValueLeaf {
-  /** As in `position.x`; empty for the value itself. */
+  /** Path such as `position.x`; empty for the value itself. */
   readonly path: string;
   readonly value: number | string | boolean;
 }
 
-/** More members than this are easier to write as JSON. */
+/** Most members of a form; larger values are easier to write as JSON. */
 const MAX_LEAVES = 16;
 
-/** A neutral value of a data format as JSON. */
+/** Neutral value of a data format as JSON. */
 export function neutralJson(formatText: string): JsonValue {
   const format = parseDataFormat(formatText) ?? 'double';
   const { messageType, createDefault } = DATA_FORMATS[format];
@@ -40,7 +40,7 @@ export function neutralJson(formatText: string): JsonValue {
   return isMessageType(messageType) ? toJson(messageType, value as never) : (value as JsonValue);
 }
 
-/** Whether a form can set values of this format: not bytes, and not what only the master says. */
+/** Whether a form can set values of this format: not for bytes, nor for messages of the master. */
 export function hasForm(formatText: string): boolean {
   const format = parseDataFormat(formatText);
   const family = DATA_FORMATS[format ?? 'double'].family;
@@ -49,7 +49,7 @@ export function hasForm(formatText: string): boolean {
   );
 }
 
-/** The members of a value a form can set; `undefined` when there are none or too many. */
+/** Returns the members of a value that a form can set; `undefined` when there are none or too many. */
 export function leavesOf(value: JsonValue): readonly ValueLeaf[] | undefined {
   const leaves: ValueLeaf[] = [];
   const collect = (part: JsonValue, path: string): boolean => {
@@ -65,7 +65,7 @@ export function leavesOf(value: JsonValue): readonly ValueLeaf[] | undefined {
   return collect(value, '') && leaves.length > 0 ? leaves : undefined;
 }
 
-/** The value with one member set. */
+/** Returns the value with one member changed. */
 export function withLeaf(value: JsonValue, path: string, leaf: ValueLeaf['value']): JsonValue {
   if (path === '') return leaf;
   const [name = '', ...rest] = path.split('.');
@@ -73,7 +73,7 @@ export function withLeaf(value: JsonValue, path: string, leaf: ValueLeaf['value'
   return { ...object, [name]: withLeaf(object[name] ?? {}, rest.join('.'), leaf) };
 }
 
-/** What an input begins with. */
+/** Returns the initial state of an input. */
 export function newTryInput(io: IoDraft): TryInput {
   const value = neutralJson(io.format);
   const format = parseDataFormat(io.format) ?? 'double';
@@ -87,12 +87,12 @@ export function newTryInput(io: IoDraft): TryInput {
 
 const topicOf = (name: string): string => `/try/${name}`;
 
-/** A record ready to be put, or why there is none. */
+/** Records to publish, or the reason why there are none. */
 export type TryRecords =
   | { readonly records: readonly { readonly topic: string; readonly bytes: Uint8Array }[] }
   | { readonly problem: string };
 
-/** What a form or a text says; nothing for a topic. */
+/** Returns the records of a form or text; none for a topic. */
 export function recordsOf(io: IoDraft, input: TryInput): TryRecords {
   if (input.source === 'topic') return { records: [] };
   const format = parseDataFormat(io.format);
@@ -125,8 +125,8 @@ export function recordsOf(io: IoDraft, input: TryInput): TryRecords {
 }
 
 /**
- * Maps inputs to the topics of the try-out. Outputs are mapped as a session would, a single value or a
- * list, so that mistakes are the same; their records go nowhere.
+ * Maps inputs to topics of the try-out. Outputs are mapped as in a session, to a single topic or a list, to get the
+ * same errors; their records are dropped.
  */
 export function tryMapping(
   { inputs, outputs }: Pick<ModuleDraft, 'inputs' | 'outputs'>,

@@ -17,22 +17,22 @@ import type { Clock } from '@ubii/timing';
 import { tapSandboxes } from './tap-sandboxes.ts';
 import { TryTopics } from './try-topics.ts';
 
-/** `failed`: killed, or it could not be made. */
+/** `failed`: killed, or it could not be created. */
 export type TryStatus = 'off' | 'starting' | 'ready' | 'running' | 'failed';
 
 export interface TryRunEvents {
   onResult(result: SandboxResult): void;
-  /** A run threw, or took too long. */
+  /** Called when a run threw or timed out. */
   onFailedRun(): void;
   onEvent(event: ModuleEvent): void;
   onStatus(status: TryStatus): void;
-  /** It could not be made, or it was killed. */
+  /** Called when the instance could not be created, or was killed. */
   onFault(fault: ModuleFault): void;
 }
 
-/** Time that seems to have passed between two steps, milliseconds: one frame of most modules. */
+/** Simulated time between two single steps, milliseconds. */
 const STEP_MS = 1000 / 30;
-/** Id of the module and of its session while it is tried. */
+/** Id of the module and of its session in the try-out. */
 export const TRY_ID = 'try';
 const LOCKSTEP = fromJson('ubii.processing.ProcessingMode', { lockstep: {} });
 
@@ -41,8 +41,8 @@ function isFault(thrown: unknown): thrown is ModuleFault {
 }
 
 /**
- * One module in this page's sandbox, beside every session: step by step, or as its mode says. The same
- * runtime as on every node; only what goes in and comes out stays here.
+ * Runs one module in this page's sandbox, without a session: step by step, or in its processing mode. Uses the same
+ * runtime as all nodes; inputs and outputs stay in this page.
  */
 export class TryRun {
   readonly topics: TryTopics;
@@ -51,7 +51,7 @@ export class TryRun {
   #status: TryStatus = 'off';
   #mode: ProcessingMode | undefined = undefined;
   #isEnding = false;
-  /** The end of this instance was told. */
+  /** True after the end of this instance was reported. */
   #wasTold = false;
 
   constructor(
@@ -73,9 +73,9 @@ export class TryRun {
         () => events.onFailedRun(),
       ),
       libraries: [],
-      // What is killed stays so: a person looks at it
+      // Do not restart killed modules, so that the user can examine the problem.
       limits: { maxRestarts: 0 },
-      // What the one before still has to say is not about this one.
+      // Ignore events of the previous instance.
       onEvent: (event) => this.#isEnding || events.onEvent(event),
       onStatus: (_id, _status, fault) => {
         if (!fault || this.#wasTold) return;
@@ -90,7 +90,7 @@ export class TryRun {
     return this.#status;
   }
 
-  /** Makes a new instance; what was there is destroyed. @returns whether it could be made */
+  /** Creates a new instance and destroys the previous one. @returns whether it could be created */
   async open(module: ProcessingModule, mapping: IOMapping): Promise<boolean> {
     this.#move('starting');
     this.#isEnding = true;
@@ -100,7 +100,7 @@ export class TryRun {
     this.#mode = module.processingMode;
     const spec = { ...module, id: TRY_ID, sessionId: TRY_ID, processingMode: LOCKSTEP };
     try {
-      // Libraries are the node's: here is none, and code that does without one can be tried
+      // Libraries are provided by nodes: here, code that works without them can be tried.
       const extension = spec.extension && { ...spec.extension, libraries: [] };
       await this.#runtime.create({
         module: { ...spec, extension },
@@ -109,7 +109,7 @@ export class TryRun {
       });
     } catch (thrown) {
       if (!isFault(thrown)) throw thrown;
-      // Most failures were told by the status already
+      // Most failures were reported by the status already.
       const isTold = this.#wasTold;
       this.#move('failed');
       if (!isTold) this.#events.onFault(thrown);
@@ -124,14 +124,14 @@ export class TryRun {
     this.#runtime.remap(TRY_ID, mapping);
   }
 
-  /** One run with the inputs as they are. */
+  /** Runs once with the current inputs. */
   async step(): Promise<void> {
     this.pause();
     const records = this.#runtime.lockstepInputs([TRY_ID]);
     await this.#runtime.runPass({ instanceIds: [TRY_ID], deltaTimeMs: STEP_MS, records });
   }
 
-  /** As its mode says. In lockstep, this page gives the passes. */
+  /** Runs in the processing mode. This page triggers the passes for lockstep. */
   run(): void {
     if (this.#status !== 'ready') return;
     this.#runtime.setMode(TRY_ID, this.#mode);
@@ -142,20 +142,20 @@ export class TryRun {
     return this.#mode?.lockstep !== undefined;
   }
 
-  /** One pass of a module that runs in lockstep. */
+  /** Runs one pass of a module in lockstep. */
   async pass(deltaTimeMs: number): Promise<void> {
     const records = this.#runtime.lockstepInputs([TRY_ID]);
     await this.#runtime.runPass({ instanceIds: [TRY_ID], deltaTimeMs, records });
   }
 
-  /** Keeps its state. */
+  /** Pauses and keeps the state. */
   pause(): void {
     if (this.#status !== 'running') return;
     this.#runtime.setMode(TRY_ID, LOCKSTEP);
     this.#move('ready');
   }
 
-  /** Ends it with what it keeps. */
+  /** Ends the run and releases its resources. */
   async close(): Promise<void> {
     await this.#runtime.close();
     this.#move('off');

@@ -21,7 +21,7 @@ function matcher(selector: TopicSelector, patterns: PatternCompiler): (topic: st
   }
 }
 
-/** The topics a module sees while it is tried: of this page alone, nothing reaches the master. */
+/** Topics of the try-out, in this page only; nothing is sent to the master. */
 export class TryTopics implements TopicPort {
   readonly #records = new Map<string, EncodedRecord>();
   readonly #subscriptions = new Set<Subscription>();
@@ -40,7 +40,7 @@ export class TryTopics implements TopicPort {
     return () => void this.#subscriptions.delete(subscription);
   }
 
-  /** What a module puts out is taken from its sandbox; it goes nowhere. */
+  /** Drops outputs, which are observed at the sandbox. */
   publish(): undefined {
     return undefined;
   }
@@ -53,7 +53,7 @@ export class TryTopics implements TopicPort {
     }
   }
 
-  /** Forgets the values of topics that are not among these. */
+  /** Removes the values of topics that are not among these. */
   keepOnly(topics: ReadonlySet<string>): void {
     for (const topic of [...this.#records.keys()]) {
       if (topics.has(topic) || !this.#records.delete(topic)) continue;

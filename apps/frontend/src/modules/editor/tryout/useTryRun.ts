@@ -21,17 +21,17 @@ import { moduleOf, type ModuleDraft } from '../draft/module-draft.ts';
 import { newTryInput, recordsOf, tryMapping, type TryInput } from './try-input.ts';
 import { TryRun, type TryStatus } from './try-run.ts';
 
-/** What one output gave last. */
+/** Newest value of an output. */
 export interface TryOutput {
   readonly records: readonly { readonly record: TopicRecord; readonly name: string }[];
-  /** The first number of the values before, oldest first. */
+  /** First number of previous values, oldest first. */
   readonly series: readonly number[];
 }
 
-/** How the newest runs did. */
+/** Statistics of recent runs. */
 export interface TryRuns {
   readonly count: number;
-  /** Milliseconds of the newest ones, oldest first. */
+  /** Durations of recent runs, milliseconds, oldest first. */
   readonly durationsMs: readonly number[];
 }
 
@@ -40,9 +40,9 @@ export interface TrySession {
   readonly runs: Readonly<ShallowRef<TryRuns>>;
   readonly outputs: Readonly<ShallowRef<ReadonlyMap<string, TryOutput>>>;
   readonly events: Readonly<ShallowRef<readonly ModuleEvent[]>>;
-  /** Why it ended: it was killed, or could not be made. */
+  /** Reason why it ended: killed, or could not be created. */
   readonly fault: Readonly<ShallowRef<ModuleFault | undefined>>;
-  /** The code, inputs, outputs or mode changed since it was started. */
+  /** True when code, inputs, outputs or mode changed since the start. */
   readonly isOutdated: ComputedRef<boolean>;
   readonly inputProblems: ComputedRef<ReadonlyMap<string, string>>;
   inputOf(name: string): TryInput | undefined;
@@ -50,16 +50,16 @@ export interface TrySession {
   step(): Promise<void>;
   run(): Promise<void>;
   pause(): void;
-  /** With an empty state. What ran goes on running. */
+  /** Restarts with an empty state; continues running if it was. */
   restart(): Promise<void>;
 }
 
-/** Runs that are drawn. */
+/** Most runs in the chart. */
 const MAX_DURATIONS = 64;
 const MAX_SERIES = 120;
-/** Passes of a module in lockstep, as of a session that says nothing else. [SE-40] */
+/** Interval of lockstep passes, the default of sessions, milliseconds. [SE-40] */
 const PASS_MS = 1000 / 60;
-/** A pause in typing after which changed code runs, milliseconds. */
+/** Pause in typing after which changed code runs, milliseconds. */
 const RENEW_MS = 600;
 const NO_RUNS: TryRuns = { count: 0, durationsMs: [] };
 
@@ -84,7 +84,7 @@ export function useTryRun(
   let durations: number[] = [];
   let results = new Map<string, SandboxResult['outputs'][number]>();
   let waiting: ModuleEvent[] = [];
-  /** It was told to run, and neither paused nor stepped since; it may have ended by itself. */
+  /** True after it was started and neither paused nor stepped since; it may have ended by itself. */
   const isActive = shallowRef(false);
   let passes: ReturnType<typeof setInterval> | undefined;
   const endPasses = (): void => clearInterval(passes);
@@ -118,7 +118,7 @@ export function useTryRun(
             draw();
           },
           onEvent(event) {
-            // The one that gave up says what the kill said
+            // `FAILED` repeats the message of the preceding kill.
             if (event.kind === ModuleEventKind.FAILED) return;
             waiting.push(event);
             draw();
@@ -167,7 +167,7 @@ export function useTryRun(
   }
   const mapping = () => tryMapping(draft(), inputOf);
 
-  // What is typed counts at once, as if it had been published
+  // Typed values apply at once, as if they were published.
   watch(
     () => JSON.stringify([...inputs.values()]),
     async () => {
@@ -178,7 +178,7 @@ export function useTryRun(
     },
   );
 
-  // Live topics: the newest values of the master, while the pane is visible
+  // Newest records of live topics, while the pane is visible.
   useTopic(lives, {
     encoded: true,
     keep: 0,
@@ -201,7 +201,7 @@ export function useTryRun(
     putAll(run);
     await run.open(moduleOf(draft()), mapping());
   }
-  /** Creates it again; what ran goes on running. */
+  /** Creates it again; continues running if it was. */
   async function renew(): Promise<void> {
     const wasRunning = isActive.value;
     endPasses();
@@ -210,7 +210,7 @@ export function useTryRun(
   }
   const isOutdated = computed(() => status.value !== 'off' && opened.value !== what());
 
-  // Code that was corrected counts while it runs, as in sessions. [SE-26]
+  // Changed code applies while running, as in sessions. [SE-26]
   watchDebounced(
     what,
     async () => {
@@ -229,7 +229,7 @@ export function useTryRun(
     isActive.value = true;
     const run = await ready();
     run.run();
-    // What waits for its inputs runs once with those that are there.
+    // Triggers modules that wait for inputs with the current ones.
     putAll(run);
     endPasses();
     if (!run.isLockstep || run.status !== 'running') return;

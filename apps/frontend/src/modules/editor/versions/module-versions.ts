@@ -6,12 +6,12 @@ import {
   type ProcessingModule,
 } from '@ubii/proto';
 
-/** Earlier versions of a module, or why there are none to show. */
+/** Earlier versions of a module, or the reason why there are none. */
 export type VersionList =
   | { readonly kind: 'list'; readonly versions: readonly ModuleVersion[] }
   | { readonly kind: 'none'; readonly sentence: string };
 
-/** Where a version is from, for people. */
+/** Display texts of the origins of versions. */
 export const VERSION_ORIGINS: Readonly<Record<ModuleVersionOrigin, string>> = {
   [ModuleVersionOrigin.SAVED]: 'saved',
   [ModuleVersionOrigin.FILE]: 'file changed on disk',
@@ -44,7 +44,7 @@ export async function listVersions(client: UbiiClient, name: string): Promise<Ve
   }
 }
 
-/** The module as it was; `undefined` when it is not kept any more. @throws ServiceError, ConnectionError */
+/** Returns an earlier version; `undefined` when it is no longer stored. @throws ServiceError, ConnectionError */
 export async function readVersion(
   client: UbiiClient,
   name: string,
