@@ -1,26 +1,26 @@
 import type { Figure } from '../measure/findings.ts';
 import type { TestResult } from '../results/test-result.ts';
 
-/** A figure of one run beside the first run's. */
+/** Figure of a run, compared with the first run. */
 export interface ComparedCell {
   readonly figure: Figure;
-  /** Change against the first run, percent; `undefined` in the first, and where it had 0. */
+  /** Change relative to the first run, percent; `undefined` in the first run, and when its figure is 0. */
   readonly changePercent: number | undefined;
-  /** What the change is, when it is more than chance alone makes. */
+  /** Direction of the change, if it exceeds random variation. */
   readonly change: 'better' | 'worse' | undefined;
 }
 
 export interface ComparedRow {
   readonly key: string;
   readonly label: string;
-  /** One for each run; `undefined` where it was not measured. */
+  /** One cell per run; `undefined` where it was not measured. */
   readonly cells: readonly (ComparedCell | undefined)[];
 }
 
-/** Runs of one test on one machine differ by so much without a reason, percent. */
+/** Random variation between runs of a test on one computer, percent. */
 const CHANCE_PERCENT = 10;
 
-/** One row for each figure, in the order of the runs. */
+/** Returns one row per figure, with cells in the order of the runs. */
 export function compareFigures(runs: readonly TestResult[]): ComparedRow[] {
   const rows = new Map<string, string>();
   for (const { findings } of runs) {
@@ -52,18 +52,18 @@ function compared(figure: Figure, first: Figure | undefined): ComparedCell {
   };
 }
 
-/** What was chosen and what was so, side by side. */
+/** Parameter or circumstance of several runs. */
 export interface ComparedFact {
   readonly key: string;
   readonly label: string;
   readonly values: readonly string[];
-  /** The runs differ in it: it may be why the numbers do. */
+  /** True when the runs differ, which may explain different figures. */
   readonly differs: boolean;
 }
 
 const NO_FACT = '–';
 
-/** Parameters, then circumstances; those that differ first. */
+/** Returns parameters, then circumstances; differing ones first. */
 export function compareFacts(runs: readonly TestResult[]): ComparedFact[] {
   const factsOf = ({ parameters, circumstances }: TestResult) => [
     ...parameters.map(({ key, label, value, unit }) => ({

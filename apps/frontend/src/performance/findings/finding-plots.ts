@@ -3,7 +3,7 @@ import type { Curve, Findings, Histogram } from '../measure/findings.ts';
 import { formatAxisNumber } from '../../ui/plot/axis-numbers.ts';
 import { plotStroke, type PlotChart } from '../../ui/plot/plot-chart.ts';
 
-/** A chart with its words. */
+/** A chart with its texts. */
 export interface FindingPlot {
   readonly key: string;
   readonly title: string;
@@ -11,13 +11,13 @@ export interface FindingPlot {
   readonly chart: PlotChart;
 }
 
-/** A run as one of several in a chart. */
+/** A run in a chart of several. */
 export interface PlottedRun {
   readonly name: string;
   readonly findings: Findings;
 }
 
-/** The charts of one run, or of several laid over each other: what they have in common by key. */
+/** Returns the charts of one or several runs; charts of the same key are overlaid. */
 export function findingPlots(runs: readonly PlottedRun[]): FindingPlot[] {
   const keysOf = (list: (findings: Findings) => readonly { readonly key: string }[]) => [
     ...new Set(runs.flatMap(({ findings }) => list(findings).map(({ key }) => key))),
@@ -42,7 +42,7 @@ export function findingPlots(runs: readonly PlottedRun[]): FindingPlot[] {
   ];
 }
 
-/** Shares in percent, so that runs of different lengths can be laid over each other. */
+/** Uses percentages, so that runs of different lengths are comparable. */
 function histogramPlot(
   runs: readonly { readonly name: string; readonly histogram: Histogram }[],
 ): FindingPlot {
@@ -51,7 +51,7 @@ function histogramPlot(
   const to = Math.max(
     ...runs.map(({ histogram }) => histogram.firstBin + histogram.counts.length - 1),
   );
-  // An empty bin at each side: the steps begin and end at the ground
+  // An empty bin at each side, so that the steps start and end at zero.
   const bins = Array.from({ length: to - from + 3 }, (_, index) => from - 1 + index);
   const isAlone = runs.length === 1;
   const summaries: string[] = [];
@@ -82,7 +82,7 @@ function histogramPlot(
   };
 }
 
-/** What is in the first bin is faster than can be told. */
+/** The first bin includes durations below the resolution. */
 const edge = (bin: number): string => (bin === 0 ? '0' : formatAxisNumber(binStartMs(bin)));
 
 function curvePlot(runs: readonly { readonly name: string; readonly curve: Curve }[]): FindingPlot {
@@ -120,10 +120,10 @@ function curvePlot(runs: readonly { readonly name: string; readonly curve: Curve
   };
 }
 
-/** With few points each is drawn: a line between two of them says less than they do. */
+/** Most points that are drawn individually; a line between few points says less. */
 const MAX_POINTS_DRAWN = 30;
 
-/** Values at every x of all runs; between two of its own a run is drawn straight, outside it has none. */
+/** Returns values at all x of all runs: interpolated between points of a run, none outside. */
 function joined(x: readonly number[], byX: ReadonlyMap<number, number | null>): (number | null)[] {
   const own = [...byX.keys()].sort((a, b) => a - b);
   return x.map((at) => {

@@ -2,7 +2,7 @@ import { useLocalStorage } from '@vueuse/core';
 import { computed, reactive } from 'vue';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
-/** A number field: what is written, what it says, and what is wrong with it. */
+/** State of a number field: its text, its value, and its error. */
 export interface NumberField {
   text: string;
   /** The number; `undefined` while there is an error. */
@@ -11,8 +11,8 @@ export interface NumberField {
 }
 
 /**
- * A number that is remembered in this browser.
- * @param key of the storage
+ * Number field whose value is stored in this browser.
+ * @param key of `localStorage`
  */
 export function useNumber(
   key: string,

@@ -1,47 +1,47 @@
-/** What one step of the ramp gave. */
+/** Measurements of a step of the ramp. */
 export interface LoadStep {
-  /** Records per second that were asked for. */
+  /** Requested records per second. */
   readonly wantedHz: number;
-  /** Records per second that were published. */
+  /** Published records per second. */
   readonly sentHz: number;
   /** Deliveries per second. */
   readonly deliveredHz: number;
-  /** Share of the deliveries that did not come, 0 to 1. */
+  /** Share of deliveries that did not arrive, 0 to 1. */
   readonly lostShare: number;
   readonly p50Ms: number;
   readonly p95Ms: number;
   readonly p99Ms: number;
-  /** How late a timer of the load generator was, milliseconds: how busy the browser itself was. */
+  /** Timer delay in the load generator, milliseconds: a measure of how busy the browser itself was. */
   readonly lagP95Ms: number;
-  /** Share of one core the master used, percent; `undefined` when it did not say. */
+  /** CPU use of the master, percent of one core; `undefined` when it does not report it. */
   readonly masterCpuPercent: number | undefined;
 }
 
-/** What kept a step from being as the ones before. */
+/** Reason why a step is worse than the previous ones. */
 export type StepTrouble = 'latency' | 'losses' | 'browser';
 
 export interface Knee {
-  /** Index of the last step that was fine; -1 when none was. */
+  /** Index of the last good step; -1 when there was none. */
   readonly lastGood: number;
-  /** Index of the first that was not; `undefined` when all were fine. */
+  /** Index of the first bad step; `undefined` when all were good. */
   readonly firstBad: number | undefined;
   readonly trouble: StepTrouble | undefined;
-  /** The browser was the limit: the system may take more than this page can make. */
+  /** True when the browser was the limit: the system may handle more than this page can generate. */
   readonly isBrowser: boolean;
 }
 
-/** Latency has risen when p95 is this many times that of the quietest step before, */
+/** Latency has increased when p95 is this many times the lowest of the previous steps, */
 const RISE = 3;
-/** and at least so much more, milliseconds: below that people and timers see no difference. */
+/** and at least by this, milliseconds: smaller differences are below the resolution of timers. */
 const MIN_RISE_MS = 5;
-/** More than this share of the deliveries lost is no load that works. */
+/** Highest acceptable share of lost deliveries. */
 const MAX_LOST = 0.005;
-/** Less than this share of the wanted rate published: the browser cannot make it. */
+/** Lowest share of the requested rate that must be published; below, the browser is the limit. */
 const MIN_SENT = 0.9;
-/** Lag of the load generator that explains this share of the risen latency. */
+/** Share of the latency increase that the delay of the load generator must explain. */
 const LAG_SHARE = 0.5;
 
-/** What is wrong with a step, beside the lowest p95 of the steps before. */
+/** Returns the problem of a step, compared with the lowest p95 of the previous steps. */
 export function troubleOf(step: LoadStep, lowestP95Ms: number): StepTrouble | undefined {
   if (step.sentHz < MIN_SENT * step.wantedHz) return 'browser';
   if (step.lostShare > MAX_LOST) return 'losses';
@@ -50,8 +50,8 @@ export function troubleOf(step: LoadStep, lowestP95Ms: number): StepTrouble | un
 }
 
 /**
- * Finds where latency begins to rise: the last fine step before two that are not, so that one hiccup
- * is no knee; at the end of the ramp one is enough.
+ * Finds the step where latency starts to increase: the last good one before two consecutive bad ones, so that a single
+ * outlier is ignored; at the end of the ramp one suffices.
  */
 export function findKnee(steps: readonly LoadStep[]): Knee {
   let lowestP95Ms = Infinity;

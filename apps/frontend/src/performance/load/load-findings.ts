@@ -2,10 +2,10 @@ import { NO_FINDINGS, type Figure, type Findings } from '../measure/findings.ts'
 import { findKnee, type Knee, type LoadStep } from './knee.ts';
 import type { LoadParameters } from './load-parameters.ts';
 
-/** The master is at its limit when it uses this much of its one core, percent. */
+/** CPU use from which the master is at its limit, percent of one core. */
 const MASTER_BUSY_PERCENT = 85;
 
-/** What the steps so far say. */
+/** Returns the findings of the steps so far. */
 export function loadFindings({ sizeBytes }: LoadParameters, steps: readonly LoadStep[]): Findings {
   if (steps.length === 0) return NO_FINDINGS;
   const knee = findKnee(steps);
@@ -118,7 +118,7 @@ function kneeFigures(
   ];
 }
 
-/** Where it bends and who is the limit, as sentences. */
+/** Describes the knee and the limiting component in sentences. */
 function kneeNote({ firstBad, lastGood, trouble, isBrowser }: Knee, steps: readonly LoadStep[]) {
   const last = steps.at(-1)!;
   if (firstBad === undefined) {

@@ -1,21 +1,21 @@
-/** How much, how often, by how many. */
+/** Parameters of the load test. */
 export interface LoadParameters {
-  /** Bytes of each record's value. */
+  /** Size of each record's value, bytes. */
   readonly sizeBytes: number;
-  /** Connections, each with its own client. */
+  /** Number of connections, each with its own client. */
   readonly clients: number;
-  /** Who gets each record: the next client, or all of them. */
+  /** Receivers of each record: the next client, or all. */
   readonly receivers: 'one' | 'all';
-  /** Records per second of all clients together, first step. */
+  /** Total rate of all clients in the first step, records per second. */
   readonly fromHz: number;
-  /** Records per second of all clients together, at most. */
+  /** Highest total rate of all clients, records per second. */
   readonly toHz: number;
-  /** Each step is so many times the one before. */
+  /** Ratio of the rates of consecutive steps. */
   readonly factor: number;
   readonly secondsPerStep: number;
 }
 
-/** The rates of a ramp, ascending; the last is `toHz`. */
+/** Returns the rates of a ramp, ascending; the last is `toHz`. */
 export function rampOf({ fromHz, toHz, factor }: LoadParameters): number[] {
   const rates: number[] = [];
   for (let rate = fromHz; rate < toHz; rate *= factor) rates.push(roundRate(rate));
@@ -23,7 +23,7 @@ export function rampOf({ fromHz, toHz, factor }: LoadParameters): number[] {
   return [...new Set(rates)];
 }
 
-/** Two digits: `170`, `2 300`. */
+/** Rounds to two significant digits: `170`, `2 300`. */
 function roundRate(rate: number): number {
   const digit = 10 ** Math.max(0, Math.floor(Math.log10(rate)) - 1);
   return Math.round(rate / digit) * digit;

@@ -1,4 +1,4 @@
-/** Worker of the load test: its clients live here, so that drawing the page does not slow them down. */
+/** Worker of the load test, which runs its clients, so that rendering of the page does not slow them down. */
 import { createClient, type UbiiClient } from '@ubii/client-web';
 import { Image2DDataFormat } from '@ubii/proto';
 import { systemClock } from '@ubii/timing/system';
@@ -70,7 +70,7 @@ async function leave(opened: readonly UbiiClient[]): Promise<void> {
   }
 }
 
-/** Each publishes on a topic of its own, and gets those it should. */
+/** Each client publishes on its own topic, and subscribes to the topics of its senders. */
 async function connectAll(
   opened: readonly UbiiClient[],
   { sizeBytes, receivers }: LoadParameters,
@@ -101,7 +101,7 @@ async function connectAll(
   );
 }
 
-/** A value of any size is a picture of one line; its first bytes are the numbers. */
+/** A value of any size: a picture of one row, with the numbers in its first bytes. */
 function numberedBytes(sizeBytes: number) {
   const data = new Uint8Array(sizeBytes).fill(0x55);
   const view = new DataView(data.buffer);

@@ -14,7 +14,7 @@ const PARAMETERS: LoadParameters = {
   secondsPerStep: 1,
 };
 
-/** A master that takes 2 ms as long as it gets less than so many a second, and piles up beyond. */
+/** Simulates a master with a latency of 2 ms up to a rate, and a growing queue above it. */
 function setup(limitHz: number, parameters = PARAMETERS) {
   const clock = new FakeClock();
   const stop = new AbortController();

@@ -6,34 +6,34 @@ import { findKnee, type LoadStep } from './knee.ts';
 import { loadFindings } from './load-findings.ts';
 import { rampOf, type LoadParameters } from './load-parameters.ts';
 
-/** One connection of the test. */
+/** A connection of the test. */
 export interface LoadClient {
   /**
-   * Publishes a record of the wanted size with this number.
-   * @param isLast nothing follows in this turn: everything leaves now, as one message
+   * Publishes a record of the requested size with this number.
+   * @param isLast last record in this turn of the event loop: sends all of them now, as one message
    */
   publish(sequence: number, isLast: boolean): void;
-  /** Every record it gets: number of the client that published it, and the record's. */
+  /** Called for every received record: index of the publishing client, and number of the record. */
   onRecord(fn: (publisher: number, sequence: number) => void): void;
 }
 
 export interface LoadWorld {
   readonly clients: readonly LoadClient[];
-  /** Share of one core the master uses, percent; `undefined` when it does not say. */
+  /** CPU use of the master, percent of one core; `undefined` when it does not report it. */
   masterCpuPercent(): Promise<number | undefined>;
 }
 
 const TICK_MS = 4;
-/** Part of a step that is let pass before anything counts. */
+/** Share of a step that is not measured, for warming up. */
 const WARM_UP_SHARE = 0.25;
-/** What is not there by then is lost. */
+/** Time after which missing records count as lost, milliseconds. */
 const GRACE_MS = 1500;
-/** What a late timer may make up for at once, milliseconds of the rate. */
+/** Longest timer delay that is compensated at once, milliseconds. */
 const MAX_CATCH_UP_MS = 50;
-/** Records on their way that are remembered, for each client. */
+/** Most records per client that are tracked until they arrive. */
 const REMEMBERED = 1 << 17;
 
-/** Ramps the rate until latency rises or the end is reached, and finds the knee. */
+/** Increases the rate until latency increases or the maximum is reached, and finds the knee. */
 export async function measureLoad(
   parameters: LoadParameters,
   world: LoadWorld,
@@ -53,7 +53,7 @@ export async function measureLoad(
       });
     report(0);
     const step = await measureStep(wantedHz, parameters, world, traffic, run, report);
-    // A step that was broken off says nothing
+    // Ignore an aborted step.
     if (step === undefined) break;
     steps.push(step);
     findings = loadFindings(parameters, steps);
@@ -116,13 +116,13 @@ async function measureStep(
   };
 }
 
-/** Publishes in turn and times what comes. */
+/** Publishes by turns and measures the latency of received records. */
 class Traffic {
   readonly #clients: readonly LoadClient[];
   readonly #run: TestRun;
   readonly #sentMs: readonly Float64Array[];
   readonly #next: number[];
-  /** The first number of each client that counts, and the one after the last. */
+  /** First measured number of each client, and the number after the last. */
   #from: readonly number[] = [];
   #to: readonly number[] = [];
   #turn = 0;

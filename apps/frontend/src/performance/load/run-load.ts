@@ -5,10 +5,10 @@ import type { Leavings } from '../run/leavings.ts';
 import type { LoadParameters } from './load-parameters.ts';
 import type { FromLoadWorker, ToLoadWorker } from './worker-messages.ts';
 
-/** A worker that was told to stop and does not answer is ended. */
+/** Time after which a worker that does not stop is terminated, milliseconds. */
 const STOP_TIMEOUT_MS = 5000;
 
-/** Runs the load test in a worker, whose clients are gone afterwards. */
+/** Runs the load test in a worker, and removes its clients afterwards. */
 export async function runLoad(
   parameters: LoadParameters,
   client: Pick<UbiiClient, 'call'>,
@@ -53,11 +53,11 @@ export async function runLoad(
     });
   } finally {
     worker.terminate();
-    // Those that a worker had no time to take back
+    // Remove clients that the worker could not remove itself.
     for (const id of joined) {
       await client.call('clientDeregistration', { id }).then(
         () => leavings.drop(of(id)),
-        () => undefined, // gone already, or taken away on the next visit
+        () => undefined, // Already removed; otherwise it is removed on the next visit.
       );
     }
   }

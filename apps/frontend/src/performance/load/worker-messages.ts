@@ -7,7 +7,7 @@ export type ToLoadWorker =
   | { readonly kind: 'stop' };
 
 export type FromLoadWorker =
-  /** A client is registered, or gone. */
+  /** A client was registered or removed. */
   | { readonly kind: 'joined' | 'left'; readonly clientId: string }
   | { readonly kind: 'progress'; readonly progress: Progress }
   | { readonly kind: 'done'; readonly findings: Findings }

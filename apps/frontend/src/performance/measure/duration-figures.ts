@@ -8,15 +8,15 @@ const PARTS = [
   ['max', 'Slowest', 'maxMs'],
 ] as const satisfies readonly (readonly [string, string, keyof DurationSummary])[];
 
-/** A duration as a figure, milliseconds. */
+/** Creates a figure of a duration, milliseconds. */
 export function durationFigure(key: string, label: string, valueMs: number): Figure {
   return { key, label, value: valueMs, unit: 'ms', decimals: 2, better: 'less' };
 }
 
 /**
- * The percentiles of durations.
- * @param key begins the keys: `<key>.p50`
- * @param label begins the labels; empty for a test with one kind of duration
+ * Creates the figures of percentiles of durations.
+ * @param key prefix of the keys: `<key>.p50`
+ * @param label prefix of the labels; empty for a test with one kind of duration
  */
 export function durationFigures(
   key: string,

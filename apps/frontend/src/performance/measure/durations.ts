@@ -1,4 +1,4 @@
-/** Percentiles of many durations, milliseconds. */
+/** Percentiles of durations, milliseconds. */
 export interface DurationSummary {
   readonly count: number;
   readonly minMs: number;
@@ -7,34 +7,34 @@ export interface DurationSummary {
   readonly p95Ms: number;
   readonly p99Ms: number;
   readonly maxMs: number;
-  /** Mean difference of one duration to the next, as in RFC 3550 without its smoothing. */
+  /** Mean difference of consecutive durations, as in RFC 3550 without smoothing. */
   readonly jitterMs: number;
 }
 
-/** Past this many every second one is let go: percentiles hardly change, memory stays. 1.6 MB. */
+/** Number of samples from which every second one is dropped, to bound memory (1.6 MB); percentiles hardly change. */
 const MAX_SAMPLES = 200_000;
 
-/** Durations with the moments they ended at, in the order they came. */
+/** Durations with their end times, in order of arrival. */
 export class Durations {
   readonly #moments: number[] = [];
   readonly #durations: number[] = [];
-  /** Of so many one is kept. */
+  /** One of this many samples is kept. */
   #keptOf = 1;
   #seen = 0;
   #last: number | undefined;
   #differences = 0;
 
-  /** All that were added, those let go included. */
+  /** Number of all added samples, including dropped ones. */
   get count(): number {
     return this.#seen;
   }
 
-  /** Those that are kept, milliseconds. */
+  /** Kept samples, milliseconds. */
   get values(): readonly number[] {
     return this.#durations;
   }
 
-  /** The moments of `values`, any clock, milliseconds. */
+  /** Times of `values`, of any clock, milliseconds. */
   get moments(): readonly number[] {
     return this.#moments;
   }
@@ -48,7 +48,7 @@ export class Durations {
     if (this.#durations.length > MAX_SAMPLES) this.#halve();
   }
 
-  /** `undefined` before the first. */
+  /** `undefined` without samples. */
   summary(): DurationSummary | undefined {
     if (this.#durations.length === 0) return undefined;
     const sorted = Float64Array.from(this.#durations).sort();
@@ -77,14 +77,14 @@ export class Durations {
 }
 
 /**
- * The smallest value that at least this share of all does not exceed (nearest rank).
+ * Returns the smallest value that at least this share of all values does not exceed (nearest rank).
  * @param sorted ascending, not empty
  */
 export function percentile(sorted: ArrayLike<number>, share: number): number {
   return sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)]!;
 }
 
-/** The middle value; `undefined` of none. */
+/** Median; `undefined` without values. */
 export function median(values: readonly number[]): number | undefined {
   if (values.length === 0) return undefined;
   return percentile(

@@ -1,12 +1,12 @@
 import type { Histogram } from './findings.ts';
 
 /**
- * All histograms have the same bins, so that any two runs can be laid over each other: 20 a decade
- * from 10 µs on, each 12 % wider than the one before. What is faster is in bin 0.
+ * All histograms have the same bins, so that any two runs can be overlaid: 20 per decade from 10 µs on, each 12 % wider
+ * than the previous one. Shorter durations are in bin 0.
  */
 const FIRST_EDGE_MS = 0.01;
 const BINS_PER_DECADE = 20;
-/** The last bin begins at 100 s. */
+/** The last bin starts at 100 s. */
 const LAST_BIN = 7 * BINS_PER_DECADE;
 
 /** Lower edge of a bin, milliseconds. */
@@ -16,7 +16,7 @@ export function binStartMs(bin: number): number {
 
 export function binOf(durationMs: number): number {
   if (!(durationMs > FIRST_EDGE_MS)) return 0;
-  // A hair above: an edge belongs to the bin it begins
+  // With a small offset: an edge belongs to the bin that it starts.
   const bin = Math.floor(BINS_PER_DECADE * Math.log10(durationMs / FIRST_EDGE_MS) + 1e-9);
   return Math.min(LAST_BIN, bin);
 }

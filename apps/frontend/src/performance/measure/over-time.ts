@@ -1,12 +1,12 @@
 import type { Curve } from './findings.ts';
 import { percentile, type Durations } from './durations.ts';
 
-/** Points of a curve over time: more than a screen can distinguish would only cost. */
+/** Most points of a curve; more cannot be distinguished on a screen. */
 const MAX_POINTS = 120;
-/** Stretches are at least this long, milliseconds. */
+/** Shortest interval that is summarised, milliseconds. */
 const MIN_STRETCH_MS = 250;
 
-/** Median and 95th percentile over time. A stretch in which nothing came is a gap. */
+/** Median and 95th percentile over time. Intervals without data are gaps. */
 export function overTime(
   key: string,
   title: string,

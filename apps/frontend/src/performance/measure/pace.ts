@@ -1,6 +1,6 @@
 /**
- * Says how many are due now, to keep a rate with timers that are late. What a late timer missed is
- * made up for, but never more than `maxAtOnce`: a burst would measure itself.
+ * Counts the records that are due, to keep a rate with late timers. Delays are compensated, but with at most
+ * `maxAtOnce` records: a burst would measure itself.
  */
 export class Pace {
   readonly #intervalMs: number;
@@ -14,7 +14,7 @@ export class Pace {
     this.#maxAtOnce = maxAtOnce;
   }
 
-  /** Those that were left out, because the timer was too late. */
+  /** Number of records skipped because the timer was too late. */
   get skipped(): number {
     return this.#skipped;
   }

@@ -1,25 +1,25 @@
 import type { Clock } from '@ubii/timing';
 import type { Findings } from './findings.ts';
 
-/** How far a running test is. */
+/** Progress of a running test. */
 export interface Progress {
   /** 0 to 1. */
   readonly share: number;
-  /** What is done now, a few words. */
+  /** Current step, a few words. */
   readonly words: string;
-  /** What is known so far. */
+  /** Findings so far. */
   readonly findings?: Findings | undefined;
 }
 
-/** What a test gets to run with. */
+/** Environment of a running test. */
 export interface TestRun {
   readonly clock: Clock;
-  /** Ends the test early; it then gives what it has found so far. */
+  /** Ends the test early; it returns its findings so far. */
   readonly signal: AbortSignal;
   report(progress: Progress): void;
 }
 
-/** Resolves after `ms`, or when the test is ended, whichever comes first. */
+/** Resolves after `ms`, or when the test is aborted. */
 export function wait(ms: number, { clock, signal }: Pick<TestRun, 'clock' | 'signal'>) {
   return new Promise<void>((resolve) => {
     if (signal.aborted) return resolve();
@@ -33,7 +33,7 @@ export function wait(ms: number, { clock, signal }: Pick<TestRun, 'clock' | 'sig
   });
 }
 
-/** Resolves when `isTrue` holds, the time is up, or the test is ended. Looks every `stepMs`. */
+/** Resolves when `isTrue` returns true, after the timeout, or when the test is aborted. Polls every `stepMs`. */
 export async function waitUntil(
   isTrue: () => boolean,
   timeoutMs: number,

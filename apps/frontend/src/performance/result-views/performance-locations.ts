@@ -1,11 +1,11 @@
 import type { RouteLocationRaw } from 'vue-router';
 
-/** Where one kept run is shown. */
+/** Location of a stored run. */
 export function resultLocation(id: string): RouteLocationRaw {
   return { path: `/performance/results/${encodeURIComponent(id)}` };
 }
 
-/** Where runs are compared; the first is what the others are compared with. */
+/** Location of a comparison; the first run is the reference. */
 export function compareLocation(ids: readonly string[]): RouteLocationRaw {
   return { path: '/performance/compare', query: { runs: ids.join(',') } };
 }

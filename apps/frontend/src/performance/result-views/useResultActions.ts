@@ -9,13 +9,13 @@ import type { TestResult } from '../results/test-result.ts';
 
 const MAX_FILE_NAME = 60;
 
-/** What people do with results. */
+/** Actions on results. */
 export function useResultActions(): {
   exportAs(format: 'json' | 'csv', results: readonly TestResult[]): void;
   remove(results: readonly TestResult[]): void;
-  /** Takes files of exported results in. @returns ids of the results in them */
+  /** Imports files of exported results. @returns ids of the results in them */
   importFiles(files: readonly TextFile[]): Promise<readonly string[]>;
-  /** What was wrong with the last file. */
+  /** Error of the last import. */
   readonly importFault: Readonly<ShallowRef<string | undefined>>;
 } {
   const { results: kept } = usePerformance();
@@ -48,7 +48,7 @@ export function useResultActions(): {
           importFault.value = `${name}: ${read.message}`;
           continue;
         }
-        // An id stands for one run, wherever it was exported: what is here already stays as it is
+        // Ids are globally unique: runs that exist already are not replaced.
         await kept.put(...read.value.filter(({ id }) => kept.find(id) === undefined));
         ids.push(...read.value.map(({ id }) => id));
       }

@@ -2,27 +2,27 @@ import { shallowRef, type ShallowRef } from 'vue';
 import type { ResultStore } from './result-store.ts';
 import type { TestResult } from './test-result.ts';
 
-/** Some tens of KiB each; more than people compare. The oldest goes for a new one. */
+/** Most stored results, some tens of KiB each; the oldest is evicted. */
 export const MAX_RESULTS = 100;
 
-/** The results of this browser. */
+/** Results stored in this browser. */
 export interface KeptResults {
   /** Newest first; `undefined` until they are loaded. */
   readonly list: Readonly<ShallowRef<readonly TestResult[] | undefined>>;
-  /** Why they cannot be kept; they are there until the page is left. */
+  /** Reason why results cannot be stored; they are kept until the page is left. */
   readonly trouble: Readonly<ShallowRef<string | undefined>>;
   find(id: string): TestResult | undefined;
   /** Adds results, or replaces those with the same id. */
   put(...results: readonly TestResult[]): Promise<void>;
   rename(id: string, name: string): Promise<void>;
   remove(ids: readonly string[]): Promise<void>;
-  /** Resolves when what was kept before is in the list. */
+  /** Resolves when the stored results are loaded. */
   readonly ready: Promise<void>;
 }
 
 const newestFirst = (a: TestResult, b: TestResult): number => b.startedMs - a.startedMs;
 
-/** @param open where they are kept; when it fails, they are kept by the page alone */
+/** @param open opens the storage; when it fails, results are kept in memory only */
 export function createKeptResults(open: () => Promise<ResultStore>): KeptResults {
   const list = shallowRef<readonly TestResult[]>();
   const trouble = shallowRef<string>();

@@ -6,7 +6,7 @@ import type { TestResult } from './test-result.ts';
 
 const FORMAT = 'ubi-interact-performance';
 const FORMAT_VERSION = 1;
-/** Results of one file: as many as are kept. */
+/** Most results per file, the same as stored. */
 export const MAX_RESULTS_OF_FILE = 100;
 
 const RESULTS: ImportKind = {
@@ -22,19 +22,19 @@ const RESULTS_FILE = v.pipe(
   v.transform(({ results }) => results),
 );
 
-/** Results as a JSON file: everything, to be imported again. */
+/** Exports complete results as JSON, for import. */
 export function resultsToJson(results: readonly TestResult[]): string {
   return `${JSON.stringify({ format: FORMAT, formatVersion: FORMAT_VERSION, results }, undefined, 2)}\n`;
 }
 
-/** Reads what `resultsToJson` wrote. */
+/** Parses the output of `resultsToJson`. */
 export function resultsFromJson(text: string): Imported<readonly TestResult[]> {
   return readImported(RESULTS, RESULTS_FILE, text);
 }
 
 const HEAD = ['result', 'test', 'started', 'section', 'key', 'label', 'x', 'value', 'unit'];
 
-/** Results as a table in the long form: one value a line, for spreadsheets and statistics programs. */
+/** Exports results as CSV in long form: one value per line, for spreadsheets and statistics programs. */
 export function resultsToCsv(results: readonly TestResult[]): string {
   const lines = [HEAD, ...results.flatMap(linesOf)];
   return `${lines.map((line) => line.map(csvField).join(',')).join('\r\n')}\r\n`;
@@ -72,7 +72,7 @@ function linesOf(result: TestResult): Cell[][] {
 
 const rounded = (value: number): number => Number(value.toPrecision(4));
 
-/** RFC 4180; what a spreadsheet would take for a formula is kept from it. */
+/** Escapes a field (RFC 4180) and prevents spreadsheets from evaluating it as a formula. */
 function csvField(value: Cell): string {
   if (typeof value === 'number') return String(value);
   const safe = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;

@@ -3,7 +3,7 @@ import { finite, textUpTo } from '../../json/schemas.ts';
 import { TEST_KINDS } from '../measure/findings.ts';
 import type { TestResult } from './test-result.ts';
 
-/** Longer lists and texts are no result of ours. */
+/** Limits for lists and texts of valid results. */
 const MAX_LIST = 10_000;
 const MAX_TEXT_CHARS = 2_000;
 const MAX_DECIMALS = 6;
@@ -37,7 +37,7 @@ const CURVE = v.object({
   isLogarithmic: v.optional(v.boolean()),
 });
 
-/** A result in a file or in the storage of the browser; members that are not known are left out. */
+/** Schema of results in files and storage; unknown members are dropped. */
 export const RESULT: v.GenericSchema<unknown, TestResult> = v.object({
   id: text,
   kind: v.picklist(TEST_KINDS),

@@ -6,15 +6,15 @@ const DATABASE = 'ubii.performance';
 const STORE = 'results';
 const VERSION = 1;
 
-/** Where results are kept between visits. */
+/** Persistent storage of results. */
 export interface ResultStore {
-  /** All that can be read. */
+  /** Returns all readable results. */
   load(): Promise<TestResult[]>;
   put(result: TestResult): Promise<void>;
   remove(ids: readonly string[]): Promise<void>;
 }
 
-/** In this browser, for this master's origin. @throws DOMException where the browser keeps nothing */
+/** Opens the storage of this browser for this master's origin. @throws DOMException when storage is not available */
 export async function openResultStore(): Promise<ResultStore> {
   const database = await opened();
   const change = (work: (store: IDBObjectStore) => void): Promise<void> =>
@@ -30,7 +30,7 @@ export async function openResultStore(): Promise<ResultStore> {
       const all = await answer<unknown[]>(
         database.transaction(STORE, 'readonly').objectStore(STORE).getAll(),
       );
-      // Without results of another version of this page.
+      // Skips results of other versions of this page.
       return all.flatMap((value) => storedValue(RESULT, value) ?? []);
     },
     put: (result) => change((store) => store.put(result)),

@@ -1,6 +1,6 @@
 import type { Findings, TestKind } from '../measure/findings.ts';
 
-/** What was chosen for a run. */
+/** Parameter of a run. */
 export interface Parameter {
   readonly key: string;
   readonly label: string;
@@ -8,23 +8,23 @@ export interface Parameter {
   readonly unit?: string;
 }
 
-/** What was so, and may explain a number: browser, master, load. */
+/** Circumstance that may explain a figure: browser, master, load. */
 export interface Circumstance {
   readonly key: string;
   readonly label: string;
   readonly value: string;
 }
 
-/** How a run ended. What it measured until then counts in each case. */
+/** How a run ended. Measurements until then count in each case. */
 export type TestEnd = 'complete' | 'stopped' | 'disconnected';
 
-/** One run of a test, as it is kept, compared and exported. */
+/** Run of a test, as stored, compared and exported. */
 export interface TestResult {
   readonly id: string;
   readonly kind: TestKind;
-  /** People's own; at first the test and the moment. */
+  /** Name, editable; by default the test and the time. */
   readonly name: string;
-  /** Milliseconds since the Unix epoch, this machine's clock. */
+  /** Epoch milliseconds, this computer's clock. */
   readonly startedMs: number;
   readonly durationMs: number;
   readonly ended: TestEnd;

@@ -10,7 +10,7 @@ import {
 
 const PARAMETERS: RoundTripParameters = { ways: ['immediate'], rateHz: 100, seconds: 2 };
 
-/** A master that echoes after so long; `undefined`: never. */
+/** Simulates a master that echoes after a delay; `undefined`: never. */
 function setup(delayMs: (sequence: number) => number | undefined, parameters = PARAMETERS) {
   const clock = new FakeClock();
   const stop = new AbortController();
@@ -82,7 +82,7 @@ describe('round trip', () => {
     const found = await findings;
     expect(figure(found, 'immediate.sent')).toBeGreaterThan(50);
     expect(figure(found, 'immediate.lost')).toBeUndefined();
-    // Echoes that are still under way are the only timers
+    // Only the pending echoes have timers left.
     await clock.advance(10);
     expect(clock.timerCount).toBe(0);
   });

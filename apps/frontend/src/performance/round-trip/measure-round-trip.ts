@@ -6,30 +6,30 @@ import { overTime } from '../measure/over-time.ts';
 import { Pace } from '../measure/pace.ts';
 import { wait, waitUntil, type TestRun } from '../measure/test-run.ts';
 
-/** How a record leaves: at once, or with the next flush of the client. */
+/** Way of publishing: at once, or with the next flush of the client. */
 export type PublishWay = 'immediate' | 'aggregated';
 
 export interface RoundTripParameters {
   readonly ways: readonly PublishWay[];
-  /** Records per second, in each way. */
+  /** Records per second, for each way of publishing. */
   readonly rateHz: number;
-  /** How long each way is measured, seconds. */
+  /** Duration per way of publishing, seconds. */
   readonly seconds: number;
 }
 
-/** A topic that one publishes on and subscribes to. */
+/** Topic with publishing and subscription. */
 export interface EchoTopic {
   publish(sequence: number, way: PublishWay): void;
   onEcho(fn: (sequence: number) => void): void;
 }
 
-/** Connections and compilers get warm before anything counts. */
+/** Time before the measurement, for connection and compiler to warm up, milliseconds. */
 const WARM_UP_MS = 300;
-/** What is not back by then is lost. */
+/** Time after which missing records count as lost, milliseconds. */
 const GRACE_MS = 2000;
 const TICK_MS = 4;
 const REPORT_MS = 500;
-/** What a late timer may make up for at once. */
+/** Most records published at once after a timer delay. */
 const MAX_AT_ONCE = 8;
 
 const WAY_WORDS: Readonly<Record<PublishWay, string>> = {
@@ -37,7 +37,7 @@ const WAY_WORDS: Readonly<Record<PublishWay, string>> = {
   aggregated: 'Aggregated',
 };
 
-/** Publishes numbered records at a steady rate and times each until it is back. */
+/** Publishes numbered records at a steady rate and measures the round trip of each. */
 export async function measureRoundTrip(
   { ways, rateHz, seconds }: RoundTripParameters,
   topic: EchoTopic,
@@ -51,7 +51,7 @@ export async function measureRoundTrip(
   topic.onEcho((of) => {
     const atMs = run.clock.monotonicMs();
     const sent = sentMs.get(of);
-    if (sent === undefined) return; // a duplicate, or a record of another client
+    if (sent === undefined) return; // A duplicate, or a record of another client.
     sentMs.delete(of);
     if (of < phaseFrom) return;
     returned += 1;
@@ -92,7 +92,7 @@ export async function measureRoundTrip(
       });
     });
     await keepPace(pace, seconds * 1000, publish, run);
-    // Stopped by the user: late records are not waited for, and do not count as lost
+    // When aborted, do not wait for late records, and do not count them as lost.
     const isFull = !run.signal.aborted;
     await waitUntil(() => returned >= sequence - phaseFrom, GRACE_MS, run);
     cancel();

@@ -4,7 +4,7 @@ import type { Leavings } from '../run/leavings.ts';
 import { openTestClient } from '../run/test-client.ts';
 import { measureRoundTrip, type RoundTripParameters } from './measure-round-trip.ts';
 
-/** The round trip of this browser, with a client of its own that is gone afterwards. */
+/** Measures the round trip of this browser with a separate client, which is removed afterwards. */
 export async function runRoundTrip(
   parameters: RoundTripParameters,
   publishIntervalMs: number,

@@ -5,7 +5,7 @@ import { formatNumber } from '../../ui/readouts/format-number.ts';
 import { formatUptime } from '../../ui/readouts/format-time.ts';
 import type { Circumstance } from '../results/test-result.ts';
 
-/** What may explain a number: this browser, the master, and what else is going on now. */
+/** Returns circumstances that may explain a figure: this browser, the master, and its current load. */
 export function circumstances(
   { client, clients, sessions, master, state, roundTrip, name }: Connection,
   page: {
@@ -51,7 +51,7 @@ export function circumstances(
   );
 }
 
-/** The part of a user agent that names program and version, and the system. */
+/** Part of a user agent with the names and versions of browser and operating system. */
 function describeBrowser(userAgent: string): string {
   const system = /\(([^)]*)\)/.exec(userAgent)?.[1] ?? '';
   const program =

@@ -6,23 +6,21 @@ import { validElements } from '../../json/schemas.ts';
 const LEAVING = v.object({ kind: v.picklist(['client', 'session']), id: v.string() });
 const LEAVINGS = validElements(LEAVING);
 
-/** What a test puts on the master for a while. */
+/** Temporary object of a test on the master. */
 export type Leaving = Readonly<v.InferOutput<typeof LEAVING>>;
 
-/** Keeps book of what a running test must take away again, however it ends. */
+/** Tracks what a running test must remove again, however it ends. */
 export interface Leavings {
   add(leaving: Leaving): void;
-  /** It is gone. */
+  /** The object was removed. */
   drop(leaving: Leaving): void;
-  /** In the order in which they go: a session publishes on topics of its client. */
+  /** In the order of removal: a session publishes on topics of its client. */
   readonly all: readonly Leaving[];
 }
 
 const KEY = 'ubii.performance.leavings';
 
-/**
- * @param storage outlives a reload and a crash of the tab, so that the next visit can tidy up
- */
+/** @param storage survives a reload and a crash of the tab, so that the next visit can clean up */
 export function createLeavings(storage: Pick<Storage, 'getItem' | 'setItem'>): Leavings {
   const known = new Map<string, Leaving>();
   for (const leaving of readStored(LEAVINGS, storage.getItem(KEY)) ?? []) {
@@ -45,7 +43,7 @@ export function createLeavings(storage: Pick<Storage, 'getItem' | 'setItem'>): L
   };
 }
 
-/** The service that takes it away, as text for a page that has no time for an answer. */
+/** Body of the service request that removes it, for pages that cannot wait for a reply. */
 export function removalRequest({ kind, id }: Leaving): string {
   const request =
     kind === 'client'

@@ -1,14 +1,14 @@
 import { createClient, type UbiiClient } from '@ubii/client-web';
 import type { Leavings } from './leavings.ts';
 
-/** A client of a test's own: what it does on the master goes with it. */
+/** Separate client of a test: its topics and subscriptions are removed with it. */
 export interface TestClient {
   readonly client: UbiiClient;
   /** Deregisters it, with its topics and subscriptions. */
   close(): Promise<void>;
 }
 
-/** @throws ConnectionError or ServiceError when it cannot connect */
+/** @throws {ConnectionError | ServiceError} when it cannot connect */
 export async function openTestClient(
   name: string,
   leavings: Leavings,
@@ -26,7 +26,7 @@ export async function openTestClient(
   return {
     client,
     async close() {
-      // Without a connection the master still knows it: it is taken away after the next
+      // Without a connection, the master keeps the client: it is removed after reconnecting.
       const isHeard = client.state.status === 'connected';
       await client.close();
       if (isHeard) leavings.drop(leaving);

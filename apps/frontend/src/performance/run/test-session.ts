@@ -1,9 +1,9 @@
 import type { Session } from '@ubii/proto';
 
-/** Marks the sessions of tests, together with the id of the client each belongs to. */
+/** Tag of sessions of tests. A second tag is the id of the client. */
 export const TEST_SESSION_TAG = 'performance-test';
 
-/** True for a session of a test whose page was closed, so that no page can stop it. */
+/** True for a session of a test whose page was closed: no page will stop it. */
 export function isAbandoned(
   { tags }: Pick<Session, 'tags'>,
   isThere: (clientId: string) => boolean,

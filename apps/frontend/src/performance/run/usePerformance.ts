@@ -15,18 +15,18 @@ import { createLeavings, removalRequest, type Leaving, type Leavings } from './l
 import type { RunState } from './run-state.ts';
 import { isAbandoned } from './test-session.ts';
 
-/** The page's tests and their results. */
+/** Tests of the page and their results. */
 export interface Performance {
   readonly run: Readonly<{ value: RunState }>;
   readonly results: KeptResults;
   readonly leavings: Leavings;
-  /** Starts a test, unless one runs. What it finds is kept. */
+  /** Starts a test, unless one is running. Its result is stored. */
   start(
     kind: TestKind,
     parameters: readonly Parameter[],
     measure: (run: TestRun) => Promise<Findings>,
   ): void;
-  /** Ends the test under way; what it has measured is kept. */
+  /** Ends the running test; its measurements are stored. */
   stop(): void;
 }
 
@@ -38,13 +38,13 @@ export function usePerformance(): Performance {
   return performance;
 }
 
-/** Why a test was ended before its time. */
+/** Reason why a test ended early. */
 type EndCause = Exclude<TestEnd, 'complete'> | 'left';
 
 const HIDDEN_NOTE =
   'The page was hidden for a part of the test. Browsers slow hidden pages down, so the figures may be wrong.';
 
-/** Sets up what the page needs; a test that runs when the page is left ends with it. */
+/** Provides tests and results; a test that runs when the page is left ends with it. */
 export function providePerformance(): Performance {
   const connection = useConnection();
   const { client, isConnected } = connection;
@@ -126,9 +126,9 @@ export function providePerformance(): Performance {
       });
   }
 
-  /** Ends what an earlier visit could not: a crash, a closed tab. */
+  /** Removes objects that an earlier visit left behind after a crash or a closed tab. */
   async function tidyUp(): Promise<void> {
-    // What a test of this visit has put there belongs to it
+    // Objects of a running test belong to it.
     if (run.value.status === 'running') return;
     for (const leaving of leavings.all) await remove(leaving);
     const { elements } = await client.call('sessionRuntimeGetList');
@@ -150,7 +150,7 @@ export function providePerformance(): Performance {
   watch(
     isConnected,
     (connected) => {
-      // It is tried again with the next connection, and with the next visit
+      // Retried after the next connect, and on the next visit.
       if (connected) tidyUp().catch(() => undefined);
       else end('disconnected');
     },
@@ -160,11 +160,11 @@ export function providePerformance(): Performance {
     hasBeenHidden ||= document.hidden;
   });
   onScopeDispose(() => end('left'));
-  // A page that is closed or loaded again has no time for an answer
+  // A page that is closed or reloaded cannot wait for a reply.
   useEventListener(window, 'pagehide', () => {
     const sessions = leavings.all.filter(({ kind }) => kind === 'session');
-    // The client of a session keeps its topics until the last run is over: it is taken away on the
-    // next visit, or by the master, like every client whose page is closed. [TD-40]
+    // The client of a session keeps its topics until the last run has ended: it is removed on the next visit, or by the
+    // master, like every client whose page is closed. [TD-40]
     for (const leaving of sessions.length > 0 ? sessions : leavings.all) {
       const body = new Blob([removalRequest(leaving)], { type: 'application/json' });
       navigator.sendBeacon('/services/json', body);
@@ -182,7 +182,7 @@ export function providePerformance(): Performance {
   return performance;
 }
 
-/** What is called like what was chosen can be distinguished without opening it. */
+/** Named after the parameters, so that runs can be distinguished without opening them. */
 function nameOf(kind: TestKind, parameters: readonly Parameter[]): string {
   const chosen = parameters
     .slice(0, 2)
@@ -190,7 +190,7 @@ function nameOf(kind: TestKind, parameters: readonly Parameter[]): string {
   return `${TEST_TITLES[kind]}: ${chosen.join(', ')}`;
 }
 
-/** Runs beside each other are distinguished by their names. */
+/** Makes the name unique among the results. */
 function freeName(name: string, results: readonly TestResult[]): string {
   const taken = new Set(results.map((result) => result.name));
   if (!taken.has(name)) return name;

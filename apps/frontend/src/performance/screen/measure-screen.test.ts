@@ -4,7 +4,7 @@ import { measureScreen, type ScreenWorld } from './measure-screen.ts';
 
 const FRAME_MS = 16;
 
-/** A screen with frames every 16 ms, and a master that takes 3 ms. */
+/** Simulates a screen with frames every 16 ms, and a master with a latency of 3 ms. */
 function setup({ loses = () => false }: { loses?: (value: number) => boolean } = {}) {
   const clock = new FakeClock();
   const stop = new AbortController();

@@ -6,18 +6,18 @@ import { overTime } from '../measure/over-time.ts';
 import { wait, waitUntil, type TestRun } from '../measure/test-run.ts';
 
 export interface ScreenParameters {
-  /** Values per second, on average. */
+  /** Mean rate of values, Hz. */
   readonly rateHz: number;
   readonly seconds: number;
 }
 
-/** A topic with a number, and the place where it is drawn. */
+/** A topic with a number, and the means to display it. */
 export interface ScreenWorld {
   publish(value: number): void;
   onValue(fn: (value: number) => void): void;
-  /** Draws a value; called in a frame. */
+  /** Displays a value; called in an animation frame. */
   draw(value: number): void;
-  /** Calls `fn` in the next frame, after which the browser paints. */
+  /** Calls `fn` in the next animation frame, before the browser paints. */
   nextFrame(fn: () => void): void;
   /** 0 to 1. */
   random(): number;
@@ -32,7 +32,7 @@ interface Seen {
   receivedMs: number | undefined;
 }
 
-/** Times values from the call that publishes them to the frame that draws them. */
+/** Measures the time from publishing a value to the frame that displays it. */
 export async function measureScreen(
   { rateHz, seconds }: ScreenParameters,
   world: ScreenWorld,
@@ -57,7 +57,7 @@ export async function measureScreen(
     newest = value;
   });
 
-  /** One frame: what has come until now is on the screen after it. */
+  /** Values received so far are visible after this frame. */
   function frame(): void {
     if (isOver) return;
     const nowMs = clock.monotonicMs();
@@ -85,7 +85,7 @@ export async function measureScreen(
     while (!signal.aborted && clock.monotonicMs() < untilMs) {
       underway.set(sent, { sentMs: clock.monotonicMs(), receivedMs: undefined });
       world.publish(sent++);
-      // At odd moments: a steady beat would always meet the same moment of the frame
+      // At random intervals: a steady rate would always meet the same phase of the frame.
       await wait((0.5 + world.random()) * (1000 / rateHz), run);
     }
   }

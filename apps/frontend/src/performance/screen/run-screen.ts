@@ -4,7 +4,7 @@ import type { Leavings } from '../run/leavings.ts';
 import { openTestClient } from '../run/test-client.ts';
 import { measureScreen, type ScreenParameters } from './measure-screen.ts';
 
-/** From publishing to drawing in this page, with a client of its own that is gone afterwards. */
+/** Measures publishing to display in this page with a separate client, which is removed afterwards. */
 export async function runScreen(
   parameters: ScreenParameters,
   draw: (value: number) => void,

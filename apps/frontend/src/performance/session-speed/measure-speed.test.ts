@@ -14,7 +14,7 @@ const PARAMETERS: SpeedParameters = {
   seconds: 2,
 };
 
-/** Two modules at 50 Hz that take 2 ms, and say so every 250 ms. */
+/** Simulates two modules at 50 Hz with a run time of 2 ms and statistics every 250 ms. */
 function setup(change: Partial<SpeedParameters> = {}, runsHz = 50) {
   const parameters = { ...PARAMETERS, ...change };
   const clock = new FakeClock();
@@ -74,7 +74,7 @@ describe('session speed', () => {
     await clock.advance(6000);
     const { histograms } = await findings;
     const echoes = histograms.find(({ key }) => key === 'echo')!.counts.reduce((a, b) => a + b);
-    expect(echoes).toBeGreaterThan(280); // 2 s, 7 ms each
+    expect(echoes).toBeGreaterThan(280); // 2 s at 7 ms each.
   });
 
   it('says when a node cannot keep the frequency', async () => {

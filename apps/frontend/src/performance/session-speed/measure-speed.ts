@@ -5,23 +5,23 @@ import { wait, waitUntil, type TestRun } from '../measure/test-run.ts';
 import { speedFindings } from './speed-findings.ts';
 import type { SpeedParameters } from './speed-parameters.ts';
 
-/** A session that runs, seen from outside. */
+/** A running session, as observed by the test. */
 export interface SpeedSession {
   onStatistics(fn: (statistics: SessionStatistics) => void): void;
-  /** How long each run of the first module took, as it says itself, milliseconds. */
+  /** Called with the duration of each run of the first module, as measured by itself, milliseconds. */
   onDuration(fn: (durationMs: number) => void): void;
-  /** What was stamped, when the first module put it out again. */
+  /** Called with a stamp when the first module outputs it. */
   onEcho(fn: (stamp: number) => void): void;
   stamp(stamp: number): void;
-  /** Ends the session and forgets it. */
+  /** Ends and removes the session. */
   remove(): Promise<void>;
 }
 
-/** Where sessions are started. */
+/** Starts sessions. */
 export interface SpeedWorld {
   /**
    * Starts the session and waits until all modules run.
-   * @throws Error that says why it does not
+   * @throws {Error} with the reason why it does not run
    */
   start(parameters: SpeedParameters, run: TestRun): Promise<SpeedSession>;
 }
@@ -29,14 +29,14 @@ export interface SpeedWorld {
 const WARM_UP_MS = 1000;
 const TICK_MS = 4;
 const REPORT_MS = 250;
-/** With trigger on input the next stamp leaves when the last is back, or after this long. */
+/** With trigger on input, the next stamp is sent when the previous one is back, or after this time, milliseconds. */
 const ECHO_TIMEOUT_MS = 2000;
-/** In other modes stamps only look how old outputs are. */
+/** Interval of stamps in other modes, where they only measure the age of outputs, milliseconds. */
 const STAMP_INTERVAL_MS = 50;
-/** A report of the statistics still comes when the session has none left. */
+/** Time for the last statistics after the session ended, milliseconds. */
 const LAST_REPORT_MS = 600;
 
-/** Starts the session, measures it and removes it, however it ends. */
+/** Starts the session, measures it and always removes it. */
 export async function measureSpeed(
   parameters: SpeedParameters,
   world: SpeedWorld,
@@ -79,11 +79,11 @@ async function measure(
   let stampedMs = -Infinity;
   let isBack = true;
   session.onEcho((of) => {
-    if (of !== stamp || isBack) return; // one of before, or again
+    if (of !== stamp || isBack) return; // An earlier or repeated stamp.
     isBack = true;
     const nowMs = clock.monotonicMs();
     echoes.add(nowMs - stampedMs, nowMs);
-    // At once: any pause here would be a pause of the modules
+    // Immediately: a delay here would be measured as a delay of the modules.
     if (isTriggered && !signal.aborted) next();
   });
   function next(): void {

@@ -17,21 +17,21 @@ import { speedSession, speedTopics } from './speed-session.ts';
 
 const MODULE = 'load-generator';
 const POLL_MS = 50;
-/** Longer than the master waits for nodes. [SE-12] */
+/** Longer than the time that the master waits for nodes, milliseconds. [SE-12] */
 const START_TIMEOUT_MS = 12_000;
-/** Until the last run is over. */
+/** Time for the last run to end, milliseconds. */
 const RUN_OUT_MS = 300;
-/** As many durations as a histogram needs: a free module has thousands a second. */
+/** Rate of durations that suffices for a histogram, Hz: a free module has thousands per second. */
 const DURATION_RATE_HZ = 200;
 
 /** Node that runs the test, and client that starts it. */
 export interface SpeedPlace {
   readonly nodeId: string;
-  /** The page's own client: the session is marked as its. */
+  /** Id of the page's client, with which the session is tagged. */
   readonly ownerId: string;
 }
 
-/** The session test: a client and a session of its own, both gone afterwards. */
+/** Runs the session test with a separate client and session, which are removed afterwards. */
 export async function runSpeed(
   parameters: SpeedParameters,
   { nodeId, ownerId }: SpeedPlace,
@@ -47,7 +47,7 @@ export async function runSpeed(
     });
     const echo = client.subscribe(topics.echo, { format: 'double' });
     await Promise.all([duration.ready, echo.ready]);
-    // The first publisher owns a topic, and its values are deleted when it leaves [TD-19, TD-40]
+    // The first publisher owns a topic, and its values are deleted when it leaves. [TD-19, TD-40]
     for (const topic of [topics.duration, topics.echo]) {
       client.publish(topic, 'double', 0, { immediate: true });
     }
@@ -63,10 +63,10 @@ export async function runSpeed(
       const leaving = { kind: 'session', id } as const;
       leavings.add(leaving);
       const remove = async (): Promise<void> => {
-        // What cannot be removed now is removed with the next connection, or on the next visit
+        // If removal fails, it is retried after the next connect or on the next visit.
         if (!(await isRemoved(client, id))) return;
         leavings.drop(leaving);
-        // A run under way still publishes [PM-29]: on a topic whose owner is gone that would stay
+        // A run in progress still publishes [PM-29]: on a topic whose owner is gone, the value would stay.
         await new Promise<void>((resolve) => run.clock.after(RUN_OUT_MS, resolve));
       };
       try {
@@ -105,13 +105,13 @@ async function isRemoved(client: UbiiClient, id: string): Promise<boolean> {
     return true;
   } catch (cause) {
     if (cause instanceof ConnectionError) return false;
-    // Another client has removed it
+    // Another client has removed it.
     if (cause instanceof ServiceError && cause.code === 'not_found') return true;
     throw cause;
   }
 }
 
-/** @throws Error with what keeps it from running */
+/** @throws {Error} with the reason why it does not run */
 async function whenRunning(client: UbiiClient, id: string, run: TestRun): Promise<void> {
   const untilMs = run.clock.monotonicMs() + START_TIMEOUT_MS;
   for (;;) {

@@ -5,17 +5,17 @@ import type { Curve, Figure, Findings, Histogram } from '../measure/findings.ts'
 import { histogramOf } from '../measure/histogram.ts';
 import type { SpeedParameters } from './speed-parameters.ts';
 
-/** What was collected while the modules ran. */
+/** Data collected while the modules ran. */
 export interface SpeedRecord {
   readonly reports: readonly SessionStatistics[];
   readonly durations: Durations;
   readonly echoes: Durations;
-  /** From the request until all modules ran, milliseconds. */
+  /** Time from the request until all modules ran, milliseconds. */
   readonly startMs: number;
   readonly startedMs: number;
 }
 
-/** More runs than this share of those wanted are missing: said in words. */
+/** Share of missing runs from which a note is shown. */
 const MISSED_SHARE = 0.05;
 
 export function speedFindings(parameters: SpeedParameters, record: SpeedRecord): Findings {
@@ -47,7 +47,7 @@ const worst = ({ modules }: SessionStatistics, of: (one: ModuleStatistics) => nu
 const runsOf = ({ modules }: SessionStatistics): number =>
   sum(modules, ({ runsPerSecond }) => runsPerSecond);
 
-/** Runs per second from the counters of the first and the last report: the medians would smooth pauses away. */
+/** Runs per second from the counters of the first and last report: medians would hide pauses. */
 function runRate(reports: readonly SessionStatistics[]): number | undefined {
   const [first, last] = [reports[0], reports.at(-1)];
   if (first === undefined || last === undefined) return undefined;

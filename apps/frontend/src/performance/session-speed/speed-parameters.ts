@@ -1,12 +1,12 @@
 import type { Init, ProcessingMode } from '@ubii/proto';
 
-/** When the modules run. */
+/** Processing mode of the modules. */
 export type SpeedMode = 'frequency' | 'triggerOnInput' | 'lockstep' | 'free';
 
 export interface SpeedParameters {
-  /** Additions in each run. */
+  /** Number of additions per run. */
   readonly iterations: number;
-  /** Modules in the session. */
+  /** Number of modules in the session. */
   readonly instances: number;
   readonly mode: SpeedMode;
   /** Runs per second of each module, with `frequency`. */

@@ -2,7 +2,7 @@ import type { Init, ProcessingModule, Session } from '@ubii/proto';
 import { TEST_SESSION_TAG } from '../run/test-session.ts';
 import { processingMode, type SpeedParameters } from './speed-parameters.ts';
 
-/** Topics of one run, below those of the client that measures. */
+/** Topics of a test, below the id of the measuring client. */
 export interface SpeedTopics {
   readonly stamp: string;
   readonly echo: string;
@@ -14,7 +14,9 @@ export function speedTopics(clientId: string): SpeedTopics {
   return { stamp: topic('stamp'), echo: topic('echo'), duration: topic('duration') };
 }
 
-/** The temporary session: so many load generators on one node. The first one's outputs are measured. */
+/**
+ * Creates the temporary session with several load generators on one node. The outputs of the first one are measured.
+ */
 export function speedSession(
   parameters: SpeedParameters,
   {
@@ -24,11 +26,11 @@ export function speedSession(
     module,
     uuid,
   }: {
-    /** The page's client. */
+    /** Id of the page's client. */
     readonly ownerId: string;
     readonly nodeId: string;
     readonly topics: SpeedTopics;
-    /** The load generator with its code: a node knows it by its text. */
+    /** The load generator with its code, so that any node can run it. */
     readonly module: Init<ProcessingModule>;
     readonly uuid: () => string;
   },

@@ -1,4 +1,4 @@
-/** What a figure means and what is good, by the end of its key. */
+/** Explanations of figures, by the last part of their key. */
 const MEANINGS: Readonly<Record<string, string>> = {
   p50: 'Median: half of the values were at least this fast.',
   p95: '95 of 100 values were at least this fast. Up to 20 ms is not noticeable, up to 100 ms still feels direct.',
@@ -12,7 +12,7 @@ const MEANINGS: Readonly<Record<string, string>> = {
   lost: 'Number of records that were not received. Should be 0.',
 };
 
-/** Where the whole key says more than its end. */
+/** Explanations by the whole key, where the last part is ambiguous. */
 const OWN: Readonly<Record<string, string>> = {
   knee: 'Records per second of all clients that arrived before latency rose or records were lost. More is better; plan with half of it.',
   'knee.bytes': 'The same in bytes of delivered values.',
@@ -52,7 +52,7 @@ const OWN: Readonly<Record<string, string>> = {
   'frame.p95': 'Far above p50 means that frames were skipped.',
 };
 
-/** `load` counts lost records in percent. */
+/** `load` reports lost records in percent. */
 const OWN_UNITS: Readonly<Record<string, string>> = {
   '%': 'The worst step of the ramp. Should be 0 up to the knee.',
 };

@@ -7,7 +7,7 @@ export const TEST_TITLES: Readonly<Record<TestKind, string>> = {
   screen: 'Topic to screen',
 };
 
-/** What a test answers, and how, in plain words. */
+/** The question that a test answers, and its method. */
 export const TEST_ABOUT: Readonly<Record<TestKind, { question: string; how: string }>> = {
   'round-trip': {
     question: 'How long does a value take from this browser to the master and back?',

@@ -1,16 +1,19 @@
 import type { Findings, TestKind } from '../measure/findings.ts';
 
-/** What the numbers come to, in one sentence. */
+/** Summary of the figures in one sentence. */
 export interface Verdict {
   readonly tone: 'good' | 'fair' | 'poor';
   readonly text: string;
 }
 
-/** Below this, people see no difference to none; a pointer sticks to the hand. Milliseconds. */
+/** Latency below which users notice no delay, milliseconds. */
 const UNNOTICED_MS = 20;
-/** Up to this a reaction feels direct (R. B. Miller, Response time in man-computer conversational transactions, 1968). */
+/**
+ * Latency up to which a reaction feels direct, milliseconds (R. B. Miller, Response time in man-computer conversational
+ * transactions, 1968).
+ */
 const DIRECT_MS = 100;
-/** A frame of 60 Hz and a good round trip. */
+/** A frame at 60 Hz and a good round trip, milliseconds. */
 const SCREEN_GOOD_MS = 40;
 
 const round = (ms: number): string => (ms < 9.95 ? ms.toFixed(1) : ms.toFixed(0));

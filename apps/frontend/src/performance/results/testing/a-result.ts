@@ -1,7 +1,7 @@
 import { histogramOf } from '../../measure/histogram.ts';
 import type { TestResult } from '../test-result.ts';
 
-/** A result, for tests. */
+/** Result for tests. */
 export function aResult(change: Partial<TestResult> = {}): TestResult {
   return {
     id: 'one',
