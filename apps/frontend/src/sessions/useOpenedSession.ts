@@ -5,21 +5,21 @@ import { useConnection } from '../connection/useConnection.ts';
 import { useSessionActions } from './actions/useSessionActions.ts';
 import { sessionAtRest } from './state/session-state.ts';
 
-/** The session of an address. */
+/** The session of a URL. */
 export interface OpenedSession {
-  /** As the master has it, or had it last. */
+  /** State on the master, or the last known one. */
   readonly session: ComputedRef<Session | undefined>;
-  /** The master has no session of this id, neither open nor stored. */
+  /** True when the master has no session with this id, neither open nor stored. */
   readonly isGone: ComputedRef<boolean>;
-  /** Why a stored session cannot be opened. */
+  /** Reason why a stored session cannot be opened. */
   readonly failure: ComputedRef<string | undefined>;
-  /** How often it was opened here: after a restart of the master its revisions may have gone back. */
+  /** Number of times it was opened here: after a restart of the master its revisions may be lower. */
   readonly openings: ComputedRef<number>;
 }
 
 /**
- * Follows the session of an id, and opens it at the master when it is only stored. [SE-27]
- * @param isNew the id was made here, and the master need not be asked
+ * Observes the session with an id, and opens it on the master when it is only stored. [SE-27]
+ * @param isNew the id was created here and is unknown to the master
  */
 export function useOpenedSession(
   id: MaybeRefOrGetter<string>,
@@ -29,11 +29,11 @@ export function useOpenedSession(
   const { calls } = useSessionActions();
   const listed = computed(() => sessions.list.value?.find((one) => one.id === toValue(id)));
   const known = shallowRef<Session>();
-  /** What the master answered when it was asked for a session that it did not list. */
+  /** Reply of the master to the request for an unlisted session. */
   const answer = shallowRef<'gone' | { readonly failure: string }>();
   const openings = shallowRef(0);
 
-  /** Who may only look gets it as it is stored. */
+  /** Read-only users get the stored session without opening it. */
   async function readStored(sessionId: string): Promise<Session> {
     return client.call('sessionRuntimeGet', { id: sessionId });
   }
@@ -49,7 +49,7 @@ export function useOpenedSession(
       known.value = opened;
       openings.value += 1;
     } catch (cause) {
-      // After a reconnect it is asked again.
+      // Requested again after a reconnect.
       if (cause instanceof ConnectionError || sessionId !== toValue(id)) return;
       if (!(cause instanceof ServiceError)) throw cause;
       answer.value = cause.code === 'not_found' ? 'gone' : { failure: cause.message };
@@ -61,7 +61,7 @@ export function useOpenedSession(
     ([nextId, next], [idBefore]) => {
       if (known.value?.id !== nextId) known.value = undefined;
       if (next !== undefined) known.value = next;
-      // An answer counts until the session is there: also while the connection is lost.
+      // The reply is valid until the session exists, also while disconnected.
       if (next !== undefined || nextId !== idBefore) answer.value = undefined;
     },
     { immediate: true },

@@ -4,18 +4,18 @@ import { shallowRef, type ShallowRef } from 'vue';
 import { usePoll } from '../connection/poll.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
-/** Files may be changed by hand at any time, which nothing announces. [SE-23] */
+/** Interval of requests, milliseconds: manual changes of files are not announced. [SE-23] */
 const INTERVAL_MS = 3000;
 
-/** The sessions on the master's disk. */
+/** Sessions stored on the master's disk. */
 export interface StoredSessions {
   readonly list: Readonly<ShallowRef<readonly Session[]>>;
-  /** The master has answered once. */
+  /** True after the first reply of the master. */
   readonly isKnown: Readonly<ShallowRef<boolean>>;
   refresh(): Promise<void>;
 }
 
-/** Follows them while the calling scope lives. */
+/** Observes the stored sessions while the calling scope is active. */
 export function useStoredSessions(): StoredSessions {
   const { client, isConnected } = useConnection();
   const stored = shallowRef<readonly Session[]>([]);
@@ -25,7 +25,7 @@ export function useStoredSessions(): StoredSessions {
       stored.value = (await client.call('sessionDatabaseGetList')).elements;
       isKnown.value = true;
     } catch (cause) {
-      // Original masters may refuse; a failed link is shown elsewhere.
+      // Original masters may refuse; a lost connection is shown elsewhere.
       if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
       if (cause instanceof ServiceError) isKnown.value = true;
     }

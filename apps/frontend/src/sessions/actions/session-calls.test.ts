@@ -8,7 +8,7 @@ const { SESSION_RUNNING, SESSION_STOPPED } = SessionState;
 const whole = (spec: Init<Session>): Session =>
   fromJson('ubii.sessions.Session', toJson('ubii.sessions.Session', spec));
 
-/** A master that takes what it is given, under an id of its own. */
+/** Mocks a master that accepts all sessions and assigns ids. */
 function setup(...known: Session[]) {
   const asked: [string, Init<Session>][] = [];
   const call = vi.fn(async (service: string, request: Init<Session>) => {
@@ -112,7 +112,7 @@ describe('what people do with sessions', () => {
       json: { extension: { state: 2, stored: true } },
     });
     const removed = await calls.remove(session);
-    // Pages that show it would open the file again.
+    // Otherwise pages that show the session would open the file again.
     expect(services()).toEqual([
       'sessionRuntimeStop',
       'sessionDatabaseDelete',

@@ -4,7 +4,7 @@ import type { SessionsStore } from '../../connection/sessions-store.ts';
 import { copyName, freeName, sessionCopy, sessionSpec } from '../text/session-spec.ts';
 import { isAlive, type LifeAction } from '../state/session-state.ts';
 
-/** What is needed to bring a removed session back. */
+/** Data for restoring a removed session. */
 export interface RemovedSession {
   readonly id: string;
   readonly spec: Init<Session>;
@@ -12,35 +12,35 @@ export interface RemovedSession {
   readonly wasStored: boolean;
 }
 
-/** What people do with sessions, as calls of the master. Every promise rejects with what the call rejects with. */
+/** Operations on sessions as service requests. Every promise rejects with the error of the request. */
 export interface SessionCalls {
   act(session: Session, action: LifeAction): Promise<void>;
   /** Names of all sessions, open or stored. */
   takenNames(): Promise<ReadonlySet<string>>;
   /**
-   * Creates a session under a free name and stores it, under the given id if it has one. When the
-   * specification does not say otherwise, it runs again after a restart of the master. [SE-1, SE-21, SE-24]
+   * Creates a session under a free name and stores it, under the given id if it has one. By default, it runs again
+   * after a restart of the master. [SE-1, SE-21, SE-24]
    */
   create(spec: Init<Session>): Promise<Session>;
-  /** Stores a session under the id and the name it has. [SE-21] */
+  /** Stores a session under its own id and name. [SE-21] */
   store(spec: Init<Session>): Promise<Session>;
   /** Opens a stored session by its id, without starting it. [SE-27] */
   open(id: string): Promise<Session>;
-  /** Replaces the specification, on the disk too when it is stored. [SE-15, SE-21] */
+  /** Replaces the specification, on disk, too, if it is stored. [SE-15, SE-21] */
   update(session: Session, changes: Init<Session>): Promise<Session>;
   duplicate(session: Session): Promise<Session>;
   rename(session: Session, name: string): Promise<Session>;
-  /** Stops it if need be, and deletes it, on the disk too. [SE-16] */
+  /** Stops the session if necessary, and deletes it, on disk, too. [SE-16] */
   remove(session: Session): Promise<RemovedSession>;
   restore(removed: RemovedSession): Promise<Session>;
 }
 
-/** Where the master had a choice, it keeps it: the place it chose is not people's wish. [SE-30] */
+/** Leaves the node to the master where the master chose it: its choice is not the user's. [SE-30] */
 function asWished(module: Init<ProcessingModule>): Init<ProcessingModule> {
   return module.extension?.replaceable === true ? { ...module, nodeId: '' } : module;
 }
 
-/** What is gone already need not be removed. */
+/** Ignores the error for objects that were removed already. */
 async function unlessGone(removal: Promise<unknown>): Promise<void> {
   try {
     await removal;
@@ -53,7 +53,7 @@ type Services = Pick<UbiiClient, 'call'>;
 
 /**
  * @param whenStopped resolves when the session has stopped
- * @param uuid gives a new UUID
+ * @param uuid returns a new UUID
  */
 export function createSessionCalls(
   client: Services,
@@ -102,7 +102,7 @@ export function createSessionCalls(
     return new Set([...(store.list.value ?? []), ...elements].map(({ name }) => name));
   }
 
-  /** Sessions are stored by name, and the newer replaces the older: a taken name gets a number. */
+  /** Sessions are stored by name, and a new one would replace another: a number makes the name unique. */
   async function create(spec: Init<Session>): Promise<Session> {
     const name = freeName(spec.name || 'Session', await takenNames());
     return keep({ ...spec, name, extension: { startWithMaster: true, ...spec.extension } });
@@ -118,7 +118,7 @@ export function createSessionCalls(
       processingModules: modules.map(asWished),
       extension: { ...session.extension, ...changes.extension },
     };
-    // A stored one is changed on the disk, too
+    // A stored session is changed on disk, too.
     if (session.extension?.stored === true) return keep(next);
     return taken(client.call('sessionRuntimeUpdate', next));
   }
@@ -132,7 +132,7 @@ export function createSessionCalls(
       wasStored: session.extension?.stored === true,
     };
     if (removed.wasStored) {
-      // The file goes first: pages that show the session would open it again.
+      // Delete the file first: pages that show the session would open it again.
       if (removed.wasAlive) await client.call('sessionRuntimeStop', { id });
       await client.call('sessionDatabaseDelete', { id, name: session.name });
     }
@@ -165,7 +165,7 @@ export function createSessionCalls(
     async rename(session, name) {
       const renamed = await update(session, { name });
       if (session.extension?.stored !== true) return renamed;
-      // Its file goes by the name: the old one would come back as another session
+      // Files are named after sessions: the old one would be loaded as another session.
       await unlessGone(client.call('sessionDatabaseDelete', { name: session.name }));
       return renamed;
     },

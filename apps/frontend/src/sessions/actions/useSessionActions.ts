@@ -9,30 +9,30 @@ import { useToasts } from '../../ui/toasts/toasts.ts';
 import { sessionState, type LifeAction } from '../state/session-state.ts';
 import { createSessionCalls, type SessionCalls } from './session-calls.ts';
 
-/** A stop ends after 10 s at the latest [SE-13]; the announcement may take a moment more. */
+/** Timeout of a stop, milliseconds: the master stops within 10 s [SE-13], and its announcement may be delayed. */
 const STOP_MS = 12_000;
 
-/** Why the last intent failed, by the id of the session it was about; empty for a new one. */
+/** Reason why the last action failed, by session id; empty id for a new session. */
 export type Failures = ReadonlyMap<string, string>;
 
 export interface SessionActions {
-  /** For what needs its answer, such as a text whose problems are shown beside it. */
+  /** For callers that need the reply, such as a text whose problems are shown beside it. */
   readonly calls: SessionCalls;
-  /** Sentences that stay where the intent was, until the next one. */
+  /** Error messages, kept until the next action on the session. */
   readonly failures: Readonly<ShallowRef<Failures>>;
-  /** Ids of sessions an intent for which is under way. */
+  /** Ids of sessions with a pending request. */
   readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
   act(session: Session, action: LifeAction): Promise<void>;
-  /** Stops them at once, and offers to start them again. */
+  /** Stops sessions at once, and offers to start them again. */
   stopAll(sessions: readonly Session[]): Promise<void>;
-  /** @returns the new session, `undefined` when it failed */
+  /** @returns the new session; `undefined` on failure */
   duplicate(session: Session): Promise<Session | undefined>;
   rename(session: Session, name: string): Promise<void>;
   update(session: Session, changes: Init<Session>): Promise<void>;
   /**
-   * Removes it at once, and offers to bring it back.
+   * Removes a session at once, and offers to restore it.
    * @param onRestored called when the user restores it
-   * @returns whether it is gone
+   * @returns whether it was removed
    */
   remove(session: Session, onRestored?: (session: Session) => void): Promise<boolean>;
   dismiss(id: string): void;

@@ -20,12 +20,12 @@ import { sessionState, stateLook } from '../state/session-state.ts';
 import { sessionSpec } from '../text/session-spec.ts';
 import type { SessionActions } from './useSessionActions.ts';
 
-/** What can be done with a session beside the next thing. */
+/** Menu of a session with the less frequent actions. */
 export interface SessionMenu {
   itemsFor(session: Session): readonly MenuItem[];
-  /** Opens the dialog for another name. */
+  /** Opens the dialog for renaming. */
   rename(session: Session): void;
-  /** The session that is being renamed, for the dialog. */
+  /** Session being renamed, for the dialog. */
   readonly renaming: ShallowRef<Session | undefined>;
 }
 

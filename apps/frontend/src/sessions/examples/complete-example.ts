@@ -2,10 +2,7 @@ import { fromJson, toJson, type Init, type ProcessingModule, type Session } from
 
 const SESSION = 'ubii.sessions.Session';
 
-/**
- * An example with all that can be seen of it: examples name their modules only, and a master fills in
- * the rest. [SE-1, SE-2]
- */
+/** Completes an example for display: examples only name their modules, and a master fills in the rest. [SE-1, SE-2] */
 export function completeExample(
   spec: Init<Session>,
   library: readonly Pick<ProcessingModule, 'name' | 'inputs' | 'outputs' | 'processingMode'>[],

@@ -1,21 +1,21 @@
 const MIB = 1024 * 1024;
 
-/** What is read of files at all, and why not more. */
+/** Limits for reading files. */
 export const FILE_LIMITS = {
   /**
-   * Bytes of one file. The master takes 8 MiB of an encoded session; as JSON, with the source of its
-   * modules escaped and places beside it, that is at most about three times as much.
+   * Largest file, bytes. The master accepts 8 MiB of an encoded session; as JSON, with escaped sources and positions,
+   * that is at most about three times as much.
    */
   bytes: 24 * MIB,
   /**
-   * Bytes that are read in the page itself; more goes to a worker, so that nothing stands still. This
-   * much takes some milliseconds on a slow tablet.
+   * Largest file that is parsed on the main thread, bytes: some milliseconds on a slow tablet. Larger ones are parsed
+   * in a worker.
    */
   bytesInPage: 128 * 1024,
-  /** Modules of one session: the master takes no more. */
+  /** Most modules per session that the master accepts. */
   modules: 256,
-  /** Inputs and outputs mapped in one session: the master takes no more. */
+  /** Most mapped inputs and outputs per session that the master accepts. */
   mappings: 4_096,
-  /** Characters that a text may have to be edited by hand; editors of text get slow beyond. */
+  /** Longest text for manual editing, characters; text editors are slow beyond. */
   textToEdit: 1_000_000,
 } as const;

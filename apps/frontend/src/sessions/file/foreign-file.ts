@@ -1,14 +1,14 @@
-/** What a JSON value is, when it is something people may take for a session. */
+/** Description of a JSON value that users may take for a session. */
 export interface Foreign {
   /** With its article: `a Node-RED flow`. */
   readonly what: string;
-  /** What to do with it, one sentence; empty when there is nothing. */
+  /** What to do with it, one sentence; may be empty. */
   readonly advice: string;
 }
 
 type Members = Readonly<Record<string, unknown>>;
 
-/** Recognises files of other programs, and other files of ours. */
+/** Recognises files of other programs, and other files of this one. */
 export function recogniseForeign(value: unknown): Foreign | undefined {
   if (Array.isArray(value)) return recogniseList(value);
   if (!isMembers(value)) return undefined;
@@ -25,7 +25,7 @@ const isMembers = (value: unknown): value is Members =>
 const has = (value: Members, ...names: readonly string[]): boolean =>
   names.every((name) => Object.hasOwn(value, name));
 
-/** Has something only sessions have. */
+/** True for objects with a member that only sessions have. */
 export function isSessionLike(value: Members): boolean {
   return ['processingModules', 'processing_modules', 'ioMappings', 'io_mappings'].some((name) =>
     has(value, name),

@@ -1,7 +1,7 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ServiceError, type ProcessingModule } from '@ubii/proto';
 
-/** All modules of the master and the nodes; `undefined` when the master does not answer. */
+/** Returns all modules of the master and the nodes; `undefined` when the master does not reply. */
 export async function knownModules(
   client: Pick<UbiiClient, 'call'>,
 ): Promise<readonly ProcessingModule[] | undefined> {

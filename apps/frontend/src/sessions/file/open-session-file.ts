@@ -11,7 +11,7 @@ export async function openSessionFile(file: File): Promise<ReadFile> {
     }
     return await readInWorker(file);
   } catch (cause) {
-    // A folder, or a file that was taken away meanwhile
+    // A folder, or a file that was removed in the meantime.
     const reason = cause instanceof Error ? cause.message : String(cause);
     const message = `${file.name} cannot be read: ${reason}`;
     return { kind: 'broken', name: file.name, message, text: undefined };

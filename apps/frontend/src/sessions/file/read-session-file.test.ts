@@ -5,7 +5,7 @@ import { FILE_LIMITS } from './file-limits.ts';
 import { readSessionFile, refuseSize } from './read-session-file.ts';
 import { exportSession } from './session-file.ts';
 
-/** What is said of a text; undefined when it is a session. */
+/** Returns the error message for a text; undefined for a session. */
 function refusal(text: string): string | undefined {
   const read = readSessionFile({ name: 'a.json', text });
   return read.kind === 'broken' ? read.message : undefined;

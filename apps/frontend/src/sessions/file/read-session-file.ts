@@ -5,25 +5,25 @@ import { isSessionLike, recogniseForeign } from './foreign-file.ts';
 import type { TextFile } from '../../files/text-file.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
-/** A file as a session, or one sentence why it is none. */
+/** A session from a file, or the reason why it has none, one sentence. */
 export type ReadFile =
   | {
       readonly kind: 'read';
       readonly name: string;
       readonly session: Session;
-      /** What is only doubtful. */
+      /** Warnings. */
       readonly problems: readonly TextProblem[];
     }
   | {
       readonly kind: 'broken';
       readonly name: string;
-      /** Names the file and the place in it. */
+      /** Includes the filename and the position. */
       readonly message: string;
-      /** It was meant as a session, so that it can be put right by hand: the text. */
+      /** Text of an invalid session, for manual correction. */
       readonly text: string | undefined;
     };
 
-/** @param text what is in the file; the session of one without a name gets that of the file */
+/** @param text content of the file; a session without a name gets that of the file */
 export function readSessionFile({ name, text }: TextFile): ReadFile {
   const broken = (message: string, canEdit = false): ReadFile => ({
     kind: 'broken',
@@ -58,7 +58,7 @@ export function readSessionFile({ name, text }: TextFile): ReadFile {
   return { kind: 'read', name, session, problems: read.problems };
 }
 
-/** Why a file is not read at all; `undefined` when it is. */
+/** Returns why a file is too large to be read; `undefined` when it is not. */
 export function refuseSize(name: string, bytes: number): ReadFile | undefined {
   if (bytes <= FILE_LIMITS.bytes) return undefined;
   const size = (of: number): string => `${Math.round(of / 1024 / 1024)} MB`;

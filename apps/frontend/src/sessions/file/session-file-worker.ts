@@ -1,6 +1,6 @@
 import { readSessionFile } from './read-session-file.ts';
 
-/** Reads one large file beside the page. */
+/** Parses a large file off the main thread. */
 self.addEventListener('message', ({ data }: MessageEvent<File>) => {
   void data
     .text()

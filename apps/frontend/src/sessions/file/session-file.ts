@@ -3,12 +3,12 @@ import { fileName, type TextFile } from '../../files/text-file.ts';
 import { withoutPlaces } from '../text/session-spec.ts';
 import { sessionText } from '../text/session-text.ts';
 
-/** Ends the name of an exported session; the master's own files have it too. [SE-20] */
+/** Filename extension of an exported session, the same as for the master's own files. [SE-20] */
 export const SESSION_FILE_ENDING = '.session';
 
 /**
- * A session as one file with the source of every module in it. Places are left out: the nodes of this
- * room are not in another.
+ * Exports a session as a file, with the source of its modules. Node assignments are omitted, because nodes differ
+ * between installations.
  */
 export function exportSession(spec: Init<Session>): TextFile {
   return {

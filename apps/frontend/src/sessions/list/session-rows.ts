@@ -9,29 +9,29 @@ import { sessionTotals, type SessionTotals } from '../live/session-totals.ts';
 import type { SharedTopic } from '../words/shared-topics.ts';
 import { isAlive, sessionState, stateLook, type StateLook } from '../state/session-state.ts';
 
-/** Which sessions are shown. */
+/** Filter of the list. */
 export type SessionFilter = 'all' | 'running' | 'stopped' | 'problems';
 
-/** One session of the list, with all its row says. */
+/** Session in the list, with the data of its row. */
 export interface SessionRow {
   readonly session: Session;
   readonly state: SessionState;
   readonly look: StateLook;
-  /** `undefined` while nothing was reported. */
+  /** `undefined` without statistics. */
   readonly totals: SessionTotals | undefined;
-  /** Ids of the nodes its modules are on, each once. */
+  /** Ids of the nodes of its modules, without duplicates. */
   readonly nodeIds: readonly string[];
   readonly errors: number;
   readonly warnings: number;
-  /** The sentence that matters most. */
+  /** The most important problem, one sentence. */
   readonly problem: string | undefined;
-  /** Topics that other sessions that run write, too. */
+  /** Topics that other running sessions write, too. */
   readonly shared: readonly SharedTopic[];
   /** This browser stores unsaved changes of it. */
   readonly hasDraft: boolean;
 }
 
-/** What is known of a session beside itself. */
+/** Data of a row that the session itself does not have. */
 export type RowSurroundings = Pick<SessionRow, 'shared' | 'hasDraft'>;
 const ALONE: RowSurroundings = { shared: [], hasDraft: false };
 
@@ -58,13 +58,13 @@ export function sessionRow(
   };
 }
 
-/** What runs with an error does not look as if all were well. */
+/** A running session with an error has the look of a problem. */
 function rowLook(state: SessionState, hasError: boolean): StateLook {
   const look = stateLook(state);
   return hasError && look.mark === 'live' ? { ...look, mark: 'warning' } : look;
 }
 
-/** Stored sessions that are not open stand behind the others; their ids open them. [SE-27] */
+/** Appends stored sessions that are not open; they are opened by id. [SE-27] */
 export function withStored(
   sessions: readonly Session[],
   stored: readonly Session[],
@@ -93,8 +93,8 @@ function asStored(session: Session): Session {
 }
 
 /**
- * Rows that fit search and filter: those that run first, then by name.
- * @param search words that all occur in name, description, tags or names of modules
+ * Returns the rows that match search and filter: running ones first, then by name.
+ * @param search words that must all occur in name, description, tags or names of modules
  */
 export function filterRows(
   rows: readonly SessionRow[],

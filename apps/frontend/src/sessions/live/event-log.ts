@@ -2,16 +2,16 @@ import { eventKey } from '@ubii/pm-sandbox';
 import { ModuleEventKind, type ModuleEvent } from '@ubii/proto';
 import type { MarkedState } from '../../ui/UiStateMark.vue';
 
-/** Which events are shown. */
+/** Filter of events. */
 export type EventFilter = 'all' | 'problems' | 'log';
 
-/** How an event looks. */
+/** Text and style of an event. */
 export interface EventLook {
   readonly word: string;
   readonly tone: 'err' | 'warn' | 'plain';
 }
 
-/** Events kept; older ones are forgotten. */
+/** Most events kept; older ones are dropped. */
 export const MAX_EVENTS = 500;
 
 const LOOKS: Readonly<Record<ModuleEventKind, EventLook>> = {
@@ -40,7 +40,7 @@ export const EVENT_MARKS: Readonly<Record<EventLook['tone'], MarkedState | undef
   plain: undefined,
 };
 
-/** The events with another one, newest last, no more than are kept. */
+/** Appends an event, within the limit. */
 export function withEvent(
   events: readonly ModuleEvent[],
   more: readonly ModuleEvent[],
@@ -63,18 +63,17 @@ export function filterEvents(
     .reverse();
 }
 
-/** Events that say the same, as one. */
+/** Group of equal events. */
 export interface EventGroup {
   readonly key: string;
   readonly event: ModuleEvent;
-  /** Milliseconds since the epoch. */
+  /** Epoch milliseconds. */
   readonly firstMs: number;
   readonly count: number;
 }
 
 /**
- * Puts together what says the same: a problem once, at its newest time; equal log lines where they
- * follow each other.
+ * Groups equal events: a problem once, at its newest time; equal log lines if consecutive.
  *
  * @param events newest first
  */
@@ -106,15 +105,14 @@ const CAUSES: ReadonlySet<ModuleEventKind> = new Set([
   ModuleEventKind.REFUSED,
 ]);
 
-/** An error of a run counts for so long, milliseconds. */
+/** Time during which an error of a run counts as current, milliseconds. */
 const RECENT_MS = 10_000;
 
 /**
- * What goes wrong in a module, the first cause first: of the problems that still happen the one that
- * began first.
+ * Returns the first cause of a module's problems: of the current ones, the one that started first.
  *
  * @param events oldest first
- * @param nowMs milliseconds since the epoch, of the master's clock; without it all of them count
+ * @param nowMs epoch milliseconds of the master's clock; default: all problems count as current
  */
 export function firstCause(
   events: readonly ModuleEvent[],
@@ -128,7 +126,7 @@ export function firstCause(
     .sort((a, b) => a.firstMs - b.firstMs)[0];
 }
 
-/** Where in the code it happened: `onProcessing:7:12`; empty when it is not known. */
+/** Returns the position in the code: `onProcessing:7:12`; empty when unknown. */
 export function eventPlace({ phase, line, column }: ModuleEvent): string {
   if (phase === '') return '';
   if (line === 0) return phase;

@@ -1,6 +1,6 @@
 import type { ModuleStatistics } from '@ubii/proto';
 
-/** An asset set that loads before a module starts [PM-94]. */
+/** An asset set that is loaded before a module starts. [PM-94] */
 export interface ModuleLoading {
   readonly moduleId: string;
   readonly moduleName: string;
@@ -9,14 +9,14 @@ export interface ModuleLoading {
   readonly totalBytes: number;
   /** 0 to 1. */
   readonly share: number;
-  /** Until the set is there, milliseconds; `undefined` while its pace is not known. */
+  /** Remaining time, milliseconds; `undefined` until it can be estimated. */
   readonly leftMs: number | undefined;
 }
 
-/** How long a set is observed before its pace is shown, milliseconds. */
+/** Time before the remaining time is estimated, milliseconds. */
 const LEAST_MS = 500;
 
-/** What a module loads now; `undefined` when nothing. */
+/** Returns what a module is loading; `undefined` when nothing. */
 export function loadingOf(statistics: ModuleStatistics | undefined): ModuleLoading | undefined {
   if (statistics === undefined || statistics.loadingSet === '') return undefined;
   const { moduleId, moduleName, loadingSet: set, loadedBytes, loadingBytes } = statistics;
@@ -25,7 +25,7 @@ export function loadingOf(statistics: ModuleStatistics | undefined): ModuleLoadi
   return { moduleId, moduleName, set, loadedBytes, totalBytes, share, leftMs: undefined };
 }
 
-/** Tells how long a set still loads, by how fast it loaded so far. */
+/** Estimates the remaining time from the progress so far. */
 export class LoadingPace {
   #first: { readonly key: string; readonly bytes: number; readonly atMs: number } | undefined;
 

@@ -1,17 +1,17 @@
 import type { ModuleEvent, Session, SessionProblem } from '@ubii/proto';
 import { firstCause } from './event-log.ts';
 
-/** The master names a module whose runs fail. [SE-12] */
+/** Code of the master's problem for modules whose runs fail. [SE-12] */
 export const RUN_FAILED = 'module_run_failed';
 
-/** A problem of a session, with how often it came up. */
+/** A problem of a session, with its number of occurrences. */
 export type CountedProblem = SessionProblem & { readonly count?: number | undefined };
 
 /**
- * What goes wrong now in the runs of modules of which the session itself names no other error.
+ * Returns current errors of runs, for modules without another error in the session status.
  *
  * @param events oldest first
- * @param nowMs milliseconds since the epoch, of the master's clock
+ * @param nowMs epoch milliseconds, master's clock
  */
 export function runProblems(
   { extension, processingModules }: Pick<Session, 'extension' | 'processingModules'>,

@@ -1,20 +1,20 @@
 import type { SessionStatistics } from '@ubii/proto';
 
-/** What all modules of a session do together. */
+/** Totals over all modules of a session. */
 export interface SessionTotals {
   readonly runsPerSecond: number;
-  /** Of the slowest module, milliseconds; `undefined` when nothing ran. */
+  /** Median run time of the slowest module, milliseconds; `undefined` without runs. */
   readonly p50Ms: number | undefined;
   readonly p95Ms: number | undefined;
   readonly overruns: number;
   readonly errors: number;
   readonly restarts: number;
   readonly refused: number;
-  /** Bytes, as far as nodes know. */
+  /** Bytes, of the nodes that report them. */
   readonly memoryBytes: number;
 }
 
-/** Sums what can be summed; of run times the slowest counts, for it is what people feel. */
+/** Sums the statistics; for run times takes the slowest module, which determines the latency. */
 export function sessionTotals({ modules }: Pick<SessionStatistics, 'modules'>): SessionTotals {
   const sum = (of: (one: (typeof modules)[number]) => number): number =>
     modules.reduce((total, one) => total + of(one), 0);

@@ -3,7 +3,7 @@ import { computed, toValue, type ComputedRef, type MaybeRefOrGetter } from 'vue'
 import { useTopic } from '../../connection/live/useTopic.ts';
 import { MAX_EVENTS } from './event-log.ts';
 
-/** Events of the modules of a session, oldest first, while the calling scope lives. [SE-51] */
+/** Events of a session's modules, oldest first, while the calling scope is active. [SE-51] */
 export function useSessionEvents(
   sessionId: MaybeRefOrGetter<string>,
 ): ComputedRef<readonly ModuleEvent[]> {

@@ -3,12 +3,12 @@ import { computed, type ComputedRef } from 'vue';
 import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 
-/** The newest statistics by the id of their session. */
+/** Newest statistics by session id. */
 export type StatisticsById = ReadonlyMap<string, SessionStatistics>;
 
 /**
- * How sessions do, while the calling scope lives; nothing is known while the master is away. [SE-50]
- * @param sessionId one session; without it all of them
+ * Statistics of sessions, while the calling scope is active; empty while the master is disconnected. [SE-50]
+ * @param sessionId one session; default: all
  */
 export function useSessionStatistics(sessionId = '*'): ComputedRef<StatisticsById> {
   const { isConnected } = useConnection();

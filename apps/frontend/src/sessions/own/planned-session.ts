@@ -1,20 +1,20 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** `tab`: this tab · `master` · the client id of a node. */
+/** `tab`: this tab; `master`; or the client id of a node. */
 export type ModulePlace = string;
 
-/** A session that a page wants to run, and where. */
+/** A session that a page wants to run, and its node. */
 export interface SessionPlan {
-  /** Modules have names that differ; their nodes follow from `place`. */
+  /** Module names are unique; `place` determines their nodes. */
   readonly session: Init<Session>;
   readonly place: ModulePlace;
 }
 
 /**
- * The session to send to the master.
+ * Returns the session to send to the master.
  *
- * @param known what the master has of it; a module with the same name keeps its id, so that it goes on
- * @param nodeId where its modules run
+ * @param known the session on the master; a module with the same name keeps its id, so that it continues
+ * @param nodeId node of its modules
  */
 export function plannedSession(
   { session }: SessionPlan,

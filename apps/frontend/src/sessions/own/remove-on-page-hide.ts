@@ -2,10 +2,9 @@ import { SERVICES, toJson } from '@ubii/proto';
 import { useEventListener } from '@vueuse/core';
 
 /**
- * Removes a session when its page is closed or left by the address bar. Such a page has no time for an
- * answer.
+ * Removes a session when its page is closed or left by navigation. Such a page cannot wait for a reply.
  *
- * @param id `undefined` while there is none to remove
+ * @param id returns `undefined` while there is none to remove
  */
 export function removeOnPageHide(id: () => string | undefined): void {
   useEventListener(window, 'pagehide', () => {

@@ -17,13 +17,13 @@ const planOn = (place: string): SessionPlan => ({
   session: { name: 'Seeing', processingModules: [{ name: 'eyes' }] },
 });
 
-/** A page with a session, at a master that keeps the sessions it is given. */
+/** Mounts a page with a session, on a mock master that keeps the sessions it receives. */
 function setup(first?: SessionPlan) {
   const list = shallowRef<readonly Session[]>([]);
   const done: string[] = [];
   const releases: string[] = [];
   let refusal: Error | undefined;
-  /** Sessions of the master, which the page may not have heard of yet. */
+  /** Sessions on the master, which the page may not know yet. */
   let kept = new Set<string>();
   const masterId = shallowRef('run-1');
   let runId = masterId.value;
@@ -77,12 +77,12 @@ function setup(first?: SessionPlan) {
     onFailure,
     toasts,
     list,
-    /** Removes the session at the master, as another client does. */
+    /** Removes the session on the master, as another client does. */
     removeByOther: () => {
       kept = new Set();
       list.value = [];
     },
-    /** The page is back before it hears that its session is gone. */
+    /** The page reconnects before it learns that its session is gone. */
     async restartMaster() {
       isUp.value = false;
       await flushPromises();

@@ -8,21 +8,22 @@ import { isAlive } from '../state/session-state.ts';
 import { plannedSession, type SessionPlan } from './planned-session.ts';
 import { removeOnPageHide } from './remove-on-page-hide.ts';
 
-/** A session that a page starts, changes while it runs, and ends when it is left. */
+/** Session that a page starts, changes while it runs, and removes when it is left. */
 export interface PageSession {
   /** `undefined` while there is none. */
   readonly session: ComputedRef<Session | undefined>;
-  /** True from a plan until its modules run. */
+  /** True from a new plan until its modules run. */
   readonly isStarting: ComputedRef<boolean>;
-  /** Error of the last change, or what is wrong with the session, one sentence. */
+  /** Error of the last change, or problem of the session, one sentence. */
   readonly trouble: ComputedRef<string | undefined>;
 }
 
 /**
- * Keeps a session as planned while the calling scope lives, also after a restart of the master, which does not store it.
+ * Keeps a session as planned while the calling scope is active, also after a restart of the master, which does not
+ * store it.
  *
- * @param plan `undefined` ends it
- * @param onFailure a plan could not be carried out; what ran before goes on
+ * @param plan returns `undefined` to end it
+ * @param onFailure called when a plan fails; the previous session continues
  */
 export function usePageSession(
   plan: () => SessionPlan | undefined,
@@ -35,7 +36,7 @@ export function usePageSession(
   const failure = shallowRef<string>();
   let releaseTab: (() => void) | undefined;
   let isOver = false;
-  /** The run of the master that has the session. */
+  /** Run id of the master that has the session. */
   let runId = '';
   const session = computed(() => sessions.list.value?.find((one) => one.id === id.value));
 
@@ -66,14 +67,14 @@ export function usePageSession(
     if (wanted.place !== 'tab') release();
   }
 
-  /** Returns `undefined` when the master has no such session, of which this page may not have heard yet. */
+  /** Returns `undefined` when the master has no such session, which this page may not know yet. */
   async function update(next: Init<Session>): Promise<Session | undefined> {
     try {
       return await client.call('sessionRuntimeUpdate', next);
     } catch (cause) {
       if (!(cause instanceof ServiceError && cause.code === 'not_found')) throw cause;
       const { elements } = await client.call('sessionRuntimeGetList');
-      // It is there: the node or something else is not.
+      // The session exists; something else, such as the node, does not.
       if (elements.some((one) => one.id === next.id)) throw cause;
       sessions.drop(next.id!);
       return undefined;
@@ -85,7 +86,7 @@ export function usePageSession(
     return client.call('sessionRuntimeStart', next);
   }
 
-  /** Starts a session that ended with the run of the master that had it. */
+  /** Starts the session again after a restart of the master. */
   async function startAgain(next: Init<Session>): Promise<Session> {
     const { id: newest } = await client.call('serverConfiguration');
     if (newest === runId) throw new Error('Another client deleted the session of this page.');
@@ -119,11 +120,11 @@ export function usePageSession(
     client.call('sessionRuntimeRemove', { id: gone }).catch(() => undefined); // it is gone already
   }
 
-  /** One change after the other, however fast the plan changes. */
+  /** Serialises changes, however fast the plan changes. */
   let changes: Promise<void> = Promise.resolve();
-  /** Plans are made again with everything they are made of; only what they say differently counts. */
+  /** Plans are recomputed often; only changes of their content count. */
   const planText = computed(() => JSON.stringify(plan()));
-  /** Whether the page is being told of a failure: a plan that it ends now leaves the reason on the screen. */
+  /** True during a call of `onFailure`: a plan that it ends keeps the error on the screen. */
   let isTelling = false;
   function applySoon(isNeeded: () => boolean = () => true): void {
     const keepsReason = isTelling;
@@ -133,7 +134,7 @@ export function usePageSession(
       try {
         await apply();
       } catch (cause) {
-        if (cause instanceof ConnectionError) return; // shown by the shell, tried again after it
+        if (cause instanceof ConnectionError) return; // Shown by the shell; retried after reconnecting.
         if (isGone()) id.value = undefined;
         failure.value = cause instanceof Error ? cause.message : String(cause);
         isTelling = true;

@@ -2,24 +2,24 @@ import type { DataFormatFamily, ProcessingModule, Session } from '@ubii/proto';
 import { formatLook } from '../../formats/families.ts';
 import { mappedModule, type MappingEnd } from '../words/mapping-words.ts';
 
-/** A box of the sketch: a module, or what is at the end of a wire. */
+/** Box in the sketch: a module, or a topic, constant, muxer or demuxer. */
 export interface SketchBox {
   readonly x: number;
   readonly y: number;
   readonly width: number;
   readonly height: number;
   readonly kind: 'module' | 'topic';
-  /** It has an error. */
+  /** True with an error. */
   readonly isTroubled: boolean;
 }
 
-/** A wire of the sketch, as a path. */
+/** Path of a connection. */
 export interface SketchWire {
   readonly path: string;
   readonly family: DataFormatFamily;
 }
 
-/** A session as a small picture of 96 × 54: topics at the sides, modules between them in columns. */
+/** Layout of a session as a picture of 96 × 54 units: topics at the sides, modules between them in columns. */
 export interface SessionSketch {
   readonly boxes: readonly SketchBox[];
   readonly wires: readonly SketchWire[];
@@ -28,13 +28,13 @@ export interface SessionSketch {
 const WIDTH = 96;
 const HEIGHT = 54;
 const MARGIN = 6;
-/** More of them cannot be distinguished. */
+/** Most boxes per column; more cannot be distinguished. */
 const MAX_ROWS = 4;
 const MAX_COLUMNS = 9;
 const MODULE = { width: 18, height: 12 };
-/** Topics are test points. */
+/** Topics are drawn as test points. */
 const TOPIC = { width: 4, height: 4 };
-/** Between columns, at least, while there is room. */
+/** Smallest gap between columns, while there is room. */
 const GAP = 6;
 
 interface Node {
@@ -130,7 +130,7 @@ function graphOf(session: Session): { nodes: Map<string, Node>; links: Link[] } 
   return { nodes, links };
 }
 
-/** Each node stands right of what flows into it; cycles end after as many rounds as there are columns. */
+/** Assigns each node to a column right of its sources; the number of rounds is limited because of cycles. */
 function assignColumns(nodes: Map<string, Node>, links: readonly Link[]): void {
   for (let round = 0; round < MAX_COLUMNS; round += 1) {
     for (const { from, to } of links) {
@@ -139,7 +139,7 @@ function assignColumns(nodes: Map<string, Node>, links: readonly Link[]): void {
       if (a && b && b.column <= a.column && a.column < MAX_COLUMNS - 1) b.column = a.column + 1;
     }
   }
-  // What only flows in stands close to where it flows to
+  // Nodes without sources are placed next to their targets.
   const hasSource = new Set(links.map(({ to }) => to));
   for (const node of nodes.values()) {
     if (hasSource.has(node.key)) continue;

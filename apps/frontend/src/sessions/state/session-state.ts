@@ -1,14 +1,14 @@
 import { SessionState, SessionStatus, type Session } from '@ubii/proto';
 import type { MarkedState } from '../../ui/UiStateMark.vue';
 
-/** What can be done with the life of a session. */
+/** Actions that change the status of a session. */
 export type LifeAction = 'start' | 'pause' | 'resume' | 'stop' | 'restart';
 
-/** Where a session is in its life, for people. */
+/** Display of a session's status. */
 export interface StateLook {
   readonly mark: MarkedState;
   readonly word: string;
-  /** What can be done now, the likeliest first. [SE-10] */
+  /** Actions available now, most likely first. [SE-10] */
   readonly actions: readonly LifeAction[];
 }
 
@@ -25,7 +25,7 @@ const LOOKS: Readonly<Record<SessionState, StateLook>> = {
   [SESSION_STOPPED]: { mark: 'stopped', word: 'Stopped', actions: ['start'] },
 };
 
-/** By the status alone, as an original master says it. */
+/** From the status only, as original masters report it. */
 const STATES: Readonly<Record<SessionStatus, SessionState>> = {
   [SessionStatus.CREATED]: SESSION_CREATED,
   [SessionStatus.RUNNING]: SESSION_RUNNING,
@@ -43,35 +43,35 @@ export function stateLook(state: SessionState): StateLook {
   return LOOKS[state] ?? LOOKS[SESSION_CREATED];
 }
 
-/** What runs is not known while the master cannot be asked: nothing is shown as running then. */
+/** Shown while disconnected: the real status is unknown, so nothing is shown as running. */
 export const OUT_OF_CONTACT: StateLook = {
   mark: 'away',
   word: 'Not connected to the master',
   actions: [],
 };
 
-/** How a session looks on a page that may have lost the master since it heard of it. */
+/** Status of a session on a page that may be disconnected from the master. */
 export function lookNow(session: Living, isConnected: boolean): StateLook {
   return isConnected ? sessionLook(session) : OUT_OF_CONTACT;
 }
 
-/** True while its modules run, or should: also while it is held. */
+/** True while its modules run or should run, also when paused. */
 export function isAlive(session: Living): boolean {
   const state = sessionState(session);
   return state === SESSION_RUNNING || state === SESSION_DEGRADED || state === SESSION_PAUSED;
 }
 
-/** True when its modules are reported of: they run, or start and may load models. [SE-50] [PM-94] */
+/** True when the modules have statistics: they run, or are starting and may load models. [SE-50] [PM-94] */
 export const isWatched = (session: Living): boolean =>
   isAlive(session) || sessionState(session) === SESSION_STARTING;
 
-/** True when it runs, or should, and something keeps it from doing so well. */
+/** True when it runs, or should, and has a problem. */
 export function hasTrouble(session: Living): boolean {
   const hasError = session.extension?.problems.some(({ isError }) => isError) === true;
   return hasError && (isAlive(session) || sessionState(session) === SESSION_STARTING);
 }
 
-/** How it is: what runs with an error does not look as if all were well. */
+/** Status of a session; a running session with an error has the look of a problem. */
 export function sessionLook(session: Living): StateLook {
   const look = stateLook(sessionState(session));
   return look.mark === 'live' && hasTrouble(session)
@@ -87,7 +87,7 @@ export const ACTION_WORDS: Readonly<Record<LifeAction, string>> = {
   restart: 'Restart',
 };
 
-/** The session as it is when the master does not have it any more: nothing of it runs. */
+/** The session in the state of one that the master does not have: nothing runs. */
 export function sessionAtRest(session: Session): Session {
   const { extension } = session;
   return {

@@ -1,6 +1,6 @@
 import { fromJson, type Session, type SessionState } from '@ubii/proto';
 
-/** A session for tests: one module that mirrors a position, with a topic, a constant and an output. */
+/** Session for tests: one module that mirrors a position, with a topic, a constant and an output. */
 export function aSession(
   changes: { name?: string; id?: string; state?: SessionState; json?: object } = {},
 ): Session {

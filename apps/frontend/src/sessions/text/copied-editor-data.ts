@@ -1,7 +1,7 @@
 /**
- * Editor data for a copy of a session whose modules have other ids: places, wires and what is set aside
- * go along. What is no JSON stays as it is.
- * @param ids new ids by old ones; modules that are set aside are added to it
+ * Editor data for a copy of a session whose modules have new ids: positions, wires, and bypassed and muted modules
+ * refer to the new ids. Texts that are not JSON are unchanged.
+ * @param ids new ids by old ones; ids of bypassed and muted modules are added to it
  */
 export function copiedEditorData(
   editorJson: string,
@@ -36,7 +36,7 @@ function asideIds(json: unknown): string[] {
   });
 }
 
-/** Members that hold the id of a module by itself; elsewhere it stands behind `module:`. */
+/** Members whose value is the id of a module; in other members it follows `module:`. */
 const ID_MEMBERS: ReadonlySet<string> = new Set(['id', 'moduleId', 'processingModuleId']);
 
 function renamed(value: unknown, ids: ReadonlyMap<string, string>, member: string): unknown {
@@ -50,7 +50,7 @@ function renamed(value: unknown, ids: ReadonlyMap<string, string>, member: strin
   );
 }
 
-/** Ids of nodes and wires are made of the ids of modules. */
+/** Ids of nodes and wires contain the ids of modules. */
 function nodeIdsIn(text: string, ids: ReadonlyMap<string, string>): string {
   return text.replaceAll(/module:(\S+)/g, (all, id: string) => {
     const next = ids.get(id);

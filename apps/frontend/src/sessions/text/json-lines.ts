@@ -1,8 +1,8 @@
-/** Where things are in a JSON text, or why it is none. */
+/** Lines of the members in a JSON text, or the reason why it is invalid. */
 export type JsonLines =
   | {
       readonly kind: 'read';
-      /** The line of a member by its path, such as `ioMappings[0].inputMappings[1].topic`; from 1. */
+      /** Line of a member by its path, such as `ioMappings[0].inputMappings[1].topic`; from 1. */
       lineOf(path: string): number | undefined;
     }
   | {
@@ -25,7 +25,7 @@ const STRING = /"(?:[ !#-[\]-\uffff]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/y;
 const SPACE = /[ \t\r\n]*/y;
 const WORDS = ['true', 'false', 'null'] as const;
 
-/** Reads a JSON text for its lines; the values are `JSON.parse`'s. */
+/** Scans a JSON text for line numbers; `JSON.parse` provides the values. */
 class Reader {
   readonly places = new Map<string, number>();
   readonly #text: string;
@@ -70,7 +70,7 @@ class Reader {
         throw new Broken(this.#at, `Expected a colon after "${name}", found ${this.#here()}.`);
       }
       this.#value(inner);
-      // The line of a member is that of its name
+      // The line of a member is that of its name.
       this.places.set(inner, at);
     } while (this.#skip(','));
     if (!this.#skip('}')) {
@@ -135,7 +135,7 @@ class Reader {
   }
 }
 
-/** Finds the lines of a JSON text. */
+/** Determines the line numbers of a JSON text. */
 export function jsonLines(text: string): JsonLines {
   const reader = new Reader(text);
   const lineAt = (at: number): number => text.slice(0, at).split('\n').length;
@@ -149,7 +149,7 @@ export function jsonLines(text: string): JsonLines {
   return {
     kind: 'read',
     lineOf(path) {
-      // What is missing is shown where it should be: at what is around it
+      // A missing member is reported at the line of its parent.
       for (let rest = path; rest !== ''; rest = rest.replace(/(^|\.)[^.[]*$|\[\d+\]$/, '')) {
         const at = reader.places.get(rest);
         if (at !== undefined) return lineAt(at);

@@ -2,8 +2,8 @@ import type { Init, ProcessingModule, Session } from '@ubii/proto';
 import { copiedEditorData } from './copied-editor-data.ts';
 
 /**
- * What people make of a session, without what the master adds: its life, its problems, where modules
- * were put by the master's own choice.
+ * The parts of a session that users specify, without those that the master adds: status, problems, and nodes chosen by
+ * the master.
  */
 export function sessionSpec(session: Session): Init<Session> {
   const { name, description, tags, authors, editable, ioMappings, extension } = session;
@@ -23,7 +23,7 @@ export function sessionSpec(session: Session): Init<Session> {
   };
 }
 
-/** What people make of a module. */
+/** The parts of a module that users specify. */
 export function moduleSpec(module: ProcessingModule): Init<ProcessingModule> {
   const { sessionId: _session, status: _status, nodeId, extension, ...rest } = module;
   return {
@@ -39,8 +39,8 @@ export function moduleSpec(module: ProcessingModule): Init<ProcessingModule> {
 }
 
 /**
- * The same session once more: modules get ids of their own, and mappings follow them.
- * @param uuid gives a new UUID
+ * Returns a copy of a session; modules get new ids, and mappings refer to them.
+ * @param uuid returns a new UUID
  */
 export function sessionCopy(spec: Init<Session>, uuid: () => string): Init<Session> {
   const ids = new Map<string, string>();
@@ -59,13 +59,13 @@ export function sessionCopy(spec: Init<Session>, uuid: () => string): Init<Sessi
   return { ...spec, id: '', processingModules, ioMappings, extension };
 }
 
-/** Takes the places off its modules: nodes of here are not there. */
+/** Removes the node assignments of modules, because nodes differ between installations. */
 export function withoutPlaces(spec: Init<Session>): Init<Session> {
   const modules = spec.processingModules ?? [];
   return { ...spec, processingModules: modules.map((module) => ({ ...module, nodeId: '' })) };
 }
 
-/** `Name copy`, `Name copy 2`, … whichever is free. */
+/** `Name copy`, `Name copy 2`, …: the first that is free. */
 export function copyName(name: string, taken: ReadonlySet<string>): string {
   const base = name.replace(/ copy(?: \d+)?$/, '');
   for (let number = 1; ; number += 1) {
@@ -74,7 +74,7 @@ export function copyName(name: string, taken: ReadonlySet<string>): string {
   }
 }
 
-/** The name itself, or with the first number that makes it free: `Name 2`. */
+/** The name itself, or with the first number that makes it unique: `Name 2`. */
 export function freeName(name: string, taken: ReadonlySet<string>): string {
   if (!taken.has(name)) return name;
   for (let number = 2; ; number += 1) {

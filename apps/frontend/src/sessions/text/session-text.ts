@@ -10,32 +10,32 @@ import { jsonLines } from './json-lines.ts';
 
 const SESSION = 'ubii.sessions.Session';
 
-/** Something that is wrong with a text, and on which line of it. */
+/** Problem of a text, with its line. */
 export interface TextProblem {
   readonly isError: boolean;
   readonly message: string;
-  /** From 1; `undefined` when it is about the whole. */
+  /** From 1; `undefined` when it concerns the whole text. */
   readonly line: number | undefined;
-  /** Where in the session, in words of the schema; empty when nowhere special. */
+  /** Path in the session, by the schema; empty for the whole session. */
   readonly path: string;
 }
 
-/** A text as a session, or why it is none. */
+/** A session from a text, or the reason why it is invalid. */
 export type ReadSession =
   | {
       readonly kind: 'read';
       readonly session: Session;
-      /** What is only doubtful. */
+      /** Warnings. */
       readonly problems: readonly TextProblem[];
     }
   | { readonly kind: 'broken'; readonly problems: readonly TextProblem[] };
 
-/** A session as people read and edit it: pretty JSON, nothing that is empty. */
+/** Formats a session for reading and editing: indented JSON without empty members. */
 export function sessionText(spec: Init<Session>): string {
   return `${JSON.stringify(prune(toJson(SESSION, spec)), undefined, 2)}\n`;
 }
 
-/** Reads a session from a text. [SE-6] */
+/** Parses a session from a text. [SE-6] */
 export function readSessionText(text: string): ReadSession {
   const lines = jsonLines(text);
   if (lines.kind === 'broken') {
@@ -69,7 +69,7 @@ export function readSessionText(text: string): ReadSession {
   }
 }
 
-/** Puts what the master found wrong on the lines of the text it was read from. */
+/** Assigns the master's problems to lines of the text. */
 export function problemsOnLines(text: string, problems: readonly SessionProblem[]): TextProblem[] {
   const lines = jsonLines(text);
   return problems.map(({ isError, message, path }) => ({
@@ -86,10 +86,10 @@ function isObject(value: unknown): value is object {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/** Old clients write mappings in their own way, which is understood. [SE-6] */
+/** Members of mappings from old clients, which are accepted. [SE-6] */
 const LEGACY_MEMBERS: ReadonlySet<string> = new Set(['topicSource', 'topicDestination']);
 
-/** Paths of members that the schema does not know; misspelt ones, mostly. */
+/** Paths of members that the schema does not have, mostly misspelt. */
 function unknownMembers(value: object, read: object, path = ''): string[] {
   return Object.entries(value).flatMap(([name, member]: [string, unknown]) => {
     const key = name.replace(/_([a-z])/g, (_, letter: string) => letter.toUpperCase());
@@ -107,7 +107,7 @@ function unknownWithin(value: unknown, read: unknown, path: string): string[] {
   return isObject(value) && isObject(read) ? unknownMembers(value, read, path) : [];
 }
 
-/** What only the master writes. */
+/** Members that only the master writes. */
 const MASTERS: ReadonlySet<string> = new Set([
   'status',
   'sessionId',
@@ -118,7 +118,7 @@ const MASTERS: ReadonlySet<string> = new Set([
   'replaceable',
 ]);
 
-/** Without members that say nothing: empty texts and lists, `false`, and what the master adds. */
+/** Removes empty texts and lists, `false`, and members that the master adds. */
 function prune(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(prune);
   if (!isObject(value)) return value;
@@ -133,6 +133,6 @@ function isNothing(name: string, value: unknown): boolean {
   if (value === undefined || value === null || value === '' || value === false) return true;
   if (Array.isArray(value)) return value.length === 0;
   if (name === 'lockstepHertz') return value === 0;
-  // An empty object elsewhere has a meaning: { "free": {} }
+  // Other empty objects have a meaning: `{ "free": {} }`.
   return name === 'extension' && isObject(value) && Object.keys(value).length === 0;
 }

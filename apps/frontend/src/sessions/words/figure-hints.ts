@@ -1,4 +1,4 @@
-/** Explains the figures of modules and sessions, by the names they have on pages. */
+/** Explanations of the figures of modules and sessions, by their labels. */
 export const FIGURE_HINTS: Readonly<Record<string, string>> = {
   'Runs/s': 'Runs of the module per second.',
   p50: 'Median run time: half of the runs take at most this long.',

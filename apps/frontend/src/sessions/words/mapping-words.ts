@@ -9,22 +9,22 @@ import {
   type TopicOutputMapping,
 } from '@ubii/proto';
 
-/** What is at the other end of an input or an output. */
+/** Source of an input or target of an output. */
 export type MappingEnd =
   | { readonly kind: 'topic'; readonly topic: string }
-  /** Many topics: which, and what tells their records apart. */
+  /** Several topics: their pattern, and how elements are identified. */
   | { readonly kind: 'muxer'; readonly pattern: string; readonly words: string }
   | { readonly kind: 'demuxer'; readonly pattern: string; readonly words: string }
-  /** The value as JSON text, without the name of its data format. */
+  /** Value as JSON text, without the name of its data format. */
   | { readonly kind: 'constant'; readonly value: string }
   | { readonly kind: 'none' };
 
-/** One input or output of a module, with what flows there. */
+/** Input or output of a module, with its mappings. */
 export interface MappedIO {
   readonly name: string;
   readonly format: string;
   readonly isList: boolean;
-  /** False: the mapping names it, the module does not know it. [SE-4] */
+  /** False when the mapping has it, but not the module. [SE-4] */
   readonly isDeclared: boolean;
   readonly end: MappingEnd;
 }
@@ -48,7 +48,7 @@ function muxPattern({ component, topicGlob, topicSelector }: TopicMux): string {
   return topicGlob || topicSelector;
 }
 
-/** [PM-41, PM-43] */
+/** Formats a muxer. [PM-41, PM-43] */
 function muxWords(mux: TopicMux): string {
   const { identitySource, identityMatchPattern } = mux;
   if (identitySource === MuxIdentity.MUX_IDENTITY_PATTERN && identityMatchPattern !== '') {
@@ -67,7 +67,7 @@ const inputEnd = (mapping: TopicInputMapping | undefined): MappingEnd => {
   return { kind: 'none' };
 };
 
-/** [PM-34] `{"double":0.5}` is `0.5`; what cannot be read is shown as it is. */
+/** Formats a constant: `{"double":0.5}` as `0.5`; invalid ones unchanged. [PM-34] */
 function constantValue(json: string): string {
   try {
     const record: unknown = JSON.parse(json);
@@ -90,7 +90,7 @@ const outputEnd = (mapping: TopicOutputMapping | undefined): MappingEnd => {
   return mapping?.topicDemux ? demuxEnd(mapping.topicDemux) : { kind: 'none' };
 };
 
-/** Inputs and outputs of a module of a session: all it declares, then what else is mapped. */
+/** Inputs and outputs of a session's module: declared ones, then undeclared ones with a mapping. */
 export interface MappedModule {
   readonly inputs: readonly MappedIO[];
   readonly outputs: readonly MappedIO[];

@@ -1,9 +1,9 @@
 import type { ProcessingMode } from '@ubii/proto';
 
-/** A mode without one, and what a frequency of 0 means. [PM-20] */
+/** Default frequency, also for a frequency of 0, Hz. [PM-20] */
 const DEFAULT_HZ = 30;
 
-/** When a module runs, in a few words: `60 Hz`, `on any input, 16 ms apart`, `lockstep`. */
+/** Formats a processing mode: `60 Hz`, `on any input, 16 ms apart`, `lockstep`. */
 export function modeWords(mode: ProcessingMode | undefined): string {
   if (mode?.triggerOnInput) {
     const { allInputsNeedUpdate, minDelayMs } = mode.triggerOnInput;

@@ -1,7 +1,7 @@
 import { ProcessingModuleStatus, SessionState, type ProcessingModule } from '@ubii/proto';
 import type { MarkedState } from '../../ui/UiStateMark.vue';
 
-/** Where a module is in its life, for people. */
+/** Display of a module's status. */
 export interface StatusLook {
   readonly mark: MarkedState;
   readonly word: string;
@@ -20,7 +20,7 @@ const ALIVE: ReadonlySet<number> = new Set([
   SessionState.SESSION_DEGRADED,
 ]);
 
-/** @param hasError the session names an error of this module */
+/** @param hasError whether the session has an error of this module */
 export function moduleStatus(
   { status }: Pick<ProcessingModule, 'status'>,
   session: SessionState,

@@ -8,7 +8,7 @@ const KINDS: Readonly<Record<NodeExtensionKind, string>> = {
   [NodeExtensionKind.BROWSER]: 'browser tab',
 };
 
-/** What a node is, and what it is short of: `browser tab, 2 modules`. */
+/** Kind of a node, its load and limits: `browser tab, 2 modules`. */
 export function nodeHint(node: NodeInfo): string {
   const kind = KINDS[node.node?.kind ?? NodeExtensionKind.EXTERNAL] ?? KINDS[0];
   if (!node.available) return `${kind}, away`;
@@ -16,7 +16,7 @@ export function nodeHint(node: NodeInfo): string {
   return count === 0 ? kind : `${kind}, ${counted(count, 'module')}`;
 }
 
-/** The display name of a node; its id when unknown. */
+/** Display name of a node; its id when unknown. */
 export function nodeName(
   id: string,
   find: (id: string) => Pick<NodeInfo, 'name' | 'node'> | undefined,
@@ -29,7 +29,7 @@ export function nodeName(
   return node?.name || `${id.slice(0, 8)}…`;
 }
 
-/** True when the node can be given this module now. [SE-30] */
+/** True when the node can run this module now. [SE-30] */
 export function canRun(
   node: NodeInfo,
   module: Pick<ProcessingModule, 'name' | 'onProcessingStringified'> &

@@ -1,6 +1,6 @@
 import type { Session, SessionProblem } from '@ubii/proto';
 
-/** Which input or output of a module of a session a path leads to. */
+/** Input or output of a session's module that a path refers to. */
 export interface ProblemPlace {
   readonly moduleId: string;
   readonly side: 'input' | 'output';
@@ -13,7 +13,7 @@ const DECLARED = /^processingModules\[(\d+)\]\.(input|output)s\[(\d+)\]/;
 
 type Placed = Pick<Session, 'ioMappings' | 'processingModules' | 'extension'>;
 
-/** The input or output a problem is about; `undefined` when it is about something else. */
+/** Returns the input or output that a problem concerns; `undefined` when it concerns something else. */
 export function placeOf(session: Placed, path: string): ProblemPlace | undefined {
   const [, mappingAt, mappingSide, entryAt] = MAPPING.exec(path) ?? [];
   if (mappingAt !== undefined) {
@@ -40,7 +40,7 @@ function place(
   return { moduleId, side: side === 'input' ? 'input' : 'output', name };
 }
 
-/** What is wrong with one input or output of a module. */
+/** Returns the problems of an input or output of a module. */
 export function problemsOf(
   session: Placed,
   moduleId: string,
@@ -53,7 +53,7 @@ export function problemsOf(
   });
 }
 
-/** A problem's sentence with the name of its module before it, when the sentence does not say it. */
+/** Prefixes a problem's sentence with the name of its module, unless the sentence has it. */
 export function problemSubject({
   moduleName,
   message,

@@ -2,19 +2,19 @@ import type { Session } from '@ubii/proto';
 import { plural } from '@ubii/words';
 import { isAlive } from '../state/session-state.ts';
 
-/** A session, as others name it. */
+/** Reference to another session. */
 export interface SessionRef {
   readonly id: string;
   readonly name: string;
 }
 
-/** A topic that another session writes as well. */
+/** Topic that another session writes, too. */
 export interface SharedTopic {
   readonly topic: string;
   readonly others: readonly SessionRef[];
 }
 
-/** The topics that the modules of a session write. */
+/** Returns the topics that the modules of a session write. */
 export function writtenTopics({
   ioMappings,
   processingModules,
@@ -28,7 +28,7 @@ export function writtenTopics({
   return topics;
 }
 
-/** The topics that the modules of a session read or write, each once. */
+/** Returns the topics that the modules of a session read or write, without duplicates. */
 export function mappedTopics(session: Pick<Session, 'ioMappings' | 'processingModules'>): string[] {
   const read = session.ioMappings.flatMap(({ inputMappings }) =>
     inputMappings.flatMap(({ topic }) => (topic ? [topic] : [])),
@@ -37,9 +37,9 @@ export function mappedTopics(session: Pick<Session, 'ioMappings' | 'processingMo
 }
 
 /**
- * Who writes what, of the sessions that run: two that write one topic take turns at it, and nothing
- * in either of them says so.
- * @param except the id of the one that asks
+ * Returns the running sessions by the topics that they write: two sessions that write one topic alternate, and neither
+ * reports it.
+ * @param except id of a session to omit
  */
 export function runningWriters(
   sessions: readonly Session[],
@@ -56,7 +56,7 @@ export function runningWriters(
   return writers;
 }
 
-/** Topics that a running session and other running ones write. */
+/** Returns the topics that a running session and other running ones write. */
 export function sharedTopics(session: Session, sessions: readonly Session[]): SharedTopic[] {
   if (!isAlive(session)) return [];
   const writers = runningWriters(sessions, session.id);
@@ -66,7 +66,7 @@ export function sharedTopics(session: Session, sessions: readonly Session[]): Sh
   });
 }
 
-/** Who else writes, and what follows. */
+/** Describes the other writers and the consequence. */
 export function sharedWords({ topic, others }: SharedTopic): string {
   const names = others.map(({ name }) => `"${name}"`).join(', ');
   const who = plural(
