@@ -2,13 +2,13 @@ import type { UbiiClient } from '@ubii/client-web';
 import { watch, type Ref } from 'vue';
 import type { ClientsStore } from './clients-store.ts';
 
-/** What this page said itself comes back as an announcement within this time, milliseconds. */
+/** Time within which this page's own name returns as an announcement, milliseconds. */
 const ECHO_MS = 5000;
 
 /**
- * Adopts the name that another client gave this page, so that the page uses the name that others see.
- * [EX-29] Echoes of what it said itself are not taken: two that follow each other would chase forever.
- * @param nowMs this machine's clock
+ * Adopts the name that another client gave this page, so that the page uses the name that others see. [EX-29] Ignores
+ * announcements of names that this page set itself: otherwise two consecutive ones would alternate forever.
+ * @param nowMs this computer's clock
  */
 export function adoptName(
   client: Pick<UbiiClient, 'id'>,

@@ -1,4 +1,4 @@
-/** What a user agent says about its maker, in the order in which the words must be looked for. */
+/** Patterns of browsers in user agents, in the order in which they must be tested. */
 const BROWSERS = [
   [/\bEdg(e|A|iOS)?\//, 'Edge'],
   [/\b(OPR|Opera)\//, 'Opera'],
@@ -22,7 +22,7 @@ const SYSTEMS = [
 const find = (words: readonly (readonly [RegExp, string])[], agent: string): string | undefined =>
   words.find(([pattern]) => pattern.test(agent))?.[1];
 
-/** The few words people know a browser by: `iPhone, Safari`. */
+/** Short description of a browser: `iPhone, Safari`. */
 export function describeAgent(userAgent: string): string {
   const words = [find(SYSTEMS, userAgent), find(BROWSERS, userAgent)];
   return words.filter((word) => word !== undefined).join(', ') || 'Browser';

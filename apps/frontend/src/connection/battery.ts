@@ -1,19 +1,19 @@
-/** How full the battery is, and whether it fills. */
+/** Battery level, and whether it is charging. */
 export interface BatteryState {
   /** 0 to 1. */
   readonly level: number;
   readonly isCharging: boolean;
 }
 
-/** Chromium's battery; others tell nothing, to keep people from being recognised by it. */
+/** Chromium only; other browsers omit it to prevent fingerprinting. */
 interface BatteryManager extends EventTarget {
   readonly level: number;
   readonly charging: boolean;
 }
 
 /**
- * Tells of the battery now and whenever it changes; says nothing where the browser gives none.
- * @returns ends it
+ * Reports the battery state now and whenever it changes; never, where the browser does not provide it.
+ * @returns a function that stops it
  */
 export function watchBattery(handle: (state: BatteryState) => void): () => void {
   const { getBattery } = navigator as { getBattery?: () => Promise<BatteryManager> };

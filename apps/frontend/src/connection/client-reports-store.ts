@@ -8,15 +8,15 @@ import { usePoll } from './poll.ts';
 export interface ClientReportsStore {
   /** By client id; `undefined` until the first reply, kept while disconnected. */
   readonly byId: Readonly<ShallowRef<ReadonlyMap<string, ClientActivity> | undefined>>;
-  /** When the newest reply was made: milliseconds since the Unix epoch, master's clock; 0 before. */
+  /** Time of the newest reply, epoch milliseconds of the master's clock; 0 before. */
   readonly masterTimeMs: Readonly<ShallowRef<number>>;
-  /** True when this is a master that has no such service. */
+  /** True when the master does not have the service. */
   readonly isUnsupported: Readonly<ShallowRef<boolean>>;
-  /** Why the last question was not answered, when the master refused it. */
+  /** Error of the last request, when the master refused it. */
   readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
-  /** Wants reports this often while the calling component or scope lives, milliseconds. */
+  /** Requests reports at this interval while the calling component or scope is active, milliseconds. */
   watch(intervalMs: number): void;
-  /** Asks at once: something was changed. */
+  /** Requests at once, after a change. */
   refresh(): Promise<void>;
 }
 
@@ -38,7 +38,7 @@ export function createClientReportsStore(
       isUnsupported.value = false;
       error.value = undefined;
     } catch (cause) {
-      // A failed link shows in the connection's state, and the poll goes on after it.
+      // Shown by the connection's state; polling resumes after reconnecting.
       if (cause instanceof ConnectionError) return;
       if (!(cause instanceof ServiceError)) throw cause;
       isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';

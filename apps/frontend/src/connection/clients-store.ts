@@ -9,37 +9,34 @@ import { usePoll } from './poll.ts';
 import { Recency } from './recency.ts';
 
 const ANNOUNCEMENTS = '/ubii/client/*';
-/** What was left out of announcements is asked for this long after the first one, for all of them. [EX-74] */
+/** Delay after the first abridged announcement before the missing parts of all are requested, milliseconds. [EX-74] */
 const SETTLE_MS = 2_000;
-/** More clients than these are not asked for by their ids. */
+/** Most clients requested by id; above, the list is requested. */
 const MAX_SINGLE = 20;
 
-/**
- * Every client the master knows, as it announces them. [CL-31] Their names are display names: no two clients have the
- * same one, and none is empty.
- */
+/** All clients of the master, from its announcements. [CL-31] Their names are display names: unique and not empty. */
 export interface ClientsStore {
-  /** In the order in which this page learned of them; `undefined` until the first list. */
+  /** In the order in which this page learned of them; `undefined` until the first list arrives. */
   readonly list: Readonly<ShallowRef<readonly Client[] | undefined>>;
-  /** By id; works for clients that are gone, so that their topics keep a name. */
+  /** By id; includes disconnected clients, so that their topics keep a name. */
   find(id: string): Client | undefined;
-  /** The name that a client gave itself, as the master has it. */
+  /** Name that a client gave itself, as stored on the master. */
   ownName(id: string): string | undefined;
-  /** Keeps round trips fresh (they are not announced) while the calling component lives. */
+  /** Keeps round trips (which are not announced) up to date while the calling component is mounted. */
   keepFresh(intervalMs: number): void;
 }
 
 export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>): ClientsStore {
   const list = shallowRef<readonly Client[]>();
-  /** Grows by the clients of this page's life; bounded by the master's own limit on clients. */
+  /** All clients since the page was opened; bounded by the master's limit on clients. */
   const known = new Map<string, Client>();
   const present = new Set<string>();
   const recency = new Recency();
   const interest = createInterest();
 
-  /** Names that this page shows, by id. */
+  /** Display names by id. */
   let names: ReadonlyMap<string, string> = new Map();
-  /** A client with its display name; the same object for the same client and name. */
+  /** Cache of clients with display names: the same object for the same client and name. */
   const named = new Map<string, { readonly from: Client; readonly to: Client }>();
 
   function show(client: Client): Client {
@@ -77,7 +74,7 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     }
     draw();
   }
-  /** @param ids of the clients to ask for; all without them */
+  /** @param ids of the clients to request; default: all */
   async function refresh(ids?: readonly string[]): Promise<void> {
     const turn = recency.now();
     try {
@@ -86,14 +83,14 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
         : client.call('clientGetList', { elements: ids.map((id) => ({ id })) }));
       take(elements, ids ?? [...present], turn);
     } catch (cause) {
-      // Both show elsewhere, and the next refresh makes up for it.
+      // Shown elsewhere, and the next refresh replaces this one.
       if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
     }
   }
 
-  /** Revision of the registration that was asked for last, of clients that are announced abridged. */
+  /** Last requested revision of clients with abridged announcements. */
   const revisions = new Map<string, number>();
-  /** Announced, but not with all there is to know. */
+  /** Ids of clients whose announcement was abridged. */
   const unsure = new Set<string>();
   function refreshUnsure(): void {
     const ids = [...unsure];
@@ -103,7 +100,7 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
   const later = useTimeoutFn(refreshUnsure, SETTLE_MS, { immediate: false });
   const atOnce = useTimeoutFn(refreshUnsure, 0, { immediate: false });
 
-  /** The client as it is known with what is new of it. */
+  /** Completes an abridged announcement with the known data of the client. */
   function completed(value: Client): Client {
     const { extension, id, name, state, latency } = value;
     if (extension?.abridged !== true) return value;
@@ -118,7 +115,8 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
 
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'client' }).onRecord(({ value }) => {
     if (value.state === ClientState.UNAVAILABLE) {
-      // Lost or removed: both are announced alike, its answer tells. Until then nothing is shown of it.
+      // Lost and removed clients have the same announcement; only the reply distinguishes them. Until then, the client
+      // is not shown.
       if (!known.has(value.id)) known.set(value.id, value);
       unsure.add(value.id);
       return atOnce.start();

@@ -1,20 +1,20 @@
-/** How far the master's clock is ahead of this machine's. */
+/** Offset of the master's clock relative to this computer's. */
 export interface ClockOffset {
-  /** Add it to this machine's clock to get the master's, milliseconds. */
+  /** Add it to this computer's clock to get the master's, milliseconds. */
   readonly offsetMs: number;
-  /** The true offset lies within this, milliseconds: half the time the question was on its way. */
+  /** Bound on the error of the offset, milliseconds: half the round trip. */
   readonly errorMs: number;
-  /** When it was measured, this machine's clock, epoch milliseconds. */
+  /** Time of the measurement, this computer's clock, epoch milliseconds. */
   readonly measuredMs: number;
 }
 
-/** Clocks of ordinary machines drift apart by at most about this much, milliseconds per second. */
+/** Largest drift of ordinary clocks, milliseconds per second. */
 const DRIFT_MS_PER_S = 0.1;
 
 /**
- * The better of what is known and a new measurement. A quick answer is a good measurement and stands
- * until drift has made it worse than the new one.
- * @param sentMs and `receivedMs`: this machine's clock · `masterMs`: the master's, in between
+ * Returns the better one of the known and a new measurement. A measurement with a short round trip stays until drift
+ * makes it worse than the new one.
+ * @param sentMs and `receivedMs`: this computer's clock · `masterMs`: the master's, in between
  */
 export function measureClock(
   known: ClockOffset | undefined,

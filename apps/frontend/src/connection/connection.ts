@@ -7,31 +7,33 @@ import type { NodesStore } from './nodes-store.ts';
 import type { SessionsStore } from './sessions-store.ts';
 import type { TopicStatisticsStore } from './topic-statistics-store.ts';
 
-/** This page's one place in the system. Views read it and send intents. */
+/** Connection of this page to the system. Views read its state and call its methods. */
 export interface Connection {
   readonly client: UbiiClient;
   readonly state: Readonly<ShallowRef<ConnectionState>>;
   readonly isConnected: ComputedRef<boolean>;
-  /** Another page has taken this identity; nothing is retried until `connect()`. */
+  /** True when another page uses this identity; no retries until `connect()`. */
   readonly isSuperseded: ComputedRef<boolean>;
   readonly roundTrip: Readonly<ShallowRef<RoundTrip | undefined>>;
-  /** This tab's name: that of the browser, remembered, from the second tab on with a number. Assign to rename the browser. */
+  /**
+   * Name of this tab: that of the browser, with a number from the second tab on. Stored; assign to rename the browser.
+   */
   readonly name: Ref<string>;
-  /** How long published records are collected before they are sent, milliseconds, remembered. */
+  /** Interval at which published records are batched, milliseconds; stored. */
   readonly publishIntervalMs: Ref<number>;
   readonly master: MasterStatusStore;
-  /** Publisher of what modules on the master put out; empty until it is known. */
+  /** Client id of the master as publisher of its modules' outputs; empty until known. */
   readonly masterId: Readonly<ShallowRef<string>>;
   readonly clients: ClientsStore;
   readonly reports: ClientReportsStore;
   readonly topics: TopicStatisticsStore;
   readonly sessions: SessionsStore;
   readonly nodes: NodesStore;
-  /** Connects, or tries again at once. */
+  /** Connects, or retries at once. */
   connect(): void;
-  /** Leaves; `connect()` comes back as the same client. */
+  /** Disconnects; `connect()` resumes as the same client. */
   leave(): void;
-  /** Leaves, forgets who this page was and comes back as a new client. */
+  /** Disconnects, discards the identity, and connects as a new client. */
   forgetIdentity(): Promise<void>;
 }
 

@@ -23,15 +23,15 @@ import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 const DEFAULT_PUBLISH_INTERVAL_MS = 15;
 const IDENTITY_KEY = 'ubii.identity';
 
-/** The name of the frame that this page is in; undefined for a page that is not in a frame. */
+/** Name of the frame that contains this page; undefined outside of frames. */
 function frameName(): string | undefined {
   return window.parent === window ? undefined : window.name || 'frame';
 }
 
-/** Sets up the one client of this page and the stores fed by it. Call once, at the root. */
+/** Creates the client of this page and its stores. Call once, at the root. */
 export function createConnection(): Connection {
-  // The name belongs to the browser, the identity to the tab: each tab is a client of its own.
-  // A frame shares the storage of the page around it, and is a client with a name of its own.
+  // The name belongs to the browser, the identity to the tab: each tab is a separate client. A frame shares the storage
+  // of its parent page, and is a client with its own name.
   const frame = frameName();
   const ownName =
     frame === undefined
@@ -54,7 +54,7 @@ export function createConnection(): Connection {
   const state = shallowRef(client.state);
   const roundTrip = shallowRef(client.roundTrip);
   client.onState((next) => (state.value = next));
-  // It changes with every PING; do not draw it while the page is hidden.
+  // It changes with every PING; do not update views while the page is hidden.
   const visibility = useDocumentVisibility();
   const showRoundTrip = (): void => {
     if (visibility.value === 'visible') roundTrip.value = client.roundTrip;
@@ -76,7 +76,7 @@ export function createConnection(): Connection {
   watch(publishIntervalMs, (next) => client.setPublishIntervalMs(next));
 
   const masterId = shallowRef('');
-  // Another one with each start of the master.
+  // Requests the id, which changes with each start of the master.
   async function learnMasterId(): Promise<void> {
     const server = await client.call('serverConfiguration').catch(() => undefined);
     if (server !== undefined) masterId.value = server.id;
@@ -85,7 +85,7 @@ export function createConnection(): Connection {
 
   function connect(): void {
     if (state.value.status === 'reconnecting') client.retryNow();
-    // How it ends is in `state`, which every page shows.
+    // The result is in `state`, which every page shows.
     else client.connect().catch(() => undefined);
   }
 

@@ -1,30 +1,30 @@
-/** A client as its display name is made: what it calls itself, and whether it is in the master's list. */
+/** Data for a client's display name: its own name, and whether it is listed. */
 export interface NamedClient {
   readonly id: string;
-  /** As the master has it; may be empty, and other clients may have the same. */
+  /** Name stored on the master; may be empty or not unique. */
   readonly name: string;
   readonly isPresent: boolean;
 }
 
 const UUID = /^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$/i;
 
-/** Whether a text has the form of the ids that the master gives to clients. */
+/** Whether a text has the form of a client id. */
 export function isClientId(text: string): boolean {
   return UUID.test(text);
 }
 
-/** What a client without a name is called: `Client 9b2f9c1e`. */
+/** Display name of a client without a name: `Client 9b2f9c1e`. */
 export function unnamedClient(id: string): string {
   return `Client ${id.slice(0, 8)}`;
 }
 
 /**
- * Returns a display name for each client by its id, no two alike: of clients with the same name, the first keeps it and
- * the others get a number, `Phone`, `Phone 2`. A client keeps its display name as long as it keeps its own name; clients
- * that are gone give up theirs to those that are here.
+ * Returns unique display names of clients by id: of clients with the same name, the first keeps it, and the others get
+ * a number, `Phone`, `Phone 2`. A client keeps its display name while its own name is unchanged; disconnected clients
+ * give theirs up to connected ones.
  *
  * @param clients in the order in which this page learned of them
- * @param before the result of the call before
+ * @param before result of the previous call
  */
 export function displayNames(
   clients: readonly NamedClient[],
@@ -61,7 +61,7 @@ function baseOf({ id, name }: NamedClient): string {
   return name.trim() === '' ? unnamedClient(id) : name;
 }
 
-/** Whether a display name was made from the name that the client has now. */
+/** Whether a display name was derived from the client's current name. */
 function isNameOf(display: string, client: NamedClient): boolean {
   const base = baseOf(client);
   return (

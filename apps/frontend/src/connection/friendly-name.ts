@@ -85,7 +85,7 @@ const SECOND = [
 ] as const;
 
 /**
- * Two words that are easy to say across a room: `Quiet Otter`.
+ * Returns a random name of two words that are easy to pronounce: `Quiet Otter`.
  * @param random evenly distributed in [0, 1)
  */
 export function friendlyName(random: () => number): string {

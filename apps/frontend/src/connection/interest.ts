@@ -5,7 +5,7 @@ import { computed, shallowRef, type ComputedRef } from 'vue';
 export interface Interest {
   /** The shortest interval of all viewers, milliseconds; `undefined` without viewers. */
   readonly intervalMs: ComputedRef<number | undefined>;
-  /** Wants data every `intervalMs` until the calling component or scope is gone. */
+  /** Registers a viewer with an interval until the calling component or scope ends. */
   express(intervalMs: number): void;
 }
 

@@ -1,39 +1,39 @@
 import { INFO_TOPICS, type Session } from '@ubii/proto';
 import { Recency } from './recency.ts';
 
-/** More sessions than these are not asked for one by one. */
+/** Most sessions requested by id; above, the list is requested. */
 const MAX_SINGLE = 8;
 
-/** What has to be asked: the whole list, or these sessions. */
+/** Request to make: the whole list, or these sessions. */
 export type SessionQuestion = 'list' | readonly string[];
 
 interface Announcement {
   readonly topic: string;
   readonly session: Session;
   /**
-   * The first one on its topic since the link is up: the master may have retained it for long. The list, which is
-   * asked for after the subscription, is then newer.
+   * True for the first announcement on its topic since the connection: it may be an old, retained one. The list,
+   * requested after the subscription, is newer.
    */
   readonly isDoubtful: boolean;
 }
 
 const revisionOf = (session: Session | undefined): number => session?.extension?.revision ?? 0;
 
-/** The sessions as lists, announcements and replies tell, and what has to be asked to know the rest. */
+/** Sessions known from lists, announcements and replies, and the requests needed to complete them. */
 export class KnownSessions {
   #known = new Map<string, Session>();
   #hasList = false;
-  /** The list is of the link that is up now. */
+  /** True when the list was received on the current connection. */
   #isCurrent = false;
-  /** Topics on which something was announced since the link is up. */
+  /** Topics with an announcement since the connection. */
   readonly #heard = new Set<string>();
-  /** Doubtful ones that came before the list. */
+  /** Doubtful announcements received before the list. */
   #early: Announcement[] = [];
   readonly #recency = new Recency();
   readonly #asked = new Set<string>();
   #wantsList = false;
 
-  /** In the order in which the master lists them; `undefined` until the first list. */
+  /** In the order of the master's list; `undefined` until the first list arrives. */
   get list(): readonly Session[] | undefined {
     return this.#hasList ? [...this.#known.values()] : undefined;
   }
@@ -42,22 +42,22 @@ export class KnownSessions {
     return this.#known.get(id);
   }
 
-  /** The link is gone: what is retained will be announced again. */
+  /** The connection was lost: retained announcements will be received again. */
   handleDisconnected(): void {
     this.#isCurrent = false;
     this.#heard.clear();
     this.#early = [];
   }
 
-  /** Makes this the newest of its session, or the session gone: a reply, or an announcement in its order. */
+  /** Stores the newest state of a session, or its removal: from a reply, or an announcement in order. */
   set(id: string, session: Session | undefined): void {
     this.answerOne(id, session, this.now());
     this.#asked.delete(id);
   }
 
   /**
-   * Takes the reply of a service. Replies and announcements travel on different channels: an announcement that is
-   * newer may have come before, so the session is asked for once more.
+   * Handles the reply of a service. Replies and announcements use different channels, so a newer announcement may have
+   * arrived before: the session is requested once more.
    */
   takeReply(session: Session): void {
     this.set(session.id, session);
@@ -77,7 +77,7 @@ export class KnownSessions {
     return this.#recency.now();
   }
 
-  /** What is to be asked now, once; `undefined` for nothing. */
+  /** Returns the request to make now, once; `undefined` for none. */
   takeQuestion(): SessionQuestion | undefined {
     const ids = [...this.#asked];
     const isList = this.#wantsList || ids.length > MAX_SINGLE;
@@ -87,7 +87,7 @@ export class KnownSessions {
     return ids.length > 0 ? ids : undefined;
   }
 
-  /** @param turn when it was asked */
+  /** @param turn time of the request */
   answerList(elements: readonly Session[], turn: number): void {
     const next = new Map<string, Session>();
     for (const element of elements) {
@@ -103,7 +103,7 @@ export class KnownSessions {
     for (const announcement of this.#early.splice(0)) this.#handle(announcement);
   }
 
-  /** @param turn when it was asked */
+  /** @param turn time of the request */
   answerOne(id: string, session: Session | undefined, turn: number): void {
     if (!this.#recency.accepts(id, turn)) return;
     if (session === undefined) this.#known.delete(id);
@@ -117,7 +117,7 @@ export class KnownSessions {
       case INFO_TOPICS.changeSession:
       case INFO_TOPICS.runningSession:
         if (isDoubtful) this.#doubt(topic, session.id);
-        // One that is overtaken by the reply that caused it
+        // Ignore an announcement that arrives after the reply of the request that caused it.
         else if (!this.#isCurrent || revisionOf(session) >= revisionOf(known)) {
           this.set(session.id, session);
         }
@@ -127,12 +127,12 @@ export class KnownSessions {
         else if (known !== undefined) this.#wantsList = true;
         break;
       default:
-        // What starts and stops may be told with the modules of one node alone [SE-33].
+        // Announcements while starting and stopping may contain only the modules of one node. [SE-33]
         if (known !== undefined) this.#asked.add(session.id);
     }
   }
 
-  /** Of a session that the list has, that one is asked for; it may also be stored and not open, so of others the list. */
+  /** Requests a listed session by id; for unlisted ones the list, because the session may be stored and not open. */
   #doubt(topic: string, id: string): void {
     if (this.find(id) !== undefined) this.#asked.add(id);
     else if (topic === INFO_TOPICS.newSession) this.#wantsList = true;

@@ -6,13 +6,13 @@ import { usePoll } from './poll.ts';
 
 const INTERVAL_MS = 1000;
 
-/** The master's health, asked for once a second while the page is visible. */
+/** Status of the master, requested once a second while the page is visible. */
 export interface MasterStatusStore {
   /** `undefined` until the first reply; kept while disconnected. */
   readonly view: Readonly<ShallowRef<MasterView | undefined>>;
-  /** True when this is an original master, which has no such service. */
+  /** True for an original master, which does not have the service. */
   readonly isUnsupported: Readonly<ShallowRef<boolean>>;
-  /** Why the last question was not answered, when the master refused it. */
+  /** Error of the last request, when the master refused it. */
   readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
 }
 
@@ -34,7 +34,7 @@ export function createMasterStatusStore(
         isUnsupported.value = false;
         error.value = undefined;
       } catch (cause) {
-        // A failed link shows in the connection's state, and the poll goes on after it.
+        // Shown by the connection's state; polling resumes after reconnecting.
         if (cause instanceof ConnectionError) return;
         if (!(cause instanceof ServiceError)) throw cause;
         isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';

@@ -1,12 +1,12 @@
 import type { MasterStatus, StatusEvent, StatusSample } from '@ubii/proto';
 import { measureClock, type ClockOffset } from './clock-offset.ts';
 
-/** Samples and events are shown this long, milliseconds; the master keeps them as long. [EX-17] */
+/** Length of the history, milliseconds; the master keeps the same. [EX-17] */
 export const HISTORY_MS = 10 * 60 * 1000;
 
-/** What is known about the master: its newest status with the history put together. */
+/** Newest status of the master, with the accumulated history. */
 export interface MasterView {
-  /** The newest reply; its samples and events are only what was new. */
+  /** Newest reply; its samples and events are only those since the previous one. */
   readonly latest: MasterStatus;
   /** Oldest first. */
   readonly samples: readonly StatusSample[];
@@ -19,8 +19,8 @@ const eventKey = ({ timeMs, kind, clientId, text }: StatusEvent): string =>
   `${timeMs} ${kind} ${clientId} ${text}`;
 
 /**
- * Adds a reply to what is known. A master that was restarted starts over.
- * @param sentMs when the question left, and `receivedMs` when the reply came: this machine's clock,
+ * Adds a reply to the history. After a restart of the master, the history starts over.
+ * @param sentMs time of the request, and `receivedMs` time of the reply: this computer's clock,
  * epoch milliseconds
  */
 export function mergeMasterStatus(
@@ -47,14 +47,14 @@ export function mergeMasterStatus(
 }
 
 /**
- * Where to go on asking. One millisecond early, because an event may still follow in the millisecond
- * of the reply; `mergeMasterStatus` drops what comes twice.
+ * Start time for the next request. One millisecond early, because further events may have the same millisecond as the
+ * reply; `mergeMasterStatus` drops duplicates.
  */
 export function nextSinceMs(known: MasterView | undefined): number {
   return known === undefined ? 0 : known.latest.nowMs - 1;
 }
 
-/** The master's share of all processors of its machine now, percent; `undefined` before the first sample. */
+/** CPU use of the master, percent of all processors of its computer; `undefined` before the first sample. */
 export function cpuShare(view: MasterView | undefined): number | undefined {
   const sample = view?.samples.at(-1);
   return sample && sample.cpuPercent / Math.max(1, view!.latest.processors);

@@ -1,2 +1,2 @@
-/** Longer names do not fit beside the values they belong to. Characters. */
+/** Longest name, characters; longer ones do not fit beside values. */
 export const MAX_NAME_LENGTH = 60;

@@ -8,11 +8,11 @@ import { usePoll } from './poll.ts';
 export interface NodesStore {
   /** The master first; `undefined` until the first list. */
   readonly list: Readonly<ShallowRef<readonly NodeInfo[] | undefined>>;
-  /** By id; remembers nodes that are gone, so that what ran there keeps a name. */
+  /** By id; includes disconnected nodes, so that their modules keep a node name. */
   find(id: string): NodeInfo | undefined;
-  /** Wants the list this often while the calling component or scope lives, milliseconds. */
+  /** Requests the list at this interval while the calling component or scope is active, milliseconds. */
   watch(intervalMs: number): void;
-  /** Asks at once. */
+  /** Requests at once. */
   refresh(): Promise<void>;
 }
 
@@ -27,7 +27,7 @@ export function createNodesStore(client: UbiiClient, isConnected: Ref<boolean>):
       for (const node of elements) known.set(node.clientId, node);
       list.value = elements;
     } catch (cause) {
-      // An original master has no such list; a failed link is shown elsewhere.
+      // An original master has no such list; a lost connection is shown elsewhere.
       if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
     }
   }

@@ -1,25 +1,25 @@
 import type { UbiiClient } from '@ubii/client-web';
 import { watchBattery, type BatteryState } from './battery.ts';
 
-/** What a page says of itself and the device it is on. [EX-56] */
+/** State that a page publishes about itself and its device. [EX-56] */
 export interface PageState {
-  /** It is in front; a page that is not says little, and may sleep. */
+  /** True in the foreground; hidden pages publish rarely and may be suspended. */
   readonly isVisible: boolean;
-  /** `undefined` where the browser tells nothing. */
+  /** `undefined` where the browser does not provide it. */
   readonly battery: BatteryState | undefined;
 }
 
 const PATTERN = /^\/[^/]+\/page_state$/;
-/** More is no state of a page. */
+/** Longest valid page state, characters. */
 const MAX_LENGTH = 1_000;
 
-/** Where a page says it. */
+/** Topic of a page's state. */
 export const pageStateTopic = (clientId: string): string => `/${clientId}/page_state`;
 
-/** True when a page publishes its state there. */
+/** True for topics of page states. */
 export const isPageStateTopic = (topic: string): boolean => PATTERN.test(topic);
 
-/** As it travels. */
+/** Serialises a page state. */
 export function writePageState({ isVisible, battery }: PageState): string {
   return JSON.stringify({
     visible: isVisible,
@@ -30,7 +30,7 @@ export function writePageState({ isVisible, battery }: PageState): string {
   });
 }
 
-/** What a record says; `undefined` when it is none. */
+/** Parses a record; `undefined` when it is not a page state. */
 export function readPageState(text: string): PageState | undefined {
   if (text.length > MAX_LENGTH) return undefined;
   let said: unknown;
@@ -49,7 +49,7 @@ export function readPageState(text: string): PageState | undefined {
   };
 }
 
-/** Says it when the page comes to the master, and whenever it changes. Viewers publish nothing. [AC-24] */
+/** Publishes the state after connecting and whenever it changes. Viewers publish nothing. [AC-24] */
 export function tellPageState(client: UbiiClient): void {
   let battery: BatteryState | undefined;
   let told = '';
@@ -58,7 +58,7 @@ export function tellPageState(client: UbiiClient): void {
     if (client.state.status !== 'connected' || client.role === 'viewer') return;
     if (text === told && !isAgain) return;
     told = text;
-    // A page that is hidden may have no other turn.
+    // Sent at once, because a hidden page may be suspended.
     client.publish(pageStateTopic(client.id), 'string', text, { immediate: true });
   };
   client.onState(({ status }) => {

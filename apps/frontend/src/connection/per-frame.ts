@@ -1,7 +1,4 @@
-/**
- * Puts many calls together into one per animation frame. In a hidden page the call waits until it is
- * seen again.
- */
+/** Merges calls into one per animation frame. In a hidden page, the call waits until it is visible. */
 export function perFrame(
   fn: () => void,
   atFrame: (fn: () => void) => void = (next) => void requestAnimationFrame(next),

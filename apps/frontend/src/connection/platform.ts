@@ -1,7 +1,7 @@
-/** The kinds of devices that differ in what they allow and how things are installed on them. */
+/** Platforms that differ in permissions and in the installation of certificates and apps. */
 export type Platform = 'ios' | 'android' | 'windows' | 'macos' | 'linux';
 
-/** @param touchPoints an iPad calls itself a Mac, which has no touchscreen */
+/** @param touchPoints `maxTouchPoints`: an iPad identifies itself as a Mac, which has no touchscreen */
 export function platformOf(userAgent: string, touchPoints: number): Platform {
   if (/\b(iPhone|iPad|iPod)\b/.test(userAgent)) return 'ios';
   if (/\bAndroid\b/.test(userAgent)) return 'android';

@@ -2,8 +2,8 @@ import { tryOnScopeDispose, useDocumentVisibility } from '@vueuse/core';
 import { ref, toValue, watch, type MaybeRefOrGetter } from 'vue';
 
 /**
- * Calls `ask` every so often while `enabled` holds and the page is visible, at once when it becomes
- * so, and never twice at a time: a slow answer delays the next question. `ask` does not reject.
+ * Calls `ask` at an interval while `enabled` is true and the page is visible, immediately when this starts, and never
+ * concurrently: a slow reply delays the next request. `ask` must not reject.
  */
 export function usePoll(
   ask: () => Promise<void>,
@@ -27,7 +27,7 @@ export function usePoll(
   }
 
   watch(isOn, () => void run(), { immediate: true });
-  // A shorter interval counts at once
+  // A shorter interval applies at once.
   watch(
     () => toValue(intervalMs),
     () => {

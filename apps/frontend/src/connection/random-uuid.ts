@@ -1,8 +1,8 @@
 /** A version 4 UUID; `crypto.randomUUID` exists in secure contexts only. (RFC 9562, section 5.4) */
 export function randomUuid(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(16));
-  bytes[6] = (bytes[6]! & 0x0f) | 0x40; // version 4
-  bytes[8] = (bytes[8]! & 0x3f) | 0x80; // variant of the RFC
+  bytes[6] = (bytes[6]! & 0x0f) | 0x40; // Version 4.
+  bytes[8] = (bytes[8]! & 0x3f) | 0x80; // Variant of the RFC.
   const hex = Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
   return hex.replace(/^(.{8})(.{4})(.{4})(.{4})(.{12})$/, '$1-$2-$3-$4-$5');
 }

@@ -37,13 +37,13 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-/** Lets answers arrive and the next frame be drawn. */
+/** Lets replies arrive and the next frame run. */
 async function settle(ms = 200): Promise<void> {
   await vi.advanceTimersByTimeAsync(ms);
   await nextTick();
 }
 
-/** A master with these sessions, and a page that is connected to it. */
+/** Mounts a page that is connected to a fake master with these sessions. */
 async function setUp(...sessions: Told[]) {
   const kept = new Map(sessions.map((one) => [one.id, one]));
   const calls: string[] = [];
@@ -62,7 +62,7 @@ async function setUp(...sessions: Told[]) {
   const client = { call, subscribe } as unknown as UbiiClient;
   const store = scope.run(() => createSessionsStore(client, isConnected))!;
   const announce = (what: Announced, value: Told) => hear({ topic: TOPICS[what], value });
-  /** The first announcement of each topic may be one that was retained; those that come after this are none. */
+  /** The first announcement of each topic may be a retained one; later ones are not. */
   function passRetained(): void {
     for (const what of Object.keys(TOPICS) as Announced[]) announce(what, session('long gone'));
   }
@@ -70,11 +70,11 @@ async function setUp(...sessions: Told[]) {
     ...{ kept, calls, call, store, isConnected, announce, passRetained },
     names: () => store.list.value?.map(({ name }) => name),
     refuse: (error: Error | undefined) => (refusal = error),
-    /** Since this was asked last. */
+    /** Returns the calls since the last time. */
     takeCalls: () => calls.splice(0),
   };
 }
-/** A page on which everything that was retained has come. */
+/** Mounts a page that has received all retained announcements. */
 async function setUpLater(...sessions: Told[]) {
   const page = await setUp(...sessions);
   page.passRetained();
@@ -235,7 +235,7 @@ describe('the list of sessions', () => {
     await settle();
     expect(names()).toEqual(['b', 'v1']);
     expect(takeCalls()).toEqual(['list']);
-    // Retained ones come again, too.
+    // Retained announcements are received again.
     announce('change', session('a', 'v0', 0));
     expect(names()).toEqual(['b', 'v1']);
   });

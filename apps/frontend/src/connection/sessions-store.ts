@@ -6,19 +6,19 @@ import { KnownSessions, type SessionQuestion } from './known-sessions.ts';
 import { perFrame } from './per-frame.ts';
 
 const ANNOUNCEMENTS = '/info/session/*';
-/** What announcements leave open is asked this long after the first of them, for all of them, milliseconds. */
+/** Delay after the first doubtful announcement before all open questions are requested, milliseconds. */
 const SETTLE_MS = 100;
 
-/** Every session the master knows, as it announces them. [SE-8] */
+/** All sessions of the master, from its announcements. [SE-8] */
 export interface SessionsStore {
-  /** In the order in which the master lists them; `undefined` until the first list. */
+  /** In the order of the master's list; `undefined` until the first list arrives. */
   readonly list: Readonly<ShallowRef<readonly Session[] | undefined>>;
-  /** Why there is no list, when the master refused it: an original master may know no sessions. */
+  /** Error of the list, when the master refused it: an original master may have no sessions. */
   readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
   find(id: string): Session | undefined;
   /** Applies the reply of a service at once, before its announcement arrives. */
   take(session: Session): void;
-  /** Takes one out that a service has removed. */
+  /** Removes a session that a service has removed. */
   drop(id: string): void;
 }
 
@@ -33,7 +33,7 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
     const { elements } = await client.call('sessionRuntimeGetList');
     sessions.answerList(elements, turn);
     error.value = undefined;
-    askSoon(); // what came before the list
+    askSoon(); // Announcements received before the list.
   }
   async function askForOne(id: string): Promise<void> {
     const turn = sessions.now();
@@ -49,7 +49,7 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
       else await Promise.all(question.map(askForOne));
       draw();
     } catch (cause) {
-      if (cause instanceof ConnectionError) return; // shown elsewhere, and asked again after it
+      if (cause instanceof ConnectionError) return; // Shown elsewhere; requested again after reconnecting.
       if (!(cause instanceof ServiceError)) throw cause;
       if (question !== 'list') return ask('list');
       error.value = cause;

@@ -12,7 +12,7 @@ import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 const person = (id: string, state: Client['state'] = ClientState.ACTIVE): Client =>
   ({ id, name: id, state }) as unknown as Client;
 
-/** A client whose master answers what the test says. */
+/** Fake client with a master whose replies the test sets. */
 function fakeClient() {
   const call = vi.fn<(service: string, request?: object) => Promise<unknown>>();
   let announce: (record: { value: Client }) => void = () => undefined;
@@ -39,7 +39,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-/** Lets answers arrive and the next frame be drawn. */
+/** Lets replies arrive and the next frame run. */
 async function settle(): Promise<void> {
   await vi.advanceTimersByTimeAsync(20);
   await nextTick();

@@ -6,7 +6,7 @@ import { useTabName, type TabNumber } from './tab-name.ts';
 const scopes: EffectScope[] = [];
 afterEach(() => scopes.splice(0).forEach((scope) => scope.stop()));
 
-/** A tab of a browser that is called Amber Newt, at a master with other clients. */
+/** Creates a tab of a browser named Amber Newt, on a master with other clients. */
 function tab(id: string, stored: TabNumber | undefined = undefined, name = ref('Amber Newt')) {
   const list = shallowRef<readonly Client[]>();
   const number = ref(stored);

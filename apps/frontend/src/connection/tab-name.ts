@@ -3,24 +3,24 @@ import { ClientState } from '@ubii/proto';
 import { computed, watch, type Ref, type WritableComputedRef } from 'vue';
 import type { ClientsStore } from './clients-store.ts';
 
-/** The number of a tab among clients of the same name, and the client for which it was chosen. */
+/** Number of a tab among clients of the same name, and the client it was chosen for. */
 export interface TabNumber {
   readonly clientId: string;
   readonly number: number;
 }
 
-/** `Amber Newt` · `Amber Newt 2` */
+/** `Amber Newt`, `Amber Newt 2`. */
 export function numberedName(name: string, number = 1): string {
   return number > 1 ? `${name} ${number}` : name;
 }
 
 /**
- * Returns the name under which this tab registers: that of the browser, and from the second tab on a number. A tab
- * keeps its number over reloads and restarts of the master, so that it has the same name on every page and in the log.
+ * Returns the name under which this tab registers: that of the browser, with a number from the second tab on. A tab
+ * keeps its number over reloads and restarts of the master, so that its name is the same on all pages and in logs.
  * Assigning renames the browser.
  *
  * @param name the browser's name, which its tabs share
- * @param chosen remembered for this tab
+ * @param chosen number stored for this tab
  */
 export function useTabName(
   client: Pick<UbiiClient, 'id'>,
@@ -30,7 +30,7 @@ export function useTabName(
 ): WritableComputedRef<string> {
   const stop = watch(clients.list, (list) => {
     if (list === undefined || client.id === '') return;
-    // A duplicated tab starts with what its original remembers.
+    // A duplicated tab starts with the session storage of its original.
     if (chosen.value?.clientId !== client.id) {
       const taken = new Set(
         list

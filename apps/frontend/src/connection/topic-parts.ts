@@ -1,19 +1,19 @@
-/** A topic in parts that people tell topics apart by. */
+/** Topic in parts for display. */
 export interface TopicParts {
-  /** Its end, in which topics of one device differ: `touch_position`. */
+  /** Last part, in which topics of one device differ: `touch_position`. */
   readonly name: string;
-  /** What is before the end, without the id of a client: `web-interface-smart-device`. */
+  /** Middle part, without client id: `web-interface-smart-device`. */
   readonly place: string;
-  /** Name of the client whose id the topic begins with. */
+  /** Name of the client whose id starts the topic. */
   readonly owner: string | undefined;
-  /** It is a topic of this browser. */
+  /** True for topics of this browser. */
   readonly isOwn: boolean;
 }
 
-/** An end as short as this says nothing alone: `touch_position/0`. */
+/** Shortest last level that is meaningful alone; shorter ones are combined: `touch_position/0`. */
 const MIN_NAME = 3;
 
-/** @param nameOf returns the name of a client by its id, undefined when there is no such client */
+/** @param nameOf returns the name of a client by its id; undefined for unknown ids */
 export function topicParts(
   topic: string,
   ownId: string,
@@ -34,10 +34,10 @@ export function topicParts(
   };
 }
 
-/** Topics that begin with the id of a client; some have no slash in front. */
+/** Topics that start with a client id, some without a leading slash. */
 const CLIENT_TOPIC = /\/?[\da-f]{8}-[\da-f-]{27}\/[^\s",]+/g;
 
-/** Replaces topics of clients in a sentence. */
+/** Replaces client topics in a text. */
 export function replaceClientTopics(words: string, nameTopic: (topic: string) => string): string {
   return words.replace(CLIENT_TOPIC, (topic) => nameTopic(topic));
 }

@@ -1,39 +1,39 @@
 import type { TopicStatistic, TopicStatistics } from '@ubii/proto';
 
-/** A topic's counters with what they mean per second: one object for the life of the topic, renewed in place. */
+/** Statistics and rates of a topic: one object for the life of the topic, mutated in place. */
 export interface TopicRate {
   readonly statistic: TopicStatistic;
-  /** Records per second; `undefined` until two replies were seen, and while the master is away. */
+  /** Records per second; `undefined` until two replies arrived, and while disconnected. */
   readonly hz: number | undefined;
   readonly bytesPerSecond: number | undefined;
-  /** Records per second that slow subscribers did not get. */
+  /** Records per second that slow subscribers did not receive. */
   readonly droppedPerSecond: number | undefined;
-  /** Records per second when the newest record came: what to expect of the topic. */
+  /** Rate when the newest record arrived: the usual rate of the topic, Hz. */
   readonly usualHz: number | undefined;
 }
 
-/** What one reply changed. */
+/** Changes in a reply. */
 export interface TopicChanges {
   readonly added: readonly TopicRate[];
   readonly removed: readonly TopicRate[];
 }
 
-/** Rates are means over this time: short enough to follow, long enough not to flicker. */
+/** Window for mean rates, milliseconds: short enough to follow changes, long enough for stable digits. */
 const WINDOW_MS = 2000;
-/** After a break this long (a hidden page, a lost link) rates start afresh. */
+/** Gap between replies (hidden page, lost connection) after which rates restart, milliseconds. */
 const BREAK_MS = 2 * WINDOW_MS;
-/** Below this rate it shows as 0. */
+/** Rates below this are shown as 0, Hz. */
 const LOWEST_HZ = 0.05;
-/** A topic has stopped when it is silent for this many of its usual gaps. */
+/** Number of usual intervals of silence after which a topic has stopped. */
 const STOPPED_GAPS = 3;
-/** Fewer records than this in the window are too coarse to count. */
+/** Number of records below which the window is too coarse. */
 const FEW = 4;
-/** Replies remembered: the window at eight a second. */
+/** Number of replies in the window, at eight a second. */
 const SLOTS = 16;
 
 /**
- * The counters of one topic at the last replies. The times of the replies are the same for all
- * topics, so a reply costs a topic three numbers and no memory.
+ * Statistics of a topic at the last replies. All topics share the times of the replies, so that a reply adds three
+ * numbers per topic without allocation.
  */
 class Track implements TopicRate {
   statistic: TopicStatistic;
@@ -41,13 +41,13 @@ class Track implements TopicRate {
   bytesPerSecond: number | undefined;
   droppedPerSecond: number | undefined;
   usualHz: number | undefined;
-  /** Since when its counters are known; it had counted nothing before. */
+  /** Time since which its statistics are known; counts start at zero there. */
   sinceMs: number;
-  /** Mean time between the last records, milliseconds. */
+  /** Mean interval of recent records, milliseconds. */
   gapMs: number | undefined;
-  /** The newest reply named it. */
+  /** True when the newest reply contains it. */
   isNamed = false;
-  /** The newest reply counted more records. */
+  /** True when the newest reply has more records. */
   hasGrown = false;
   readonly records = new Float64Array(SLOTS);
   readonly bytes = new Float64Array(SLOTS);
@@ -58,14 +58,14 @@ class Track implements TopicRate {
     this.sinceMs = sinceMs;
   }
 
-  /** Nothing is measured now. */
+  /** Rates become unknown. */
   pause(): void {
     this.hz = undefined;
     this.bytesPerSecond = undefined;
     this.droppedPerSecond = undefined;
   }
 
-  /** Counts from here, as if nothing had been before. */
+  /** Restarts counting at zero. */
   restart(nowMs: number): void {
     this.records.fill(this.statistic.records);
     this.bytes.fill(this.statistic.bytes);
@@ -74,13 +74,13 @@ class Track implements TopicRate {
   }
 }
 
-/** Turns replies of the topic statistics into rates. [EX-11, EX-12] */
+/** Converts replies of the topic statistics to rates. [EX-11, EX-12] */
 export class TopicRates {
   readonly #tracks = new Map<string, Track>();
   readonly #times = new Float64Array(SLOTS);
-  /** Where the newest reply stands in the rings. */
+  /** Index of the newest reply in the rings. */
   #slot = 0;
-  /** Replies in the rings. */
+  /** Number of replies in the rings. */
   #filled = 0;
   #masterTimeMs: number | undefined;
   #cursor = 0;
@@ -94,7 +94,7 @@ export class TopicRates {
     return this.#cursor;
   }
 
-  /** When the newest reply was made: milliseconds since the Unix epoch, master's clock. */
+  /** Time of the newest reply, epoch milliseconds of the master's clock. */
   get masterTimeMs(): number | undefined {
     return this.#masterTimeMs;
   }
@@ -127,7 +127,7 @@ export class TopicRates {
     return { added, removed };
   }
 
-  /** No reply comes: what is known of the topics stays, and their rates are unknown. */
+  /** Without replies, topics stay and their rates become unknown. */
   pause(): void {
     for (const track of this.#tracks.values()) track.pause();
   }
@@ -139,7 +139,7 @@ export class TopicRates {
     return [track];
   }
 
-  /** After a full list: what it does not name is gone. */
+  /** After a full list, removes topics that it does not contain. */
   #removeUnnamed(): Track[] {
     const gone = [...this.#tracks.values()].filter(({ isNamed }) => !isNamed);
     for (const { statistic } of gone) this.#tracks.delete(statistic.topic);
@@ -162,7 +162,7 @@ export class TopicRates {
     }
   }
 
-  /** The newest slot that is as old as the window, or the oldest there is. */
+  /** Returns the newest slot that is as old as the window, or the oldest one. */
   #oldestSlot(nowMs: number): number {
     for (let back = 1; back < this.#filled; back++) {
       const slot = (this.#slot - back + SLOTS) % SLOTS;
@@ -173,19 +173,19 @@ export class TopicRates {
 
   #measure(track: Track, oldest: number, nowMs: number): void {
     const seconds = (nowMs - Math.max(this.#times[oldest]!, track.sinceMs)) / 1000;
-    if (seconds <= 0) return; // the first after a break: what was known stands
+    if (seconds <= 0) return; // First reply after a gap: keep the previous values.
     const { statistic, gapMs } = track;
     const count = statistic.records - track.records[oldest]!;
     track.droppedPerSecond = (statistic.dropped - track.dropped[oldest]!) / seconds;
     if (count < FEW && gapMs !== undefined) {
-      // Too few in the window to count: the time between two records says it better.
+      // Too few records in the window: the interval between records is more precise.
       const silenceMs = nowMs - statistic.publishedMs;
       const slowHz = 1000 / Math.max(gapMs, silenceMs, 1);
       const hasStopped = silenceMs > Math.max(WINDOW_MS, STOPPED_GAPS * gapMs);
       track.hz = hasStopped || slowHz < LOWEST_HZ ? 0 : slowHz;
       track.bytesPerSecond = track.hz * statistic.valueBytes;
     } else {
-      // A topic's first record does not make a stream yet.
+      // The first record of a topic is not a stream yet.
       const overSeconds = count < 2 ? Math.max(seconds, WINDOW_MS / 1000) : seconds;
       track.hz = count / overSeconds;
       track.bytesPerSecond = (statistic.bytes - track.bytes[oldest]!) / overSeconds;
@@ -198,9 +198,9 @@ function noteGap(track: Track, { records, publishedMs }: TopicStatistic): void {
   const before = track.statistic;
   if (records > before.records && before.publishedMs > 0) {
     const gapMs = (publishedMs - before.publishedMs) / (records - before.records);
-    // Half of what was before: presses of a button are irregular.
+    // Exponential smoothing, because events such as button presses are irregular.
     track.gapMs = track.gapMs === undefined ? gapMs : (track.gapMs + gapMs) / 2;
   } else if (records < before.records) {
-    track.gapMs = undefined; // another run of the master
+    track.gapMs = undefined; // The master was restarted.
   }
 }

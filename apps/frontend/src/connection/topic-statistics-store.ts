@@ -15,24 +15,24 @@ import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
 import { TopicRates, type TopicChanges, type TopicRate } from './topic-rates.ts';
 
-/** Rates of all topics, from the master's counters; requested only while there are viewers. */
+/** Rates of all topics, from the master's statistics; requested only while there are viewers. */
 export interface TopicStatisticsStore {
   /**
-   * By topic. One map for the life of the page, changed in place and triggered after each reply;
-   * `undefined` before the first.
+   * By topic. The same map for the life of the page, mutated in place and triggered after each reply; `undefined`
+   * before the first.
    */
   readonly rates: Readonly<ShallowRef<ReadonlyMap<string, TopicRate> | undefined>>;
-  /** When the newest reply was made: milliseconds since the Unix epoch, master's clock; 0 before. */
+  /** Time of the newest reply, epoch milliseconds of the master's clock; 0 before. */
   readonly masterTimeMs: Readonly<ShallowRef<number>>;
-  /** The master's clock minus this machine's, for the age of values, milliseconds; 0 before the first reply. */
+  /** The master's clock minus this computer's, to compute the age of values, milliseconds; 0 before the first reply. */
   readonly clockOffsetMs: ComputedRef<number>;
-  /** True when this is an original master, which has no such service. */
+  /** True for an original master, which does not have the service. */
   readonly isUnsupported: Readonly<ShallowRef<boolean>>;
-  /** Why the last question was not answered, when the master refused it. */
+  /** Error of the last request, when the master refused it. */
   readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
-  /** Wants rates this often while the calling component or scope lives, milliseconds. */
+  /** Requests rates at this interval while the calling component or scope is active, milliseconds. */
   watch(intervalMs: number): void;
-  /** Calls `fn` with the topics that came and went, before `rates` is triggered, while the calling scope lives. */
+  /** Calls `fn` with added and removed topics, before `rates` is triggered, while the calling scope is active. */
   onChanges(fn: (changes: TopicChanges) => void): void;
 }
 

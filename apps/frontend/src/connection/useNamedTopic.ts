@@ -1,10 +1,10 @@
 import { replaceClientTopics, topicParts } from './topic-parts.ts';
 import { useConnection } from './useConnection.ts';
 
-/** Names a topic for people: of one that begins with the id of a client, the rest and the client's name. */
+/** Formats a topic for display: one that starts with a client id as the rest and the client's name. */
 export type NameTopic = (topic: string) => string;
 
-/** Names the topics of clients within a text for people. */
+/** Formats client topics within a text for display. */
 export function useNamedTopics(): (text: string) => string {
   const nameTopic = useNamedTopic();
   return (text) => replaceClientTopics(text, nameTopic);

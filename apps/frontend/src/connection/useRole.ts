@@ -2,11 +2,11 @@ import type { ClientRole } from '@ubii/client-web';
 import { computed, type ComputedRef } from 'vue';
 import { useConnection } from './useConnection.ts';
 
-/** What this page may do at the master. */
+/** Role of this page's client. */
 export interface OwnRole {
-  /** `undefined` while not connected, and at masters that know no roles. */
+  /** `undefined` while disconnected, and on masters without roles. */
   readonly role: ComputedRef<ClientRole | undefined>;
-  /** It is admitted, and not to what only admins may. [AC-21] */
+  /** True when admitted without admin rights. [AC-21] */
   readonly isNoAdmin: ComputedRef<boolean>;
 }
 

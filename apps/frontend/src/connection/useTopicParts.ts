@@ -3,14 +3,14 @@ import { computed } from 'vue';
 import { topicParts, type TopicParts } from './topic-parts.ts';
 import { useConnection } from './useConnection.ts';
 
-/** Topics as lists of phones show them. */
+/** Formats topics for lists on phones. */
 export interface TopicReader {
   parts(topic: string): TopicParts;
-  /** What is at the end, and whose it is: `touch_position · this phone`. */
+  /** Last part and client: `touch_position · this phone`. */
   short(topic: string): string;
-  /** Whose the topics of this browser are: `this phone`. */
+  /** Name of this browser as owner of topics: `this phone`. */
   readonly self: string;
-  /** It is a phone. */
+  /** True on phones. */
   readonly isPhone: boolean;
 }
 

@@ -4,10 +4,10 @@ import { computed, shallowRef, watch, type ShallowRef } from 'vue';
 import { usePoll } from './poll.ts';
 import { useConnection } from './useConnection.ts';
 
-/** How often the master is asked, milliseconds. */
+/** Interval of requests, milliseconds. */
 const INTERVAL_MS = 1000;
 
-/** Who receives the records of a topic now; `undefined` without a topic, and at masters that do not tell. [EX-95] */
+/** Current subscribers of a topic; `undefined` without a topic, and on masters that do not report them. [EX-95] */
 export function useTopicSubscribers(
   topic: () => string | undefined,
 ): Readonly<ShallowRef<TopicSubscribers | undefined>> {

@@ -1,6 +1,6 @@
 /**
- * How a subscription stands: `off` without a topic or in a hidden page, `asking` until the master accepts it,
- * `live` from then on, `refused` when the master does not allow it.
+ * Status of a subscription: `off` without a topic or in a hidden page, `asking` until the master accepts it, `live`
+ * afterwards, `refused` when the master does not allow it.
  */
 export type LiveStatus = 'off' | 'asking' | 'live' | 'refused';
 export type LiveEvent = 'subscribe' | 'accept' | 'refuse' | 'unsubscribe';
@@ -12,12 +12,12 @@ const MOVES: Readonly<Record<LiveStatus, Readonly<Partial<Record<LiveEvent, Live
   refused: { unsubscribe: 'off' },
 };
 
-/** The status after an event; the same for one that has no meaning in it, such as a reply that comes too late. */
+/** Returns the status after an event; unchanged for irrelevant events, such as a late reply. */
 export function nextStatus(status: LiveStatus, event: LiveEvent): LiveStatus {
   return MOVES[status][event] ?? status;
 }
 
-/** The status of several subscriptions together: the one that tells most. */
+/** Combined status of several subscriptions. */
 export function joinStatus(all: readonly LiveStatus[]): LiveStatus {
   return (['refused', 'asking', 'live'] as const).find((one) => all.includes(one)) ?? 'off';
 }

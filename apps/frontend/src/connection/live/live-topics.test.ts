@@ -13,7 +13,7 @@ interface Told {
   readonly timestampMs?: number;
 }
 
-/** Live topics at a master that retains the newest record of each topic. */
+/** Creates live topics on a fake master that retains the newest record of each topic. */
 function setUp(keep = 1) {
   const clock = new FakeClock();
   const retained = new Map<string, Told>();
@@ -160,7 +160,7 @@ describe('live topics', () => {
     publish('/a', 1, 1000);
     frame();
     expect(heard).toEqual([1]);
-    // One of the same moment that comes later is another one.
+    // A later record with the same timestamp is a different one.
     publish('/a', 2, 1000);
     frame();
     expect(last()?.records.map(({ value }) => value)).toEqual([1, 2]);

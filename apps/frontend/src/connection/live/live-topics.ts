@@ -3,22 +3,22 @@ import { joinStatus, nextStatus, type LiveEvent, type LiveStatus } from './live-
 import { RecordWindow, type RecordView, type WindowRecord } from './record-window.ts';
 import { patternKey, patternRateHz, type LivePattern } from './topic-source.ts';
 
-/** A subscription at the client. */
+/** Subscription of the client. */
 export interface LiveSubscription {
   /** Rejects when the master refuses it, or when it ends before. */
   readonly ready: Promise<void>;
-  /** Ends it: no record comes any more. */
+  /** Unsubscribes. */
   close(): void;
 }
 
-/** What live topics need, and whom they tell. */
+/** Dependencies and callbacks of live topics. */
 export interface LiveTopicsPorts<R> {
   subscribe(pattern: LivePattern, onRecord: (record: R) => void): LiveSubscription;
-  /** Calls `fn` once, before the next frame is drawn. */
+  /** Calls `fn` once, before the next frame. */
   atFrame(fn: () => void): void;
-  /** Called with each record as it comes, but not with one that was there before. */
+  /** Called with each new record, but not with repeated ones. */
   onRecord(record: R): void;
-  /** Called at most once a frame, and at once when records are forgotten. */
+  /** Called at most once per frame, and at once when records are dropped. */
   show(view: RecordView<R>): void;
   showStatus(status: LiveStatus): void;
 }
@@ -30,8 +30,8 @@ interface Followed {
 }
 
 /**
- * The topics that one part of a page shows: subscribed to while they are seen, with the last records of each. A fast
- * topic costs one update a frame.
+ * Topics of a part of a page: subscribed while it is visible, with the last records of each. A fast topic causes one
+ * update per frame.
  */
 export class LiveTopics<R extends WindowRecord> {
   readonly #ports: LiveTopicsPorts<R>;
@@ -42,7 +42,7 @@ export class LiveTopics<R extends WindowRecord> {
   readonly #draw: () => void;
   #isSeen = true;
 
-  /** @param keep records kept of each topic; 0 to keep none and draw nothing */
+  /** @param keep number of records per topic; 0: none are kept or shown */
   constructor(keep: number, ports: LiveTopicsPorts<R>) {
     this.#keep = keep;
     this.#ports = ports;
@@ -52,7 +52,7 @@ export class LiveTopics<R extends WindowRecord> {
     }, ports.atFrame);
   }
 
-  /** Makes these the patterns. The records of those that are left out are forgotten. */
+  /** Sets the patterns. Drops the records of removed ones. */
   follow(patterns: readonly LivePattern[]): void {
     const next = new Map(patterns.map((pattern) => [patternKey(pattern), pattern]));
     const left = [...this.#patterns.keys()].filter((key) => !next.has(key));
@@ -62,13 +62,13 @@ export class LiveTopics<R extends WindowRecord> {
     if (left.length > 0) this.#ports.show(this.#window.take());
   }
 
-  /** While they are not seen, there are no subscriptions; what came before stays. */
+  /** While hidden, there are no subscriptions; received records stay. */
   setSeen(isSeen: boolean): void {
     this.#isSeen = isSeen;
     this.#update();
   }
 
-  /** The link is back: the newest record of a topic may come a second time. */
+  /** After reconnecting, the newest record of a topic may be received again. */
   expectRepeats(): void {
     this.#window.expectRepeats();
   }
@@ -86,7 +86,7 @@ export class LiveTopics<R extends WindowRecord> {
     for (const [key, pattern] of wanted) {
       const before = this.#followed.get(key);
       if (before !== undefined && before.rateHz === patternRateHz(pattern)) continue;
-      // The new one first: with the last subscription of a topic the client forgets its newest record.
+      // Subscribe before unsubscribing: the client drops the newest record with the last subscription of a topic.
       this.#begin(key, pattern);
       before?.subscription.close();
     }

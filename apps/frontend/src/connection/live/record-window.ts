@@ -1,53 +1,56 @@
-/** What a window needs to know of a record. */
+/** Property of records that a window needs. */
 export interface WindowRecord {
   readonly topic: string;
-  /** By the publisher's clock, milliseconds since the Unix epoch. */
+  /** Publisher's clock, epoch milliseconds. */
   readonly timestampMs?: number | undefined;
 }
 
-/** What is kept of live topics at one moment. */
+/** Snapshot of the records of live topics. */
 export interface RecordView<R> {
-  /** The record that came last. */
+  /** The record received last. */
   readonly newest: R | undefined;
-  /** The last records of each topic, oldest first. */
+  /** Last records of each topic, oldest first. */
   readonly records: readonly R[];
-  /** The newest record of each topic. */
+  /** Newest record of each topic. */
   readonly byTopic: ReadonlyMap<string, R>;
-  /** Records that came. */
+  /** Number of received records. */
   readonly received: number;
-  /** Of these, the ones that no view had: newer ones replaced them first. The rate limit's are not among them. */
+  /**
+   * Number of received records that were replaced before any view showed them. Records dropped by a rate limit are not
+   * included.
+   */
   readonly dropped: number;
 }
 
-/** Bounds what a glob keeps against a publisher of many topics. */
+/** Most topics of a glob, against publishers with many topics. */
 export const MAX_TOPICS = 2000;
 
 interface Kept<R> {
   readonly pattern: string;
   readonly records: R[];
-  /** How many of them no view had yet. */
+  /** Number of records that no view has shown yet. */
   fresh: number;
-  /** Counts up with the records of all topics. */
+  /** Sequence number over the records of all topics. */
   number: number;
-  /** The master may send the newest record again. */
+  /** True when the master may send the newest record again. */
   mayRepeat: boolean;
 }
 
-/** The last records of each topic, and how many came and went unseen. */
+/** Last records of each topic, with the numbers of received and dropped ones. */
 export class RecordWindow<R extends WindowRecord> {
   readonly #keep: number;
   readonly #kept = new Map<string, Kept<R>>();
   #received = 0;
   #dropped = 0;
 
-  /** @param keep records kept of each topic */
+  /** @param keep number of records per topic */
   constructor(keep: number) {
     this.#keep = keep;
   }
 
   /**
-   * @param pattern what it was subscribed to by
-   * @returns false for a record that is known from before
+   * @param pattern key of its subscription
+   * @returns false for a repeated record
    */
   add(record: R, pattern: string): boolean {
     const kept = this.#kept.get(record.topic);
@@ -66,21 +69,21 @@ export class RecordWindow<R extends WindowRecord> {
     return true;
   }
 
-  /** The master sends the newest records again, after a reconnect all, after a subscription those of its pattern. */
+  /** The master sends newest records again: after a reconnect all, after a subscription those of its pattern. */
   expectRepeats(pattern?: string): void {
     for (const kept of this.#kept.values()) {
       kept.mayRepeat ||= pattern === undefined || kept.pattern === pattern;
     }
   }
 
-  /** Forgets the records of a pattern. */
+  /** Drops the records of a pattern. */
   forget(pattern: string): void {
     for (const [topic, kept] of this.#kept) {
       if (kept.pattern === pattern) this.#kept.delete(topic);
     }
   }
 
-  /** What there is to draw; all of it counts as drawn then. */
+  /** Returns a snapshot; its records then count as shown. */
   take(): RecordView<R> {
     const byTopic = new Map<string, R>();
     const records: R[] = [];

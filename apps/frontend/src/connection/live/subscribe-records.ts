@@ -3,7 +3,7 @@ import type { DataFormat, TopicRecord } from '@ubii/proto';
 import type { LiveSubscription } from './live-topics.ts';
 import { patternRateHz, type LivePattern } from './topic-source.ts';
 
-/** Subscribes to decoded records. The client reports a refusal; there is no record to show then. */
+/** Subscribes to decoded records. The client reports a refusal; there are no records then. */
 export function subscribeRecords<F extends DataFormat = DataFormat>(
   client: Pick<UbiiClient, 'subscribe'>,
   pattern: LivePattern,
@@ -18,7 +18,7 @@ export function subscribeRecords<F extends DataFormat = DataFormat>(
   return { ready: subscription.ready, close: () => void subscription.close() };
 }
 
-/** Subscribes to records as they travel. The client tells a refusal, and nothing here. */
+/** Subscribes to encoded records. The client reports a refusal. */
 export function subscribeEncoded(
   client: Pick<UbiiClient, 'subscribeEncoded'>,
   pattern: LivePattern,

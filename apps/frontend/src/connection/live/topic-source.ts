@@ -1,8 +1,8 @@
-/** A topic, all topics that match a glob, or a topic whose records come at most so often. */
+/** A topic, a glob, or one of these with a rate limit. */
 export type LivePattern =
   string | { readonly glob: string } | { readonly topic: string; readonly maxRateHz: number };
 
-/** What to subscribe to; `undefined` and the empty topic for nothing. */
+/** Topics to subscribe to; `undefined` and the empty topic for none. */
 export type TopicSource = LivePattern | readonly LivePattern[] | undefined;
 
 /** The patterns of a source. */
@@ -11,13 +11,13 @@ export function patternsOf(source: TopicSource): readonly LivePattern[] {
   return typeof source === 'object' && 'length' in source ? source : [source];
 }
 
-/** What two patterns have in common that select the same topics, whatever their rates. */
+/** Key of a pattern: equal for patterns that match the same topics, whatever their rates. */
 export function patternKey(pattern: LivePattern): string {
   if (typeof pattern === 'string') return `topic ${pattern}`;
   return 'glob' in pattern ? `glob ${pattern.glob}` : `topic ${pattern.topic}`;
 }
 
-/** The rate limit of one pattern, Hz; `undefined` for that of the subscription as a whole. */
+/** Rate limit of a pattern, Hz; `undefined`: that of the subscription. */
 export function patternRateHz(pattern: LivePattern): number | undefined {
   return typeof pattern === 'object' && 'maxRateHz' in pattern ? pattern.maxRateHz : undefined;
 }

@@ -18,48 +18,47 @@ import type { RecordView, WindowRecord } from './record-window.ts';
 import { subscribeEncoded, subscribeRecords } from './subscribe-records.ts';
 import { patternsOf, type TopicSource } from './topic-source.ts';
 
-/** The rate at which marks over pictures, and pictures, still look continuous, records per second. */
+/** Rate at which pictures and overlays look continuous, Hz. */
 export const VISIBLE_HZ = 30;
 
 interface CommonOptions<R> {
-  /** Records kept of each topic, newest included; 0 for those who take each record in `onRecord` only. @default 1 */
+  /** Number of records kept per topic, including the newest; 0 for callers that only use `onRecord`. @default 1 */
   readonly keep?: number;
-  /** Whether records come while the page is hidden, too. @default false */
+  /** Whether to subscribe while the page is hidden, too. @default false */
   readonly whileHidden?: boolean;
-  /** Called with each record as it comes, before it is drawn. */
+  /** Called with each record on arrival, before it is shown. */
   readonly onRecord?: (record: R) => void;
 }
 
-/** How records of topics are wanted. */
+/** Options for decoded records. */
 export interface TopicOptions<F extends DataFormat> extends CommonOptions<TopicRecord<F>> {
   /** Only records of this data format. @default every format */
   readonly format?: F;
-  /** At most this many records of a topic per second, read with each subscription. @default no limit */
+  /** Rate limit per topic, Hz, evaluated with each subscription. @default no limit */
   readonly maxRateHz?: MaybeRefOrGetter<number>;
 }
 
-/** Option for encoded records: code that forwards them does not need them decoded. */
+/** Options for encoded records, for code that only forwards them. */
 export interface EncodedTopicOptions extends CommonOptions<EncodedRecord> {
   readonly encoded: true;
 }
 
-/** What live topics show now. Changes at most once a frame. */
+/** Current records of live topics. Changes at most once per frame. */
 export interface LiveRecords<R> {
-  /** The record that came last. */
+  /** The record received last. */
   readonly newest: ComputedRef<R | undefined>;
   /** The last `keep` records of each topic, oldest first. */
   readonly records: ComputedRef<readonly R[]>;
   /** The newest record of each topic. */
   readonly byTopic: ComputedRef<ReadonlyMap<string, R>>;
-  /** How many records came, and how many of these were replaced before they could be drawn. */
+  /** Numbers of received records, and of those that were replaced before they were shown. */
   readonly counts: ComputedRef<{ readonly received: number; readonly dropped: number }>;
   readonly status: Readonly<ShallowRef<LiveStatus>>;
 }
 
 /**
- * The one way of components to live data: subscribes while the calling scope lives and the page is visible. A record
- * that the master retains, and the first of a topic, show in the next frame, whether or not the page has counters of
- * the topic yet.
+ * Subscribes to topics while the calling scope is active and the page is visible; all components use this function.
+ * Retained records, and the first of a topic, are available in the next frame, independent of topic statistics.
  */
 export function useTopic(
   source: MaybeRefOrGetter<TopicSource>,

@@ -15,7 +15,7 @@ function selects(pattern: LivePattern, topic: string): boolean {
   return 'glob' in pattern ? compileGlob(pattern.glob)(topic) : pattern.topic === topic;
 }
 
-/** A client whose topics the test publishes on. It retains the newest record of each, as a master does. */
+/** Fake client on whose topics the test publishes. Retains the newest record of each, like a master. */
 export function fakeTopics() {
   const retained = new Map<string, TopicRecord>();
   const open = new Set<Subscription>();
@@ -53,7 +53,7 @@ export function fakeTopics() {
       subscribeEncoded: (pattern: LivePattern, { onRecord }: EncodedListener) =>
         add({ pattern, options: { encoded: true }, onRecord: (one) => onRecord(encoded(one)) }),
     },
-    /** What is subscribed to now, with its options. */
+    /** Current subscriptions with their options. */
     subscriptions: () => [...open].map(({ pattern, options }) => ({ pattern, ...options })),
     publish(topic: string, value: number, timestampMs?: number) {
       const record: TopicRecord = { topic, format: 'double', value, timestampMs, clientId: '' };
