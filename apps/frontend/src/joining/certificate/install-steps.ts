@@ -1,16 +1,16 @@
 import type { Platform } from '../../connection/platform.ts';
 
-/** How one system is made to trust the authority, and how that is undone. */
+/** Instructions for trusting the authority on one operating system, and for removing it. */
 export interface InstallGuide {
   readonly platform: Platform;
   readonly name: string;
-  /** The form of the certificate that this system installs. */
+  /** Certificate file in the format that this operating system installs. */
   readonly file: { readonly href: string; readonly text: string };
   readonly steps: readonly string[];
   readonly removal: string;
 }
 
-/** Menu names are those of current versions; older ones differ a little. */
+/** Menu names are those of current versions; older ones differ slightly. */
 export const INSTALL_GUIDES: readonly InstallGuide[] = [
   {
     platform: 'ios',
@@ -78,12 +78,12 @@ export function guideFor(platform: Platform): InstallGuide {
   return INSTALL_GUIDES.find((guide) => guide.platform === platform) ?? INSTALL_GUIDES[0]!;
 }
 
-/** What the master says of its authority. */
+/** The master's information about its authority. */
 export interface AuthorityFacts {
   readonly name: string;
-  /** SHA-256, pairs of hex digits between colons. */
+  /** SHA-256, pairs of hex digits separated by colons. */
   readonly fingerprint: string;
-  /** Milliseconds since the Unix epoch. */
+  /** Epoch milliseconds. */
   readonly validToMs: number;
 }
 

@@ -1,10 +1,10 @@
 import { MasterAddressKind, type MasterAddress } from '@ubii/proto';
 import { JOIN_PATH } from '../../locations/join-location.ts';
 
-/** An address as a person types it: host and port apart, so that a long one breaks there. */
+/** An address as users type it: host and port separately, so that a long one breaks there. */
 export interface AddressParts {
   readonly host: string;
-  /** With its colon; empty for the scheme's own port. */
+  /** With a leading colon; empty for the scheme's default port. */
   readonly port: string;
 }
 
@@ -14,17 +14,17 @@ export function addressParts(url: string): AddressParts {
   return { host: `${scheme}${hostname}`, port: port === '' ? '' : `:${port}` };
 }
 
-/** Addresses another machine can use, best first as the master sorted them. */
+/** Addresses that another computer can use, best first as sorted by the master. */
 export function reachableAddresses(addresses: readonly MasterAddress[]): MasterAddress[] {
   return addresses.filter(({ kind }) => kind !== MasterAddressKind.LOOPBACK);
 }
 
-/** The best address for another machine; `undefined` when the master listens on loopback only. */
+/** The best address for another computer; `undefined` when the master listens on loopback only. */
 export function bestAddress(addresses: readonly MasterAddress[]): string | undefined {
   return reachableAddresses(addresses)[0]?.url;
 }
 
-/** What an interface without a plain network behind it is, by the name that systems give it. */
+/** Kinds of virtual network interfaces, by their usual names. */
 const VIRTUAL_KINDS = [
   [/^(utun|tun|tap|wg|tailscale|zt|ham|ppp|ipsec)/i, 'VPN'],
   [/^(docker|br-|veth|podman|cni|flannel|cali|lxc|lxd)/i, 'Container'],
@@ -48,21 +48,21 @@ export function networkWord({ kind, interfaceName, url }: MasterAddress): string
   }
 }
 
-/** Returns the address to join with a token. Browsers send the part behind # to no server. [AC-11] */
+/** Returns the URL for joining with a token. Browsers do not send the part after # to servers. [AC-11] */
 export function joinAddress(origin: string, token: string): string {
   return `${pageAddress(origin, JOIN_PATH)}#${token}`;
 }
 
-/** The address of a page on the master. */
+/** URL of a page on the master. */
 export function pageAddress(origin: string, path: string): string {
   return new URL(path, origin).href;
 }
 
-/** What can be offered to a phone. */
+/** An address that can be shown to a phone. */
 export interface PhoneAddress {
   readonly url: string;
   readonly network: string;
-  /** The network interface, as the system calls it; empty when unknown. */
+  /** Name of the network interface; empty when unknown. */
   readonly interfaceName: string;
 }
 
@@ -70,8 +70,8 @@ const isLoopbackHost = (hostname: string): boolean =>
   hostname === 'localhost' || hostname === '[::1]' || /^127\./.test(hostname);
 
 /**
- * The addresses for a phone, best first. When the master names none but this page was opened over
- * the network, its own address works for others too.
+ * Addresses for a phone, best first. When the master reports none but this page was opened over the network, its own
+ * address works for others, too.
  */
 export function phoneAddresses(
   addresses: readonly MasterAddress[],
@@ -83,7 +83,7 @@ export function phoneAddresses(
       network: networkWord(address),
       interfaceName: address.interfaceName,
     }))
-    // Only neighbours on the same wire reach these.
+    // Link-local addresses work only within the same network segment.
     .sort((a, b) => Number(a.network === 'Link-local') - Number(b.network === 'Link-local'));
   if (reachable.length > 0) return reachable;
   const { origin, hostname } = new URL(pageUrl);

@@ -1,15 +1,15 @@
 import { AccessRole, type AccessGrant } from '@ubii/proto';
 import { counted, plural } from '@ubii/words';
 
-/** The choices of the host for an invitation. */
+/** Options of the host for an invitation. */
 export interface GrantChoice {
   readonly target: string;
   readonly role: AccessRole;
   /** Milliseconds. */
   readonly lifetimeMs: number;
-  /** How long joined clients stay connected, milliseconds; 0: as long as the invitation is open. [AC-91] */
+  /** Time for which joined clients stay connected, milliseconds; 0: as long as the invitation is open. [AC-91] */
   readonly stayMs: number;
-  /** Players: globs of topics they may read beside their own. @default none */
+  /** For players: globs of topics they may read besides their own. @default none */
   readonly readTopics?: readonly string[];
 }
 
@@ -26,7 +26,7 @@ export const ROLES = [
 ] as const;
 export type RoleChoice = (typeof ROLES)[number]['value'];
 
-/** Describes a role, below the choice. */
+/** Description of a role, below the option. */
 export const ROLE_HINTS: Record<RoleChoice, string> = {
   participant: 'Can use and change everything except invitations and other clients.',
   player: 'Publishes its own sensors and topics. Cannot open sessions, topics or clients.',
@@ -48,7 +48,7 @@ export const STAYS = [
 ] as const;
 export type StayChoice = (typeof STAYS)[number]['value'];
 
-/** Pages that phones are sent to. */
+/** Pages that phones can be sent to. */
 export const TARGETS = [
   { value: '/devices/smart-device', text: 'Smart device' },
   { value: '/', text: 'Home' },
@@ -57,7 +57,7 @@ export const TARGETS = [
   { value: '/topics', text: 'Topics' },
 ] as const;
 
-/** The role in one word. */
+/** Name of a role. */
 export function grantRoleWord(role: AccessRole): string {
   return ROLES.find((one) => one.role === role)?.text ?? 'No role';
 }
@@ -68,10 +68,10 @@ export function isOpen(grant: AccessGrant, nowMs: number): boolean {
   return grant.revokedMs === 0 && grant.expiresMs > nowMs && !isUsedUp;
 }
 
-/** An invitation with less of its lifetime left than this share is replaced by a new one. */
+/** Remaining share of the lifetime below which an invitation is replaced by a new one. */
 const LEAST_LEFT = 1 / 5;
 
-/** Returns the invitation that was created for the same choice and lasts long enough to be shown. */
+/** Returns an invitation with the same options that is valid long enough to be shown. */
 export function reusable(
   grants: readonly AccessGrant[],
   choice: GrantChoice,
@@ -92,13 +92,13 @@ export function reusable(
   );
 }
 
-/** Formats the time that is left: `12 min`, `7 h`, `29 d`. */
+/** Formats the remaining time: `12 min`, `7 h`, `29 d`. */
 export function leftWord(ms: number): string {
   if (ms < HOUR_MS) return `${Math.max(1, Math.ceil(ms / MINUTE_MS))} min`;
   return ms < 48 * HOUR_MS ? `${Math.round(ms / HOUR_MS)} h` : `${Math.round(ms / 24 / HOUR_MS)} d`;
 }
 
-/** How many use an invitation, or did: `2 connected`. */
+/** Formats the number of clients that use or used an invitation: `2 connected`. */
 export function usedWords({ joins, clientIds }: AccessGrant): string {
   if (clientIds.length > 0) return `${clientIds.length} connected`;
   return joins === 0 ? 'not used yet' : `used ${plural(joins, 'once', `${joins} times`)}`;

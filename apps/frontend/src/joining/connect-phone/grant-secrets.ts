@@ -1,14 +1,14 @@
 import { useLocalStorage } from '@vueuse/core';
 
-/** The token and code of an invitation; the master shows them once. [AC-11] */
+/** Token and code of an invitation; the master returns them only once. [AC-11] */
 export interface GrantSecret {
   readonly token: string;
   readonly code: string;
 }
 
 /**
- * Codes that this browser made, so that the same one is shown again instead of another being made. They
- * let people in and nothing more; what is over is forgotten.
+ * Secrets of invitations created in this browser, to show them again instead of creating others. They only permit
+ * joining; expired ones are removed.
  */
 export function useGrantSecrets() {
   const secrets = useLocalStorage<Record<string, GrantSecret>>('ubii.grants', {});

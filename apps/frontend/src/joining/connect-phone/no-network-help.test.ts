@@ -42,7 +42,7 @@ describe('NoNetworkHelp', () => {
     await flushPromises();
     expect(call).toHaveBeenCalledWith('lanOpen');
     expect(button('Turn on the local network')).toBeUndefined();
-    // The addresses come with the next status; until then it may be that there are none.
+    // Addresses arrive with the next status; until then, there may be none.
     expect(wrapper.get('[role=status]').text()).toContain('no network address');
   });
 

@@ -16,9 +16,9 @@ import { joinAddress, pageAddress } from './addresses.ts';
 import { useGrants } from './useGrants.ts';
 
 /**
- * Provides what a phone needs to join: an address, a code, and the page that opens.
+ * Provides an address, a code and a page for joining with a phone.
  *
- * @param makesAtOnce creates an invitation without asking, where a phone can reach the master
+ * @param makesAtOnce creates an invitation at once, if a phone can reach the master
  * @param opens the page that is selected at first; not remembered. @default the page selected last
  */
 export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
@@ -56,7 +56,7 @@ export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
     mayMake,
     computed(() => isKnown.value && url.value !== undefined),
   );
-  /** Whether this browser creates invitations; else the plain address of the page is shown. */
+  /** Whether this browser creates invitations; otherwise the plain URL of the page is shown. */
   const usesCodes = computed(() => grants.isAdmin.value && !grants.isUnsupported.value);
   /** Content of the QR code; `undefined` while there is none. */
   const scanned = computed(() => {

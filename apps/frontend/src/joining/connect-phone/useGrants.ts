@@ -11,7 +11,7 @@ const INTERVAL_MS = 2000;
 /**
  * Lists the invitations of this master for an admin, and creates one for the current choice unless an open one exists.
  *
- * @param mayMake false until the user asks for a code
+ * @param mayMake false until the user requests a code
  * @param isReachable false while no phone can reach the master: then no invitation is created
  */
 export function useGrants(
@@ -23,7 +23,7 @@ export function useGrants(
   const secrets = useGrantSecrets();
   const grants = shallowRef<readonly AccessGrant[]>();
   const error = ref('');
-  /** A master of a version without roles: every client has access. */
+  /** True for masters without roles, where every client has access. */
   const isUnsupported = ref(false);
   const isMaking = ref(false);
   const nowMs = (): number => Date.now() + (master.view.value?.clock.offsetMs ?? 0);
@@ -40,7 +40,7 @@ export function useGrants(
       await act();
       error.value = '';
     } catch (cause) {
-      if (cause instanceof ConnectionError) return; // shows in the connection's state
+      if (cause instanceof ConnectionError) return; // Shown by the connection's state.
       if (!(cause instanceof ServiceError)) throw cause;
       if (cause.code === 'unimplemented' || cause.code === 'not_found') isUnsupported.value = true;
       error.value = cause.message;
@@ -80,7 +80,7 @@ export function useGrants(
 
   const revoke = (grant: AccessGrant, work: RevokedWork): Promise<void> =>
     attempt(async () => {
-      mayMake.value = false; // else the next refresh creates a replacement
+      mayMake.value = false; // Otherwise the next refresh creates a replacement.
       await client.call('accessGrantRevoke', {
         grantId: grant.id,
         reason: 'the host revoked the invitation',
@@ -97,7 +97,7 @@ export function useGrants(
   watch([choice, mayMake, isReachable], () => {
     if (mayMake.value && isAdmin.value && isConnected.value) void attempt(make);
   });
-  // Show new devices at once
+  // Show new devices at once.
   watch(clients.list, (list, before) => {
     if (list?.length !== before?.length && isConnected.value && isAdmin.value) void refresh();
   });
@@ -108,7 +108,7 @@ export function useGrants(
     secret,
     error,
     isAdmin,
-    /** Of this page. */
+    /** Role of this page. */
     ownRole,
     isUnsupported,
     isMaking,

@@ -5,13 +5,13 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { useRole } from '../../connection/useRole.ts';
 import { isThisMachine } from '../join/this-machine.ts';
 
-/** Turns on the local network of a master that only its own machine can reach. [AC-47] */
+/** Enables the local network on a master that listens on loopback only. [AC-47] */
 export function useLan() {
   const { client } = useConnection();
   const { role, isNoAdmin } = useRole();
   const state = ref<'off' | 'opening' | 'on'>('off');
   const error = ref('');
-  /** Only an admin on the machine of the master may. */
+  /** Allowed for admins on the master's computer only. */
   const mayOpen = computed(() => role.value === 'admin' && isThisMachine());
 
   async function open(): Promise<void> {

@@ -4,10 +4,9 @@ import { fromJson, SERVICES, ServiceError, type JoinCheck } from '@ubii/proto';
 const TIMEOUT_MS = 8000;
 
 /**
- * Asks what a token or code is good for, without being a client: who is not admitted has no connection to
- * ask over. [AC-16]
- * @throws {ServiceError} what the master answered
- * @throws {ConnectionError} there was no answer
+ * Checks a token or code over HTTP, without being a client: unadmitted clients have no connection. [AC-16]
+ * @throws {ServiceError} error of the master
+ * @throws {ConnectionError} if there is no reply
  */
 export async function checkToken(token: string): Promise<JoinCheck> {
   let json: unknown;

@@ -1,4 +1,4 @@
-/** Letters and digits of a short code; O, I and L are taken for 0 and 1. [AC-11] */
+/** Length of a short code, letters and digits; O, I and L are read as 0 and 1. [AC-11] */
 const CODE_LENGTH = 8;
 
 /** Formats typed or pasted text as a code: `K7QF-2MXR`. Returns the token of a pasted address. */
@@ -10,12 +10,12 @@ export function formatCode(typed: string): string {
   return plain.length > 4 ? `${plain.slice(0, 4)}-${plain.slice(4)}` : plain;
 }
 
-/** True when nothing is missing. */
+/** True when the code is complete. */
 export function isWholeCode(code: string): boolean {
   return code.replaceAll('-', '').length === CODE_LENGTH;
 }
 
-/** The token in an address to join at, as the QR code carries it; `undefined` when there is none. */
+/** Returns the token in a join URL, as in the QR code; `undefined` without one. */
 export function tokenOf(text: string): string | undefined {
   const fragment = /#(.+)$/.exec(text.trim())?.[1];
   if (fragment === undefined) return undefined;

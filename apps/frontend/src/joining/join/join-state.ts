@@ -1,22 +1,22 @@
 import type { ClientRole, JoinProblem } from '@ubii/client-web';
 
 /**
- * `asking`: checks the token · `code`: the user has to type a code · `ready`: one tap away ·
- * `joining` · `unreachable`: no answer
+ * `asking`: the token is being checked; `code`: the user must enter a code; `ready`: the user can join; `joining`;
+ * `unreachable`: no reply.
  */
 export type JoinPhase = 'asking' | 'code' | 'ready' | 'joining' | 'unreachable';
 
-/** What a valid token gives. */
+/** Content of a valid token. */
 export interface Invitation {
   readonly token: string;
   readonly role: ClientRole;
-  /** Path of the page that opens; empty when the token names none. */
+  /** Path of the page to open; empty when the token has none. */
   readonly target: string;
-  /** This client has joined with it: there is nothing to be asked. */
+  /** True when this client has already joined with it. */
   readonly isJoined: boolean;
 }
 
-/** How far a device has come from a token or code to the page it came for. */
+/** State of joining, from a token or code to the target page. */
 export interface JoinState {
   readonly phase: JoinPhase;
   readonly problem?: JoinProblem | undefined;
@@ -24,25 +24,25 @@ export interface JoinState {
   readonly trouble: string;
   readonly invitation?: Invitation | undefined;
   readonly masterName: string;
-  /** Number of checks begun: only the newest one counts. */
+  /** Number of checks started; replies to older ones are ignored. */
   readonly checks: number;
   /** True when the last reply was about this client, not about the token. */
   readonly isToClient: boolean;
-  /** This client was connected before it began to join: it uses another code. */
+  /** True when this client was connected before: it uses another code. */
   readonly wasConnected: boolean;
   readonly isLeaving: boolean;
 }
 
-/** What the page and the connection are like when something happens. */
+/** State of page and connection at the time of an event. */
 export interface Situation {
-  /** Token or code in the address; empty without one. */
+  /** Token or code in the URL; empty without one. */
   readonly token: string;
   /** A client that may have joined already opened the page to enter a code. */
   readonly wantsAnother: boolean;
   /** The page is open on the computer of the master. */
   readonly isThisMachine: boolean;
   readonly connection: 'connected' | 'reconnecting' | 'closed' | 'other';
-  /** Why the master refused this client, when it did. */
+  /** Reason why the master refused this client, if it did. */
   readonly refusal?: JoinProblem | undefined;
   /** Role of this client, once it has registered. */
   readonly role?: ClientRole | undefined;
@@ -58,13 +58,13 @@ export interface CheckReply {
 }
 
 export type JoinEvent =
-  /** The page opened, its address changed, the user or a timer asks again. */
+  /** The page was opened, its URL changed, or the user or a timer repeats the check. */
   | { readonly type: 'check'; readonly token: string }
   | { readonly type: 'checked'; readonly check: Check; readonly reply: CheckReply }
   | { readonly type: 'unanswered'; readonly check: Check; readonly message: string }
-  /** The user taps Join. */
+  /** The user pressed Join. */
   | { readonly type: 'join' }
-  /** A timer does it again. */
+  /** A timer repeats joining. */
   | { readonly type: 'join-again' }
   /** The master has admitted this client. */
   | { readonly type: 'joined' }
@@ -75,11 +75,11 @@ export type JoinEvent =
   /** The user continues without a code. */
   | { readonly type: 'leave' };
 
-/** A question to the master about a token. */
+/** Request to check a token. */
 export interface Check {
   readonly number: number;
   readonly token: string;
-  /** Asked as a client over the connection, not as a stranger. */
+  /** Sent as a client over the connection, instead of as a stranger. */
   readonly asClient: boolean;
 }
 
@@ -88,11 +88,11 @@ export type JoinEffect =
   | { readonly type: 'later'; readonly afterMs: number; readonly event: JoinEvent }
   | { readonly type: 'forget-later' }
   | { readonly type: 'join'; readonly token: string }
-  /** The client has registered, only its live channel is missing. */
+  /** The client is registered, only its WebSocket is missing. */
   | { readonly type: 'reconnect' }
   | { readonly type: 'leave'; readonly becameAdmin: boolean };
 
-/** Before anything is known. */
+/** Initial state. */
 export const OPENED: JoinState = {
   phase: 'asking',
   trouble: '',

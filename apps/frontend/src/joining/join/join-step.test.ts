@@ -23,7 +23,7 @@ const PLAYER: CheckReply = {
   isJoined: false,
 };
 
-/** A page and its situation, which tests change. */
+/** Creates a page in a situation that tests can change. */
 function openPage(changes: Partial<Situation> = {}) {
   let state: JoinState = OPENED;
   let situation: Situation = { ...STRANGER, ...changes };
@@ -41,7 +41,7 @@ function openPage(changes: Partial<Situation> = {}) {
     effects,
     dispatch,
     check: () => dispatch({ type: 'check', token: situation.token }),
-    /** Answers the newest check. */
+    /** Replies to the newest check. */
     reply: (changes: Partial<CheckReply> = {}) => {
       const check = effects
         .flatMap((effect) => (effect.type === 'check' ? effect.check : []))

@@ -7,20 +7,20 @@ import type {
   Situation,
 } from './join-state.ts';
 
-/** A master that does not answer is asked again after this, milliseconds. */
+/** Delay before an unreachable master is asked again, milliseconds. */
 const ASK_AGAIN_MS = 3000;
-/** While others try wrong codes, a code is shown again after this, milliseconds. [AC-17] */
+/** Delay before a code is sent again while others try wrong codes, milliseconds. [AC-17] */
 const GUESSING_AGAIN_MS = 1000;
 
 const GUESSING = 'Too many wrong codes from this network. This page keeps retrying.';
 
-/** The next state, and what has to be done to get there. */
+/** The next state, and the actions to perform. */
 export interface JoinStep {
   readonly state: JoinState;
   readonly effects: readonly JoinEffect[];
 }
 
-/** What follows from an event. A page that is being left ignores all events. */
+/** Returns the step for an event. A page that is being left ignores all events. */
 export function joinStep(state: JoinState, event: JoinEvent, situation: Situation): JoinStep {
   if (state.isLeaving) return { state, effects: [] };
   const first = handleEvent(state, event, situation);
@@ -64,8 +64,8 @@ function handleEvent(state: JoinState, event: JoinEvent, situation: Situation): 
 }
 
 /**
- * A connected client continues: a second tab, the master’s own machine, or a channel that came late. A code of
- * another grant is joined with, whatever its role: it brings topics of its own. [AC-18]
+ * A connected client continues: a second tab, the master’s own computer, or a late WebSocket. A code of another
+ * invitation is used for joining, whatever its role: it may permit other topics. [AC-18]
  */
 function continueConnected(state: JoinState, situation: Situation): JoinStep {
   const { invitation, phase } = state;
@@ -74,7 +74,7 @@ function continueConnected(state: JoinState, situation: Situation): JoinStep {
   const hasJoined = invitation?.isJoined === true || (phase === 'joining' && !state.wasConnected);
   const isAdmin = invitation !== undefined && situation.role === 'admin';
   if ((invitation === undefined && isPlain) || hasJoined || isAdmin) return leave(state, situation);
-  // The operator at the master’s own machine has a name: there is nothing to be asked. [AC-42]
+  // The operator on the master’s own computer has a name and need not confirm. [AC-42]
   const joinsByItself = situation.isThisMachine && invitation?.role === 'admin';
   if (phase === 'ready' && joinsByItself && state.trouble === '')
     return beginJoin(state, situation);
@@ -122,7 +122,7 @@ function handleSilence(state: JoinState, token: string, message: string): JoinSt
   };
 }
 
-/** No token is in the address: says why this device was sent here, once that is known. */
+/** Without a token in the URL: shows why this device was sent here, once that is known. */
 function withoutToken(
   state: JoinState,
   { connection, wantsAnother, refusal }: Situation,
@@ -134,7 +134,7 @@ function withoutToken(
 function beginJoin(state: JoinState, { connection, role }: Situation): JoinStep {
   const { invitation, trouble } = state;
   if (invitation === undefined) return stay(state);
-  // A token for one device counts once; who is registered only waits for the channel
+  // A token for one device works once; a registered client only waits for its WebSocket.
   const isRegistered = role !== undefined && connection === 'reconnecting';
   return {
     state: {

@@ -1,6 +1,6 @@
 import type { ClientRole, JoinProblem } from '@ubii/client-web';
 
-/** Why a client cannot join: what happened, and what to do. */
+/** Reason why a client cannot join, and what to do. */
 export interface ProblemWords {
   readonly title: string;
   readonly text: string;
@@ -37,7 +37,7 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
   },
 };
 
-/** The same for a user of the master's machine, whose terminal shows a code. [AC-42] */
+/** The same for users of the master's computer, whose terminal shows a code. [AC-42] */
 const PROBLEMS_HERE: Partial<Record<JoinProblem, ProblemWords>> = {
   missing: {
     title: 'Enter the code.',
@@ -78,7 +78,7 @@ export function roleSentence(role: ClientRole): string {
   }[role];
 }
 
-/** The role in one word. */
+/** Name of a role. */
 export function roleWord(role: ClientRole): string {
   return ROLES[role];
 }

@@ -18,10 +18,10 @@ import { joinStep } from './join-step.ts';
 import { safeTarget } from './target.ts';
 import { isThisMachine } from './this-machine.ts';
 
-/** A live channel that takes longer is a trouble to be told, milliseconds. */
+/** Time after which a missing WebSocket is reported, milliseconds. */
 const PATIENCE_MS = 10_000;
 
-/** The way of one device from a token or code to the page it came for: does what `joinStep` says. */
+/** Performs joining, from a token or code to the target page, by executing `joinStep`. */
 export function useJoin(beforeLeaving: () => void) {
   const { client, state: connection, isConnected, name, connect } = useConnection();
   const route = useRoute();
@@ -35,7 +35,7 @@ export function useJoin(beforeLeaving: () => void) {
     const { invitation } = state.value;
     const named = invitation?.target || route.query['to'];
     const role = invitation?.role;
-    // An admin runs the place, also from a phone.
+    // Admins go to the start page, also on a phone.
     return safeTarget(named || (role === 'admin' ? '/' : startPath(role !== 'viewer')));
   });
 
@@ -110,7 +110,7 @@ export function useJoin(beforeLeaving: () => void) {
     }
   }
 
-  /** Rejects when the channel takes too long; `client` goes on trying meanwhile. */
+  /** Rejects when the WebSocket takes too long; `client` continues to retry. */
   function patience(): Promise<never> {
     return new Promise((_, reject) => {
       setTimeout(() => {
@@ -126,11 +126,11 @@ export function useJoin(beforeLeaving: () => void) {
     beforeLeaving();
     if (state.value.invitation?.target) rememberStart(target.value);
     if (becameAdmin) toasts.show('This browser is now an admin');
-    // In place of this page: the way back does not lead through the token
+    // Replaces this page in the history, so that Back does not return to the token.
     void router.replace(target.value);
   }
 
-  // A scanned address opens in the same tab as well
+  // A scanned URL may open in the same tab.
   watch(
     () => route.hash.slice(1),
     (token) => dispatch({ type: 'check', token }),
@@ -144,7 +144,7 @@ export function useJoin(beforeLeaving: () => void) {
     target,
     isConnected,
     check: (token: string) => dispatch({ type: 'check', token }),
-    /** @param as what others are to call this device */
+    /** @param as display name of this device */
     join(as: string) {
       if (as.trim() !== '') name.value = as.trim();
       dispatch({ type: 'join' });

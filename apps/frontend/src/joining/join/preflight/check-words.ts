@@ -4,15 +4,15 @@ import { CERTIFICATE_PATH } from '../../../locations/certificate-location.ts';
 import type { Check } from './check.ts';
 import type { ChannelProbe } from './probe-channel.ts';
 
-/** From this offset on, a wrong clock is reported, milliseconds. */
+/** Offset from which a wrong clock is reported, milliseconds. */
 const CLOCK_OFF_MS = 2000;
 
-/** Milliseconds as people read them: `0.8 ms`, `12 ms`. */
+/** Formats milliseconds: `0.8 ms`, `12 ms`. */
 export function formatMs(ms: number): string {
   return `${ms < 10 ? Math.max(0.1, Math.round(ms * 10) / 10) : Math.round(ms)} ms`;
 }
 
-/** @param tripMs `undefined` when no answer came */
+/** @param tripMs `undefined` without a reply */
 export function masterCheck(tripMs: number | undefined, page: URL): Check {
   const { hostname, port, protocol } = page;
   const id = 'master';
@@ -66,14 +66,14 @@ export function secureCheck(isSecure: boolean, page: URL): Check {
   };
 }
 
-/** The same page over HTTPS, which the master answers on the same port. */
+/** URL of the same page over HTTPS, which the master serves on the same port. */
 export function securePage(page: URL): string {
   const secure = new URL(page);
   secure.protocol = 'https:';
   return secure.href;
 }
 
-/** @param probe `undefined` when the master is not reached: nothing can be told then */
+/** @param probe `undefined` when the master is not reachable */
 export function channelCheck(
   probe: ChannelProbe | undefined,
   platform: Platform,
@@ -143,7 +143,7 @@ export function clockCheck(probe: ChannelProbe | undefined): Check {
   };
 }
 
-/** @param arrives whether motion values came; `undefined` before they were checked */
+/** @param arrives whether motion values arrived; `undefined` before they were checked */
 export function sensorsCheck(
   access: MotionAccess,
   arrives: boolean | undefined,

@@ -1,26 +1,26 @@
-/** What a preflight looks at, in the order in which it is shown. [AC-30] */
+/** Checks of a preflight, in display order. [AC-30] */
 export type CheckId = 'master' | 'secure' | 'channel' | 'clock' | 'sensors';
 
 /**
- * `checking` · `good` · `warning`: joining works, something will be missing · `failed` · `asks`: the
- * person has to allow it · `none`: does not apply to this device
+ * `checking`, `good`, `warning`: joining works with restrictions, `failed`, `asks`: needs the user's permission,
+ * `none`: not applicable to this device
  */
 export type CheckState = 'checking' | 'good' | 'warning' | 'failed' | 'asks' | 'none';
 
-/** One measured fact. */
+/** Result of a check. */
 export interface Check {
   readonly id: CheckId;
   readonly state: CheckState;
   readonly title: string;
-  /** What was found; of a failure its likely causes and what to do. */
+  /** Finding; for a failure, its likely causes and the remedy. */
   readonly text: string;
   /** With unit: `9 ms`. */
   readonly value?: string;
-  /** Where the remedy is. */
+  /** Link to the remedy. */
   readonly remedy?: { readonly text: string; readonly href: string };
 }
 
-/** What is known before anything was measured. */
+/** Initial state of all checks. */
 export function openChecks(): readonly Check[] {
   return [
     { id: 'master', state: 'checking', title: 'Master', text: 'Checking' },

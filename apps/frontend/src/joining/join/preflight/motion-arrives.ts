@@ -10,7 +10,7 @@ export function motionArrives(waitMs: number): Promise<boolean> {
     const handle = (event: DeviceMotionEvent | DeviceOrientationEvent): void => {
       const value =
         event instanceof DeviceOrientationEvent ? event.beta : event.rotationRate?.alpha;
-      // A device without sensors sends one event without values
+      // Devices without sensors send one event without values.
       if (value !== null && value !== undefined) finish(true);
     };
     const timer = setTimeout(() => finish(false), waitMs);

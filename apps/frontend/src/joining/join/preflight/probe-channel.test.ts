@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { probeChannel } from './probe-channel.ts';
 
-/** A socket whose other end is the test. */
+/** Socket whose messages the test provides. */
 class FakeSocket {
   readonly sent: string[] = [];
   isClosed = false;
@@ -18,7 +18,7 @@ class FakeSocket {
     this.isClosed = true;
   }
 
-  /** Answers the newest question `afterMs` later, by a clock that is ahead by `offsetMs`. */
+  /** Replies to the newest request after `afterMs`, with a clock that is ahead by `offsetMs`. */
   answer(afterMs: number, offsetMs: number): void {
     vi.advanceTimersByTime(afterMs);
     this.onmessage?.({ data: `${this.sent.at(-1)} ${Date.now() - afterMs / 2 + offsetMs}` });

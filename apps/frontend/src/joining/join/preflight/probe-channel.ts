@@ -1,12 +1,12 @@
-/** What a try of the live channel found. */
+/** Result of probing the WebSocket. */
 export type ChannelProbe =
   | {
       readonly isOpen: true;
-      /** Quickest round trip, milliseconds. */
+      /** Shortest round trip, milliseconds. */
       readonly roundTripMs: number;
-      /** How far the master's clock is ahead of this device's, milliseconds. */
+      /** Offset of the master's clock relative to this device's, milliseconds. */
       readonly offsetMs: number;
-      /** The true offset lies within this, milliseconds. */
+      /** Bound on the error of the offset, milliseconds. */
       readonly errorMs: number;
     }
   | { readonly isOpen: false; readonly reason: 'refused' | 'silent' };
@@ -15,8 +15,8 @@ const QUESTIONS = 5;
 const TIMEOUT_MS = 6000;
 
 /**
- * Opens a WebSocket to the master and asks it the time, some questions one after the other. [AC-29] The
- * quickest answer is the best measurement.
+ * Opens a WebSocket to the master and requests its time, several times in sequence. [AC-29] The shortest round trip
+ * gives the best measurement.
  */
 export function probeChannel(origin: string, createSocket = openSocket): Promise<ChannelProbe> {
   return new Promise((resolve) => {
@@ -50,7 +50,7 @@ export function probeChannel(origin: string, createSocket = openSocket): Promise
       const roundTripMs = receivedMs - sentMs;
       if (best === undefined || roundTripMs < best.roundTripMs) {
         const middleMs = performance.timeOrigin + (sentMs + receivedMs) / 2;
-        // The page's own clock runs on from when it was opened; a clock set since then shows here
+        // `performance.now()` does not follow changes of the system clock since the page was opened: add them.
         const setMs = Date.now() - (performance.timeOrigin + receivedMs);
         best = { roundTripMs, offsetMs: masterMs - middleMs - (Math.abs(setMs) > 50 ? setMs : 0) };
       }

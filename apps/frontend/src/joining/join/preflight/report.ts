@@ -6,22 +6,22 @@ import { readStored } from '../../../json/read-stored.ts';
 import { finite, textCutAt, validElements } from '../../../json/schemas.ts';
 import type { Check } from './check.ts';
 
-/** Where pages say what their preflight found, of every client. [AC-30] */
+/** Topics of the preflight reports of all clients. [AC-30] */
 export const PREFLIGHT_TOPICS = preflightTopic('*');
 
 /** Report to the host. */
 export interface PreflightReport {
   readonly version: 1;
-  /** When it was measured: milliseconds since the Unix epoch, clock of the device. */
+  /** Time of measurement, epoch milliseconds of the device's clock. */
   readonly atMs: number;
-  /** What the device is, in a few words. */
+  /** Short description of the device. */
   readonly agent: string;
-  /** Origin of the page, as the device reached it. */
+  /** Origin of the page as used by the device. */
   readonly address: string;
   readonly checks: readonly Pick<Check, 'id' | 'state' | 'title' | 'text' | 'value'>[];
 }
 
-/** Tells the host what was found; every role may. */
+/** Publishes the report for the host; allowed for every role. */
 export function publishReport(client: UbiiClient, checks: readonly Check[]): void {
   const report: PreflightReport = {
     version: 1,
@@ -43,7 +43,7 @@ export function publishReport(client: UbiiClient, checks: readonly Check[]): voi
 
 const MAX_CHECKS = 10;
 const MAX_TEXT_CHARS = 400;
-/** Reports are small; this is room for every check with the longest texts. */
+/** Longest report, characters: all checks with their longest texts. */
 const MAX_REPORT_CHARS = 40_000;
 
 const words = textCutAt(MAX_TEXT_CHARS);
@@ -65,6 +65,6 @@ const REPORT = v.object({
   ),
 });
 
-/** Reads what another client published; `undefined` when it is no report. */
+/** Parses a record of another client; `undefined` when it is not a report. */
 export const readReport = (text: string): PreflightReport | undefined =>
   readStored(REPORT, text, MAX_REPORT_CHARS);

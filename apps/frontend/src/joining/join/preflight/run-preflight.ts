@@ -7,10 +7,10 @@ import { probeChannel } from './probe-channel.ts';
 
 const TRIES = 3;
 const ANSWER_TIMEOUT_MS = 5000;
-/** Sensors report many times in this. */
+/** Time to wait for motion events, milliseconds; sensors report many times in it. */
 const MOTION_WAIT_MS = 1500;
 
-/** Measures everything that can be known before joining, and tells each fact when it is known. */
+/** Runs all checks that are possible before joining, and reports each result at once. */
 export async function runPreflight(tell: (check: Check) => void): Promise<void> {
   const page = new URL(location.href);
   tell(secureCheck(isSecureContext, page));
@@ -32,7 +32,7 @@ async function runSensors(tell: (check: Check) => void): Promise<void> {
   tell(sensorsCheck(access, await motionArrives(MOTION_WAIT_MS), isTouch));
 }
 
-/** Quickest answer of a few, milliseconds; `undefined` when none came. */
+/** Shortest of several round trips, milliseconds; `undefined` without a reply. */
 async function measureTrip(): Promise<number | undefined> {
   let bestMs: number | undefined;
   for (let i = 0; i < TRIES; i += 1) {

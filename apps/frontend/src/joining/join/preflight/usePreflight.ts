@@ -3,7 +3,7 @@ import type { Check } from './check.ts';
 import { openChecks } from './check.ts';
 import { runPreflight } from './run-preflight.ts';
 
-/** The facts of this device, each as soon as it is known. A run ends by itself, left or not. */
+/** Results of the preflight of this device, each as soon as it is known. A run continues after the page is left. */
 export function usePreflight() {
   const checks = shallowRef<readonly Check[]>(openChecks());
   const isRunning = shallowRef(false);
