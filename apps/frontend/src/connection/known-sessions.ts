@@ -72,7 +72,7 @@ export class KnownSessions {
     else this.#handle({ topic, session, isDoubtful });
   }
 
-  /** The moment of a question. */
+  /** Time of a request. */
   now(): number {
     return this.#recency.now();
   }

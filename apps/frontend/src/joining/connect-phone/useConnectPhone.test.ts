@@ -9,7 +9,7 @@ import { useConnectPhone } from './useConnectPhone.ts';
 const LOOPBACK = { kind: MasterAddressKind.LOOPBACK, url: 'http://localhost:8080' };
 const WIFI = { kind: MasterAddressKind.WIFI, interfaceName: 'wlan0', url: 'https://10.0.0.7:8080' };
 
-/** Opens the dialog's composable at an admin's browser. */
+/** Mounts the composable of the dialog in an admin's browser. */
 function open(addresses: readonly Partial<MasterAddress>[]) {
   const view = shallowRef<unknown>({ latest: { addresses }, clock: { offsetMs: 0 } });
   const call = vi.fn((service: string, request: object = {}): Promise<unknown> => {

@@ -4,7 +4,7 @@ import { fromJson, SERVICES, ServiceError, type JoinCheck } from '@ubii/proto';
 const TIMEOUT_MS = 8000;
 
 /**
- * Checks a token or code over HTTP, without being a client: unadmitted clients have no connection. [AC-16]
+ * Checks a token or code over HTTP, without being a client: strangers have no connection. [AC-16]
  * @throws {ServiceError} error of the master
  * @throws {ConnectionError} if there is no reply
  */
