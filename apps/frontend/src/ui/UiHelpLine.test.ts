@@ -4,7 +4,7 @@ import { nextTick } from 'vue';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import UiHelpLine from './UiHelpLine.vue';
 
-/** A line of this text, in a place with room for some letters. */
+/** Mounts a line with this text in a box with room for a number of letters. */
 async function show(text: string, letters: number) {
   vi.spyOn(HTMLElement.prototype, 'clientWidth', 'get').mockReturnValue(letters);
   vi.spyOn(HTMLElement.prototype, 'scrollWidth', 'get').mockReturnValue(text.length);

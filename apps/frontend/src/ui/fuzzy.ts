@@ -5,7 +5,7 @@ const isWordStart = (text: string, index: number): boolean => {
   return /[a-z]/.test(before) && /[A-Z]/.test(text.charAt(index));
 };
 
-/** How well the letters of one word are found in order; `undefined` when one is missing. */
+/** Score for the letters of a word in order; `undefined` when one is missing. */
 function scoreWord(word: string, text: string, lower: string): number | undefined {
   const whole = lower.indexOf(word);
   if (whole >= 0) {
@@ -23,13 +23,13 @@ function scoreWord(word: string, text: string, lower: string): number | undefine
     previous = index;
     from = index + 1;
   }
-  // Letters strewn over a long text are no match a person meant
+  // Ignore matches with letters scattered over a long text.
   return score > 0 ? score : undefined;
 }
 
 /**
- * How well a text answers a query: every word of the query must be found, as it stands or letter by
- * letter in order. Higher is better, `undefined` is no match, an empty query matches with 0.
+ * Score of a text for a query: every word must occur, as a substring or letter by letter in order. Higher is better;
+ * `undefined`: no match; 0 for an empty query.
  */
 export function fuzzyScore(query: string, text: string): number | undefined {
   const lower = text.toLowerCase();

@@ -1,11 +1,11 @@
 import { defineAsyncComponent, type Component } from 'vue';
 
-/** Between two tries, milliseconds. */
+/** Delay between attempts, milliseconds. */
 const RETRY_MS = 2000;
 
 /**
- * A part of a page whose program is loaded when it is shown first. While the master is away it is
- * tried again: the part appears when the master is back, and nothing else of the page fails with it.
+ * Loads a component on first use. Retries while the master is disconnected, so that the component appears after
+ * reconnecting, and the rest of the page is unaffected.
  */
 export function loadLater<T extends Component>(load: () => Promise<{ default: T }>): T {
   return defineAsyncComponent({

@@ -1,10 +1,10 @@
-/** A point in pixels; without y it is a gap. */
+/** Point in pixels; a gap without y. */
 export interface PathPoint {
   readonly x: number;
   readonly y: number | undefined;
 }
 
-/** An SVG path through the points, broken at gaps, to a tenth of a pixel. */
+/** Returns an SVG path through the points, with gaps, rounded to a tenth of a pixel. */
 export function linePath(points: readonly PathPoint[]): string {
   let path = '';
   let isDrawing = false;

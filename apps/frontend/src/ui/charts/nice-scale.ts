@@ -1,16 +1,16 @@
-/** Round numbers for an axis that starts at 0. */
+/** Axis from 0 with round ticks. */
 export interface NiceScale {
   readonly max: number;
   /** From 0 to `max`, both included. */
   readonly ticks: readonly number[];
 }
 
-/** Below this an axis would be about fractions. */
+/** Smallest maximum, to avoid fractional ticks. */
 const LOWEST_MAX = 10;
 
 /**
- * A scale whose two steps (half and full) are round: 1, 2, 2.5 or 5 times a power of ten.
- * @param highest the largest value to be shown
+ * Returns a scale with two round steps (half and full): 1, 2, 2.5 or 5 times a power of ten.
+ * @param highest largest value
  */
 export function niceScale(highest: number): NiceScale {
   const half = Math.max(highest, LOWEST_MAX) / 2;
@@ -22,7 +22,7 @@ export function niceScale(highest: number): NiceScale {
   return { max: 2 * round, ticks: [0, round, 2 * round] };
 }
 
-/** A tick's label: `500`, `1 k`, `2.5 M`. */
+/** Formats the label of a tick: `500`, `1 k`, `2.5 M`. */
 export function formatTick(value: number): string {
   if (value >= 1e6) return `${value / 1e6} M`;
   if (value >= 1e3) return `${value / 1e3} k`;

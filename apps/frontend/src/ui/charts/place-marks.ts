@@ -1,25 +1,25 @@
-/** An event on the time axis. */
+/** Event on the time axis. */
 export interface ChartMark {
   readonly timeMs: number;
   readonly text: string;
 }
 
-/** Where a mark and its words stand. */
+/** Position of a mark and its text. */
 export interface PlacedMark<M extends ChartMark> {
-  /** The newest of those that fall together. */
+  /** Newest of several marks at the same position. */
   readonly mark: M;
-  /** How many older ones stand at the same place. */
+  /** Number of older marks at the same position. */
   readonly folded: number;
   readonly x: number;
-  /** The words stand to the right of the line or, near the right edge, to the left. */
+  /** Side of the text: right of the line, or left near the right edge. */
   readonly side: 'left' | 'right';
-  /** False when the words would run into a newer mark's; the line is drawn anyway. */
+  /** False when the text would overlap that of a newer mark; the line is drawn anyway. */
   readonly showText: boolean;
 }
 
-/** Marks closer than this look like one, pixels. */
+/** Distance below which marks are merged, pixels. */
 const SAME_PLACE = 12;
-/** What ` +3` takes, pixels. */
+/** Width of ` +3`, pixels. */
 const FOLDED_WIDTH = 20;
 
 function fold<M extends ChartMark>(marks: readonly M[], toX: (timeMs: number) => number) {
@@ -34,10 +34,10 @@ function fold<M extends ChartMark>(marks: readonly M[], toX: (timeMs: number) =>
 }
 
 /**
- * Places marks on a chart; where there is no room for all words, the newest have them. Oldest first.
+ * Positions marks on a chart; without room for all texts, the newest marks have theirs. Oldest first.
  * @param toX time to pixels
- * @param width pixels of the chart
- * @param textWidth pixels the words of a mark need, with icon and gap
+ * @param width of the chart, pixels
+ * @param textWidth width of a mark's text with icon and gap, pixels
  */
 export function placeMarks<M extends ChartMark>(
   marks: readonly M[],

@@ -1,11 +1,11 @@
-/** A value at a time. */
+/** Value at a time. */
 export interface ChartPoint {
   /** Epoch milliseconds. */
   readonly timeMs: number;
   readonly value: number;
 }
 
-/** The points with a hole between any two that are further apart than `maxGapMs`: gaps stay gaps. */
+/** Inserts a gap between points that are further apart than `maxGapMs`. */
 export function withGaps(
   points: readonly ChartPoint[],
   maxGapMs: number,
@@ -22,7 +22,7 @@ export function withGaps(
   return result;
 }
 
-/** The point nearest to a time, by halving; `undefined` when there is none. */
+/** Returns the point nearest to a time, by binary search; `undefined` without points. */
 export function nearestPoint(
   points: readonly ChartPoint[],
   timeMs: number,

@@ -2,12 +2,12 @@ import { useEventListener } from '@vueuse/core';
 import { shallowRef, type ShallowRef } from 'vue';
 import { takesKeys } from './single-key.ts';
 
-/** Held while a pointer works, too. */
+/** Modifier keys do not count, because they are also held while using a pointer. */
 const MODIFIERS: ReadonlySet<string> = new Set(['Alt', 'Control', 'Meta', 'Shift']);
 
 /**
- * Whether the user pressed a key after the last press of a pointer. Keys in fields and lists do not count:
- * those who use a pointer type there, too.
+ * Whether the user pressed a key after the last pointer press. Keys in fields and lists do not count, because pointer
+ * users type there, too.
  */
 export function useKeysLast(): Readonly<ShallowRef<boolean>> {
   const isKeys = shallowRef(false);

@@ -1,4 +1,4 @@
-/** What a key does to the row that has the focus. */
+/** Action of a key on the focused row. */
 export type RowIntent = 'toggle' | 'rename' | 'remove';
 
 const INTENTS: Readonly<Record<string, RowIntent>> = {
@@ -29,8 +29,8 @@ function neighbour(list: HTMLElement, from: HTMLElement, key: string): HTMLEleme
 }
 
 /**
- * Moves the focus along a list of rows, and says what else a key means.
- * @returns the index of the row and the intent, when the key is one
+ * Moves the focus along a list of rows, and returns other actions of keys.
+ * @returns the index of the row and the action, if the key has one
  */
 export function handleRowKey(
   event: KeyboardEvent,

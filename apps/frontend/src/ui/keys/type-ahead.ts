@@ -1,7 +1,7 @@
-/** A pause this long begins a new word, milliseconds. */
+/** Pause after which typing starts a new word, milliseconds. */
 const WORD_MS = 700;
 
-/** Finds rows by typing the beginning of their names. */
+/** Finds rows by the beginning of their names. */
 export class TypeAhead {
   #word = '';
   #typedMs = -Infinity;
@@ -9,14 +9,14 @@ export class TypeAhead {
   /**
    * @param names of the rows, in lower case
    * @param index the row with the focus
-   * @param nowMs any clock
-   * @returns the row to go to; `undefined` when none begins like that
+   * @param nowMs of any clock
+   * @returns index of the matching row; `undefined` without a match
    */
   type(key: string, names: readonly string[], index: number, nowMs: number): number | undefined {
     const letter = key.toLowerCase();
     const isNewWord = nowMs - this.#typedMs > WORD_MS;
     this.#typedMs = nowMs;
-    // The same letter again goes on to the next row, as in every list.
+    // The same letter again moves to the next match.
     const isRepeated = !isNewWord && this.#word === letter;
     this.#word = isNewWord || isRepeated ? letter : this.#word + letter;
     const from = isNewWord || isRepeated ? index + 1 : index;

@@ -10,8 +10,8 @@ const STEPS: Readonly<Record<string, (index: number, count: number) => number>> 
 };
 
 /**
- * Makes the items of an element one Tab stop: Up, Down, Home, End and the first letters of a text move
- * among them. Tab comes back to the item that had the focus last.
+ * Makes the items of an element one Tab stop: Up, Down, Home, End and type-ahead move among them. Tab returns to the
+ * item that had the focus last.
  * @param selector of the items
  */
 export function useRoving(host: Readonly<Ref<HTMLElement | null>>, selector: string): void {
@@ -45,7 +45,7 @@ export function useRoving(host: Readonly<Ref<HTMLElement | null>>, selector: str
       event.preventDefault();
       all[step(index, all.length)]?.focus();
     } else if (isTypeAhead(event)) {
-      event.preventDefault(); // also keeps the letter from the program's own shortcuts
+      event.preventDefault(); // Also prevents single-key shortcuts.
       const texts = all.map(({ textContent }) => textContent.trim().toLowerCase());
       const found = typeAhead.type(event.key, texts, index, event.timeStamp);
       if (found !== undefined) all[found]?.focus();

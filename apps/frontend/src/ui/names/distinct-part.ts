@@ -1,14 +1,14 @@
 /** Names of one list or graph, sorted; see `sortedNames`. */
 export type SortedNames = readonly string[];
 
-/** Names in the order in which names that begin alike stand beside each other. */
+/** Sorts names, so that names with the same beginning are adjacent. */
 export function sortedNames(names: Iterable<string>): SortedNames {
   return [...new Set(names)].sort((a, b) => (a < b ? -1 : a > b ? 1 : 0));
 }
 
 /**
- * The index at which a name begins to differ from the name that is most like it; undefined when
- * no other name begins alike. That part has to stay visible when the name is shortened.
+ * Returns the index at which a name starts to differ from the most similar name; undefined when no other name has the
+ * same beginning. That part must stay visible when the name is shortened.
  */
 export function distinctAt(name: string, names: SortedNames): number | undefined {
   const at = lowerBound(names, name);
@@ -17,7 +17,7 @@ export function distinctAt(name: string, names: SortedNames): number | undefined
   return shared === 0 ? undefined : Math.min(shared, Math.max(0, name.length - 1));
 }
 
-/** How many characters two names have in common at their beginning. */
+/** Length of the common prefix of two names. */
 function common(name: string, other: string | undefined): number {
   if (other === undefined) return 0;
   let count = 0;

@@ -1,12 +1,12 @@
-/** How wide a text is, pixels. */
+/** Returns the width of a text, pixels. */
 export type MeasureText = (text: string) => number;
 
 const ELLIPSIS = '…';
 
 /**
- * A text as it fits into `room` pixels: whole, or its beginning and its end, which tells names apart
- * that begin alike. Where the cut would take away what tells it apart, its beginning and that part.
- * @param distinct where it differs from names like it, see `distinctAt`
+ * Shortens a text to `room` pixels: to its beginning and end, which distinguish names with the same beginning. If that
+ * would remove the distinguishing part, to its beginning and that part.
+ * @param distinct index at which it differs from similar names, see `distinctAt`
  */
 export function fitText(
   text: string,
@@ -32,12 +32,12 @@ export function fitText(
   );
 }
 
-/** Where a word begins, so that what is kept can be read. */
+/** Beginnings of words, so that the kept part is readable. */
 const WORD_START = /(?<=[-_ ./])[^-_ ./]/g;
-/** Characters of the beginning that stay. */
+/** Number of characters kept from the beginning. */
 const START = 3;
 
-/** The beginning, and as much as fits from the word in which the text differs; undefined: too little. */
+/** Returns the beginning, and as much as fits from the word with the difference; undefined when that is too little. */
 function aroundDistinct(
   text: string,
   distinct: number,

@@ -1,10 +1,10 @@
 import { shallowRef } from 'vue';
 import type { MeasureText } from './fit-text.ts';
 
-/** Texts that are remembered with their width, in all fonts together. */
+/** Most cached widths, over all fonts. */
 const MAX_REMEMBERED = 5000;
 const widths = new Map<string, number>();
-/** Counts the fonts that came after the page: what was measured before is wrong. */
+/** Incremented when fonts are loaded, which invalidates earlier measurements. */
 const fonts = shallowRef(0);
 document.fonts?.addEventListener('loadingdone', () => {
   widths.clear();
@@ -12,7 +12,7 @@ document.fonts?.addEventListener('loadingdone', () => {
 });
 let context: CanvasRenderingContext2D | null | undefined;
 
-/** @param font as in CSS; while it loads, effects that measure with it run again */
+/** @param font in CSS syntax; when it is loaded, effects that measured with it run again */
 export function textMeasure(font: string): MeasureText {
   return (text) => {
     void fonts.value;

@@ -6,7 +6,7 @@ const THOUSANDS: readonly (readonly [number, string])[] = [
   [1e4, 'k'],
 ];
 
-/** A number of an axis, as short as it can be: `0.05`, `12`, `25k`. */
+/** Formats a number of an axis in its shortest form: `0.05`, `12`, `25k`. */
 export function formatAxisNumber(value: number): string {
   const size = Math.abs(value);
   for (const [from, prefix] of THOUSANDS) {

@@ -1,40 +1,40 @@
-/** How a line is drawn. Without a family it is ink: what is measured is no data of a topic. */
+/** Line of a plot. Default colour: text colour, because measurements belong to no data format family. */
 export interface PlotLine {
   readonly label: string;
-  /** One for each `x`; `null` is a gap. */
+  /** One per `x`; `null` is a gap. */
   readonly values: readonly (number | null)[];
   /** @default 'line' */
   readonly kind?: 'line' | 'steps' | 'points' | 'both';
   readonly stroke?: PlotStroke;
 }
 
-/** Distinguished by shade and dash, never by shade alone. `color` is a token such as `--family-vector`. */
+/** Line style: shade and dash, never shade alone. `color` is a style token such as `--family-vector`. */
 export interface PlotStroke {
   /** @default '--ink-1' */
   readonly color?: `--${string}`;
   readonly dash?: readonly number[];
 }
 
-/** An axis of a plot. */
+/** Axis of a plot. */
 export interface PlotAxis {
   readonly label: string;
-  /** Behind the number where one is read. */
+  /** Shown after a value at the reading line. */
   readonly unit?: string;
   /** @default false */
   readonly isLogarithmic?: boolean;
-  /** Axes that begin at 0 say how much; others only how it changes. @default true for y, false for x */
+  /** Starts at 0, to show amounts instead of changes. @default true for y, false for x */
   readonly fromZero?: boolean;
   /** @default two to three digits */
   readonly format?: (value: number) => string;
 }
 
-/** A line across the plot at one x, with a word. */
+/** Vertical line at an x value, with a label. */
 export interface PlotMark {
   readonly x: number;
   readonly text: string;
 }
 
-/** What a plot shows. */
+/** Content of a plot. */
 export interface PlotChart {
   /** Ascending. */
   readonly x: readonly number[];
@@ -44,7 +44,7 @@ export interface PlotChart {
   readonly marks?: readonly PlotMark[];
 }
 
-/** Strokes for the lines of one plot, in order: shade and dash differ. */
+/** Styles for the lines of a plot, in order: shade and dash differ. */
 export const PLOT_STROKES: readonly PlotStroke[] = [
   { color: '--ink-1' },
   { color: '--ink-3', dash: [6, 3] },

@@ -9,7 +9,7 @@ const AXIS_HEIGHT = 44;
 const POINT_SIZE = 6;
 const STEP_OF_LOG = [1, 2, 5];
 
-/** What uPlot needs for a chart in a theme. */
+/** Options of uPlot for a chart and a theme. */
 export function plotOptions(
   library: typeof uPlot,
   chart: PlotChart,
@@ -96,7 +96,7 @@ function axisOf(axis: PlotAxis, theme: PlotTheme, size: number): uPlot.Axis {
   };
 }
 
-/** 1, 2 and 5 of each decade: more words would touch. */
+/** Labels 1, 2 and 5 of each decade: more would overlap. */
 function isLabelled(value: number): boolean {
   const digit = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
   return STEP_OF_LOG.some((step) => Math.abs(digit - step) < 1e-6);

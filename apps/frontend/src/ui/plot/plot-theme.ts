@@ -1,6 +1,6 @@
 /**
- * Colours and faces of the theme in force, as a canvas takes them. Sizes of fonts are whole pixels: uPlot
- * multiplies the digits before `px` by the device pixel ratio, and misreads a decimal point.
+ * Colours and fonts of the current theme, for a canvas. Font sizes are integers: uPlot multiplies the digits before
+ * `px` by the device pixel ratio, and misreads a decimal point.
  */
 export interface PlotTheme {
   color(token: `--${string}`): string;
@@ -8,10 +8,10 @@ export interface PlotTheme {
   readonly labelFont: string;
 }
 
-/** 75 % of the width: the only way a canvas font can say it. */
+/** Keyword for a width of 75 %: canvas fonts support no percentages. */
 const STRETCH = 'condensed';
 
-/** @param probe an element of the page that nothing else uses; its colour is changed */
+/** @param probe element without other uses; its colour is changed */
 export function plotTheme(probe: HTMLElement): PlotTheme {
   const style = getComputedStyle(probe);
   const face = (token: string): string => style.getPropertyValue(token).trim() || 'sans-serif';

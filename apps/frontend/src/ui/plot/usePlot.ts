@@ -8,7 +8,7 @@ import { plotTheme } from './plot-theme.ts';
 
 type Library = typeof uPlot;
 
-/** uPlot and its style, loaded when the first plot is drawn. */
+/** Loads uPlot and its styles on first use. */
 export async function loadPlotLibrary(): Promise<Library> {
   const [{ default: library }] = await Promise.all([
     import('uplot'),
@@ -17,23 +17,23 @@ export async function loadPlotLibrary(): Promise<Library> {
   return library;
 }
 
-/** What is read where the reading line stands: the index in `x`. */
+/** Position of the reading line: index in `x`. */
 export interface PlotReading {
   readonly index: number;
   /** Pixels from the left of the frame. */
   readonly left: number;
 }
 
-/** Keeps a plot in `frame`: made again when its lines, the theme or the contrast change, else only fed. */
+/** Maintains a plot in `frame`: recreated when its lines, the theme or the contrast change, otherwise updated. */
 export function usePlot(
   chart: Readonly<Ref<PlotChart>>,
   frame: Readonly<Ref<HTMLElement | null>>,
   probe: Readonly<Ref<HTMLElement | null>>,
 ): {
   readonly reading: Readonly<ShallowRef<PlotReading | undefined>>;
-  /** The plot itself, for who needs more of it; `undefined` until it is loaded. */
+  /** The uPlot instance, for callers that need more of it; `undefined` until it is loaded. */
   readonly plot: Readonly<ShallowRef<uPlot | undefined>>;
-  /** Moves the reading line by so many values. */
+  /** Moves the reading line by a number of values. */
   step(by: number): void;
   clearReading(): void;
 } {
@@ -48,7 +48,7 @@ export function usePlot(
     if (!isGone) library.value = loaded;
   });
 
-  /** What cannot be changed in a plot that is there. */
+  /** Properties that require a new uPlot instance when they change. */
   const shape = (): string => {
     const { lines, xAxis, yAxis } = chart.value;
     const looks = lines.map(({ label, kind, stroke }) => [label, kind, stroke]);

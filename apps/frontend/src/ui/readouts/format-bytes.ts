@@ -4,8 +4,8 @@ import type { Readout } from './readout.ts';
 const PREFIXES = ['', 'k', 'M', 'G', 'T'];
 
 /**
- * A size with a decimal prefix (1 kB = 1000 B), two to three digits.
- * @param suffix `B`, `B/s`, or nothing where the column's head says it
+ * Formats a size with a decimal prefix (1 kB = 1000 B), two to three digits.
+ * @param suffix `B`, `B/s`, or empty where the column heading has it
  */
 export function formatBytes(bytes: number, suffix = 'B'): Readout {
   let value = bytes;

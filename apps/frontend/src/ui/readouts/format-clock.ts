@@ -1,10 +1,10 @@
-/** How exact a time of the day is. */
+/** Precision of a time of day. */
 export type ClockPrecision = 'minute' | 'second' | 'millisecond';
 
 const MONTHS = 'Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec'.split(' ');
 const two = (value: number): string => String(value).padStart(2, '0');
 
-/** Time of the day in this machine's time zone: `12:41`, `12:41:07`, `12:41:07.218`. */
+/** Formats a local time: `12:41`, `12:41:07`, `12:41:07.218`. */
 export function formatClock(timeMs: number, precision: ClockPrecision = 'second'): string {
   const time = new Date(timeMs);
   const minute = `${two(time.getHours())}:${two(time.getMinutes())}`;
@@ -22,13 +22,13 @@ export function formatSeconds(
   return `${seconds}.${String(time.getMilliseconds()).padStart(3, '0')}`;
 }
 
-/** Day in this machine's time zone: `2 Jan 2026`. */
+/** Formats a local date: `2 Jan 2026`. */
 export function formatDay(timeMs: number): string {
   const time = new Date(timeMs);
   return `${time.getDate()} ${MONTHS[time.getMonth()]} ${time.getFullYear()}`;
 }
 
-/** Day and time in this machine's time zone: `2 Jan 2026 12:41:07`. */
+/** Formats a local date and time: `2 Jan 2026 12:41:07`. */
 export function formatMoment(timeMs: number, precision: ClockPrecision = 'second'): string {
   return `${formatDay(timeMs)} ${formatClock(timeMs, precision)}`;
 }

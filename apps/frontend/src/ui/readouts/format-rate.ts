@@ -1,7 +1,7 @@
 import { formatNumber } from './format-number.ts';
 import { NO_VALUE } from './readout.ts';
 
-/** A rate in Hz: one decimal under 100, none above, a plain 0 when nothing comes, a dash while it is not known. */
+/** Formats a rate in Hz: one decimal below 100, none above, `0` without records, a dash when unknown. */
 export function formatRate(hz: number | undefined): string {
   if (hz === undefined) return NO_VALUE.digits;
   if (hz < 0.05) return '0';

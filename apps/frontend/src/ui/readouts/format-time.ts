@@ -6,7 +6,7 @@ const MINUTE = 60 * SECOND;
 const HOUR = 60 * MINUTE;
 const DAY = 24 * HOUR;
 
-/** How long ago, in the one unit that says it: `9 ms`, `0.4 s`, `38 s`, `18 min`, `3 h`, `2 d`. */
+/** Formats an age in one unit: `9 ms`, `0.4 s`, `38 s`, `18 min`, `3 h`, `2 d`. */
 export function formatAge(ageMs: number): Readout {
   const age = Math.max(0, ageMs);
   if (age < 99.5) return { digits: formatNumber(age), unit: 'ms' };
@@ -17,12 +17,12 @@ export function formatAge(ageMs: number): Readout {
   return { digits: formatNumber(Math.floor(age / DAY)), unit: 'd' };
 }
 
-/** A measured time span such as a round trip: `0.8 ms`, `8.4 ms`, `64 ms`. */
+/** Formats a measured duration such as a round trip: `0.8 ms`, `8.4 ms`, `64 ms`. */
 export function formatMilliseconds(durationMs: number): Readout {
   return { digits: formatNumber(durationMs, durationMs < 9.95 ? 1 : 0), unit: 'ms' };
 }
 
-/** How long something has been up, two units at most: `38 s`, `12 min`, `4 h 07 min`, `3 d 04 h`. */
+/** Formats an uptime in at most two units: `38 s`, `12 min`, `4 h 07 min`, `3 d 04 h`. */
 export function formatUptime(durationMs: number): string {
   const duration = Math.max(0, durationMs);
   const two = (value: number): string => String(value).padStart(2, '0');
@@ -34,7 +34,7 @@ export function formatUptime(durationMs: number): string {
   return `${Math.floor(duration / DAY)} d ${two(Math.floor((duration % DAY) / HOUR))} h`;
 }
 
-/** How long a run of code takes, which may be very short: `<0.01 ms`, `0.04 ms`, `0.8 ms`, `64 ms`. */
+/** Formats a run time, which may be very short: `<0.01 ms`, `0.04 ms`, `0.8 ms`, `64 ms`. */
 export function formatRunTime(durationMs: number): Readout {
   if (durationMs >= 0.095) return formatMilliseconds(durationMs);
   const digits = durationMs < 0.005 ? '<0.01' : formatNumber(durationMs, 2);

@@ -1,8 +1,8 @@
-/** A number as it is shown: the digits, and the unit drawn dimmer behind them. */
+/** Formatted number: digits, and a unit that is dimmed. */
 export interface Readout {
   readonly digits: string;
   readonly unit?: string;
 }
 
-/** Shown where there is no value. */
+/** Placeholder for a missing value. */
 export const NO_VALUE: Readout = { digits: '–' };

@@ -1,7 +1,7 @@
 import { useDocumentVisibility, useIntervalFn } from '@vueuse/core';
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-/** This machine's clock as a ref, epoch milliseconds, renewed every so often while the page is visible. */
+/** This computer's clock as a ref, epoch milliseconds, updated at an interval while the page is visible. */
 export function useTick(intervalMs: number): Readonly<ShallowRef<number>> {
   const nowMs = shallowRef(Date.now());
   const visibility = useDocumentVisibility();

@@ -8,27 +8,27 @@ import {
   type ShallowRef,
 } from 'vue';
 
-/** One line for a moment, with at most one action. Never for errors a person must act on. */
+/** Short message with at most one action. Not for errors that need a reaction. */
 export interface Toast {
   readonly id: number;
   readonly text: string;
   readonly action?: { readonly text: string; readonly run: () => void } | undefined;
-  /** The part of the product that it is about. */
+  /** Feature that shows it. */
   readonly place?: string | undefined;
 }
 
 export interface Toasts {
   readonly list: Readonly<ShallowRef<readonly Toast[]>>;
-  /** How far up from the bottom they stand, pixels: what is there stays in reach. */
+  /** Distance from the bottom, pixels, to keep controls there usable. */
   readonly lift: ShallowRef<number>;
-  /** @param place its newest toast replaces the one before, and goes when the place is left */
+  /** @param place its newest toast replaces the previous one, and is dismissed when the place is left */
   show(text: string, action?: Toast['action'], place?: string): void;
   dismiss(id: number): void;
-  /** Dismisses what is about a place. */
+  /** Dismisses the toasts of a place. */
   leave(place: string): void;
 }
 
-/** How long a toast stays, milliseconds. */
+/** Duration of a toast, milliseconds. */
 export const TOAST_MS = 6000;
 
 const TOASTS: InjectionKey<Toasts> = Symbol('toasts');
@@ -42,7 +42,7 @@ export function createToasts(): Toasts {
     show(text, action, place) {
       lastId += 1;
       const others = list.value.filter((toast) => place === undefined || toast.place !== place);
-      // Two are read, more are noise.
+      // At most two at a time.
       list.value = [...others.slice(-1), { id: lastId, text, action, place }];
     },
     dismiss(id) {
@@ -65,7 +65,7 @@ export function useToasts(): Toasts {
   return toasts;
 }
 
-/** Toasts about a place, which go with the component that shows them. */
+/** Toasts of a place, dismissed when the calling component is unmounted. */
 export function useToastsOf(place: string): Pick<Toasts, 'show'> {
   const toasts = useToasts();
   onScopeDispose(() => toasts.leave(place));

@@ -32,7 +32,7 @@ function at(target: Box, size: { width: number; height: number }, side: TooltipS
   }
 }
 
-/** Where a tooltip stands, pixels from the viewport's corner: on its side, else opposite, always inside. */
+/** Returns the position of a tooltip in viewport pixels: on its side, otherwise opposite, always inside. */
 export function placeTooltip(
   target: Box,
   size: { readonly width: number; readonly height: number },

@@ -1,15 +1,15 @@
-/** Where a tooltip stands, seen from its target. */
+/** Side of its target on which a tooltip is shown. */
 export type TooltipSide = 'top' | 'right' | 'bottom' | 'left';
 
-/** What an element says in its tooltip. */
+/** Text of a tooltip. */
 export interface TooltipText {
   readonly text: string;
-  /** Keys that do the same. */
+  /** Keyboard shortcut. */
   readonly shortcut?: string | undefined;
   readonly side?: TooltipSide | undefined;
 }
 
-/** The attributes that give an element a tooltip; none without a text. */
+/** Attributes that give an element a tooltip; empty without a text. */
 export function tooltipAttributes(tooltip: {
   readonly text?: string | undefined;
   readonly shortcut?: string | undefined;
@@ -23,7 +23,7 @@ export function tooltipAttributes(tooltip: {
   };
 }
 
-/** The nearest element with a tooltip around an event's target. */
+/** Returns the nearest element with a tooltip around an event's target. */
 export function tooltipTarget(target: EventTarget | null): HTMLElement | undefined {
   if (!(target instanceof Element)) return undefined;
   return target.closest<HTMLElement>('[data-tooltip]') ?? undefined;

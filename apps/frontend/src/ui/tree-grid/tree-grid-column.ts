@@ -1,18 +1,18 @@
 /** A column of a tree grid. */
 export interface TreeGridColumn<K extends string> {
   readonly name: string;
-  /** Class of its header. */
+  /** CSS class of its heading. */
   readonly place: string;
-  /** Texts stand on the left, numbers on the right. */
+  /** Left-aligned text; otherwise a right-aligned number. */
   readonly isText?: boolean | undefined;
-  /** By what its header orders the rows; without it, the header is no button. */
+  /** Sort criterion; without it, the heading is not a button. */
   readonly sortKey?: K | undefined;
-  /** How the rows are ordered by it now. */
+  /** Current direction of sorting by it. */
   readonly sorted?: 'ascending' | 'descending' | undefined;
-  /** What the numbers are, as a tooltip. */
+  /** Tooltip that explains the numbers. */
   readonly title?: string | undefined;
-  /** Tracks of the grid that the header takes. @default 1 */
+  /** Number of grid columns that the heading spans. @default 1 */
   readonly span?: number | undefined;
-  /** The name is for assistive technology alone. */
+  /** Visually hidden heading. */
   readonly isHidden?: boolean | undefined;
 }

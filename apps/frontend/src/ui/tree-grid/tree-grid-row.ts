@@ -1,15 +1,15 @@
 /** A row of a tree grid. */
 export interface TreeGridRow {
-  /** Of the whole tree, and stays the same while the thing is there. */
+  /** Unique in the tree, and stable while the element exists. */
   readonly key: string;
   /** 1 for a root. */
   readonly level: number;
-  /** From 1, among its siblings. */
+  /** Position among its siblings, from 1. */
   readonly position: number;
   readonly setSize: number;
 }
 
-/** What the element of a row needs to be one for assistive technology, the keyboard and the focus. */
+/** Attributes of a row's element for assistive technology, keyboard and focus. */
 export interface TreeGridRowAttributes {
   readonly role: 'row';
   readonly 'aria-rowindex': number;

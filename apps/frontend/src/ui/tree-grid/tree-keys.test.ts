@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { treeKeyOutcome } from './tree-keys.ts';
 
-/** a (open): a1, a2 (closed), a3 · b */
+/** a (expanded): a1, a2 (collapsed), a3; b */
 const rows = ['a', 'a1', 'a2', 'a3', 'b'].map((key) => ({
   key,
   level: key.length,

@@ -1,22 +1,22 @@
 import type { TreeGridRow } from './tree-grid-row.ts';
 
-/** What a key does in a tree grid, after the treegrid pattern of WAI-ARIA. */
+/** Effect of a key in a treegrid, after the treegrid pattern of WAI-ARIA. */
 export type TreeKeyOutcome =
   | { readonly kind: 'focus'; readonly index: number }
   | { readonly kind: 'expand' | 'collapse' | 'expand-siblings' | 'open' };
 
-/** Where the keys are pressed. */
+/** State of the tree when a key is pressed. */
 export interface TreeSituation<R extends TreeGridRow> {
   readonly rows: readonly R[];
-  /** The row with the focus. */
+  /** Index of the focused row. */
   readonly index: number;
   /** `undefined` for a row without children. */
   readonly isExpanded: (row: R) => boolean | undefined;
-  /** Rows that fit on the screen. */
+  /** Number of rows that fit on the screen. */
   readonly pageSize: number;
 }
 
-/** `undefined` for keys that mean nothing here. */
+/** Returns the effect of a key; `undefined` for other keys. */
 export function treeKeyOutcome<R extends TreeGridRow>(
   key: string,
   { rows, index, isExpanded, pageSize }: TreeSituation<R>,

@@ -3,27 +3,27 @@ import { isTypeAhead, TypeAhead } from '../keys/type-ahead.ts';
 import type { TreeGridRow } from './tree-grid-row.ts';
 import { treeKeyOutcome, type TreeKeyOutcome } from './tree-keys.ts';
 
-/** What keys and focus need from a tree grid. */
+/** Data and callbacks for focus and keys. */
 export interface TreeFocusOptions<R extends TreeGridRow> {
   readonly rows: () => readonly R[];
   readonly selected: () => string | undefined;
   readonly scroller: Readonly<Ref<HTMLElement | null>>;
-  /** Pixels. */
+  /** Height of a row, pixels. */
   readonly sizeOf: (row: R) => number;
-  /** Type-ahead finds rows by it. */
+  /** Name for type-ahead. */
   readonly nameOf: (row: R) => string;
   readonly isExpanded: (row: R) => boolean | undefined;
   readonly scrollToIndex: (index: number) => void;
   readonly act: (kind: Exclude<TreeKeyOutcome['kind'], 'focus'>, row: R) => void;
-  /** Keys that mean nothing to the tree. */
+  /** Handles keys that the tree does not. */
   readonly handleOtherKey: (event: KeyboardEvent, row: R) => void;
 }
 
-/** Moves the focus over rows of which only a few are drawn. The row with the focus always is one of them. */
+/** Moves the focus over virtual rows. The focused row is always rendered. */
 export function useTreeFocus<R extends TreeGridRow>(
   options: TreeFocusOptions<R>,
 ): {
-  /** The row that Tab reaches: the one last visited, or the selected one, or the first. */
+  /** The row that Tab reaches: the last focused, otherwise the selected, otherwise the first. */
   activeIndex: ComputedRef<number>;
   /** Makes a row the one that Tab reaches. */
   visit(key: string): void;
@@ -66,14 +66,14 @@ export function useTreeFocus<R extends TreeGridRow>(
       if (outcome.kind === 'focus') void focusRow(outcome.index);
       else options.act(outcome.kind, row);
     } else if (isTypeAhead(event)) {
-      event.preventDefault(); // also keeps the letter from the program's own shortcuts
+      event.preventDefault(); // Also prevents single-key shortcuts.
       const names = rows().map((one) => nameOf(one).toLowerCase());
       const found = typeAhead.type(event.key, names, activeIndex.value, event.timeStamp);
       if (found !== undefined) void focusRow(found);
     } else options.handleOtherKey(event, row);
   }
 
-  // A ranking moves rows, and a browser takes the focus from an element that is moved.
+  // Sorting moves rows, and browsers remove the focus from an element that is moved.
   let hasFocus = false;
   onUpdated(() => {
     if (hasFocus && document.activeElement === document.body) {
@@ -91,7 +91,7 @@ export function useTreeFocus<R extends TreeGridRow>(
   return { activeIndex, visit: (key) => (activeKey.value = key), handleKey, handleFocus };
 }
 
-/** Keys of a control in a row that Tab reaches, such as the button of a menu, are its own. */
+/** Controls inside a row, such as a menu button, handle their own keys. */
 function isOfControl({ target }: KeyboardEvent): boolean {
   return target instanceof HTMLElement && target.role !== 'row' && target.tabIndex >= 0;
 }
