@@ -1,4 +1,4 @@
-/** A part of a how-to page. `{origin}` and `{host}` stand for the address of this master. */
+/** Block of a how-to page. `{origin}` and `{host}` are replaced by the URL of this master. */
 export type HowToBlock =
   | { readonly kind: 'text'; readonly text: string }
   | { readonly kind: 'steps'; readonly steps: readonly string[] }
@@ -6,14 +6,14 @@ export type HowToBlock =
   | { readonly kind: 'link'; readonly text: string; readonly to: string };
 
 export interface HowTo {
-  /** In the address. */
+  /** Part of the URL. */
   readonly id: string;
   readonly title: string;
   readonly intro: string;
   readonly blocks: readonly HowToBlock[];
 }
 
-/** Tasks with a program or a machine beside this page. */
+/** How-tos for tasks with other programs or computers. */
 export const HOW_TOS: readonly HowTo[] = [
   {
     id: 'publish-from-python',

@@ -1,4 +1,4 @@
-/** The module of the lesson "First module" at the start of each step, and at its end. */
+/** Code of the lesson "First module" at the start of each step, and at its end. */
 const FIRST = `onProcessing = (deltaTimeMs, inputs, state) => {
   if (!inputs.pointer) return;
   const speed = 0;

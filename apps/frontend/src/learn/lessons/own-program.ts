@@ -1,7 +1,7 @@
 import { clientIs, topicArrives, valueAtLeast, valueIs } from '../model/checks.ts';
 import type { Lesson } from '../model/lesson.ts';
 
-/** What the program of the lesson is called and publishes; `first-program.ts` says the same. */
+/** Name and topics of the lesson's program, the same as in `first-program.ts`. */
 export const PROGRAM_NAME = 'first program';
 export const WAVE_TOPIC = '/first-program/wave';
 export const LAMP_TOPIC = '/first-program/lamp';

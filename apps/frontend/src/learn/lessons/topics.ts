@@ -4,14 +4,14 @@ import type { LessonFacts, TopicFact } from '../model/facts.ts';
 
 export const TOUCH_POSITION = '/web-interface-smart-device/touch_position';
 
-/** The pointer of the browser of this client. */
+/** Pointer topic of this client's browser. */
 export const pointerTopic = (clientId: string): string => exampleTopic(clientId, POINTER_COMPONENT);
 
-/** A topic that the sessions of lessons write to: each client has its own, so that lessons do not meet. */
+/** Topic that sessions of lessons write to: one per client, so that users do not interfere. */
 export const lessonTopic = (clientId: string, name: string): string =>
   `/learn/${clientId.slice(0, 8)}/${name}`;
 
-/** The name of a lesson's session, one for each client. */
+/** Name of a lesson's session, one per client. */
 export const lessonSession = (clientId: string, name: string): string =>
   `lesson-${name}-${clientId.slice(0, 4)}`;
 
@@ -21,7 +21,7 @@ export const touchOf = (facts: LessonFacts): TopicFact | undefined =>
 export const pointerOf = ({ ownId, topics }: LessonFacts): TopicFact | undefined =>
   topics.get(pointerTopic(ownId));
 
-/** Selects a topic of the lesson. */
+/** Returns a function for a topic of the lesson. */
 export const outputOf =
   (name: string) =>
   ({ ownId, topics }: LessonFacts): TopicFact | undefined =>

@@ -11,14 +11,14 @@ const perSecond = (value: number): string => (value < 10 ? value.toFixed(1) : va
 const hertz = (hz: number): string => `${perSecond(hz)} Hz`;
 const part = (value: number): string => value.toFixed(2);
 
-/** Topics whose name ends so, the liveliest first. */
+/** Returns the topics whose names end with a text, highest rate first. */
 export function topicsThatEnd(facts: LessonFacts, end: string): readonly TopicFact[] {
   return [...facts.topics.values()]
     .filter(({ topic }) => topic.endsWith(end))
     .sort((a, b) => b.hz - a.hz || a.topic.localeCompare(b.topic));
 }
 
-/** At least so many phones are connected. */
+/** Requires a number of connected phones. */
 export function phonesConnected(count: number, named: Named): Check {
   return {
     ...named,
@@ -30,7 +30,7 @@ export function phonesConnected(count: number, named: Named): Check {
   };
 }
 
-/** Records arrive at least this often. */
+/** Requires a minimum rate of records. */
 export function topicArrives(topicOf: TopicOf, minHz: number, named: Named): Check {
   return {
     ...named,
@@ -42,7 +42,7 @@ export function topicArrives(topicOf: TopicOf, minHz: number, named: Named): Che
   };
 }
 
-/** Each of the first two numbers has changed by at least so much since the step began. */
+/** Requires that each of the first two numbers has changed by at least `span` since the step started. */
 export function valueCovers(topicOf: TopicOf, span: number, named: Named): Check {
   return {
     ...named,
@@ -58,7 +58,7 @@ export function valueCovers(topicOf: TopicOf, span: number, named: Named): Check
   };
 }
 
-/** No records arrive any more, and the newest value is still there. */
+/** Requires that no records arrive any more, and the newest value is still there. */
 export function valueStays(topicOf: TopicOf, named: Named): Check {
   return {
     ...named,
@@ -71,7 +71,7 @@ export function valueStays(topicOf: TopicOf, named: Named): Check {
   };
 }
 
-/** So many topics hold a value. */
+/** Requires a number of topics with a value. */
 export function topicsHoldValues(end: string, count: number, named: Named): Check {
   return {
     ...named,
@@ -83,7 +83,7 @@ export function topicsHoldValues(end: string, count: number, named: Named): Chec
   };
 }
 
-/** The newest value is this number. */
+/** Requires a newest value. */
 export function valueIs(topicOf: TopicOf, wanted: number, named: Named): Check {
   return {
     ...named,
@@ -95,7 +95,7 @@ export function valueIs(topicOf: TopicOf, wanted: number, named: Named): Check {
   };
 }
 
-/** A value has arrived, and its first number is at least this. */
+/** Requires a value whose first number is at least `least`. */
 export function valueAtLeast(topicOf: TopicOf, least: number, named: Named): Check {
   return {
     ...named,
@@ -107,7 +107,7 @@ export function valueAtLeast(topicOf: TopicOf, least: number, named: Named): Che
   };
 }
 
-/** The first numbers of two topics add up to 1. */
+/** Requires that the first numbers of two topics add up to 1. */
 export function valuesMirror(first: TopicOf, second: TopicOf, named: Named): Check {
   return {
     ...named,
@@ -115,7 +115,7 @@ export function valuesMirror(first: TopicOf, second: TopicOf, named: Named): Che
       const [a] = first(facts)?.numbers ?? [];
       const [b] = second(facts)?.numbers ?? [];
       if (a === undefined || b === undefined) return NOTHING;
-      // In the middle of the surface a mirrored value is the same as a plain one
+      // In the middle of the surface, mirrored and plain values are equal.
       const isTelling = Math.abs(a - 0.5) > 0.05;
       return {
         passed: isTelling && Math.abs(a + b - 1) < 0.01,
@@ -135,7 +135,7 @@ export function sessionRuns(named: Named): Check {
   };
 }
 
-/** A module of the session runs at least this often. */
+/** Requires that a module of the session runs at a minimum rate. */
 export function moduleRuns(module: string, minPerSecond: number, named: Named): Check {
   return {
     ...named,
@@ -147,7 +147,7 @@ export function moduleRuns(module: string, minPerSecond: number, named: Named): 
   };
 }
 
-/** The try-out runs by itself. */
+/** Requires a number of runs of the try-out in its mode. */
 export function tryRuns(minRuns: number, named: Named): Check {
   return {
     ...named,
@@ -161,7 +161,7 @@ export function tryRuns(minRuns: number, named: Named): Check {
   };
 }
 
-/** The try-out takes its first input from a topic that moves. */
+/** Requires that the try-out reads its first input from a topic that is updated. */
 export function tryIsFed(minHz: number, named: Named): Check {
   return {
     ...named,
@@ -173,7 +173,7 @@ export function tryIsFed(minHz: number, named: Named): Check {
   };
 }
 
-/** The newest output of the try-out is within these bounds. */
+/** Requires the newest output of the try-out to be within bounds. */
 export function outputWithin(min: number, max: number, named: Named): Check {
   return {
     ...named,
@@ -188,7 +188,9 @@ export function outputWithin(min: number, max: number, named: Named): Check {
   };
 }
 
-/** Values in a row that each keep about this share of the one before: an exponential decay. */
+/**
+ * Length of the longest series of values that each keep about the same share of the previous one: an exponential decay.
+ */
 export function longestDecay(series: readonly number[], least = 0.3, most = 0.97): number {
   let longest = 0;
   let now = 0;
@@ -200,7 +202,7 @@ export function longestDecay(series: readonly number[], least = 0.3, most = 0.97
   return longest;
 }
 
-/** The output dies away over several runs. */
+/** Requires that the output decays over several runs. */
 export function outputDecays(minRuns: number, named: Named): Check {
   return {
     ...named,
@@ -212,7 +214,7 @@ export function outputDecays(minRuns: number, named: Named): Check {
   };
 }
 
-/** A service was called and replied so. */
+/** Requires a call of a service with a certain reply. */
 export function serviceReplied(
   service: ServiceName,
   read: (call: CallFact, facts: LessonFacts) => string | undefined,
@@ -230,7 +232,7 @@ export function serviceReplied(
   };
 }
 
-/** A service refused with this code. */
+/** Requires that a service refused a call with an error code. */
 export function serviceRefused(service: ServiceName, code: string, named: Named): Check {
   return {
     ...named,
@@ -242,7 +244,7 @@ export function serviceRefused(service: ServiceName, code: string, named: Named)
   };
 }
 
-/** A client of this name is connected, or is not any more. */
+/** Requires that a client with a name is connected, or is no longer connected. */
 export function clientIs(name: string, isHere: boolean, named: Named): Check {
   return {
     ...named,

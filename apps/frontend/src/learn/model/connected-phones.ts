@@ -2,7 +2,7 @@ import { ClientState, type Client } from '@ubii/proto';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
 import type { PhoneFact } from './facts.ts';
 
-/** The clients that are connected and have the smart device: phones, and frames of this page alike. */
+/** Returns the connected clients with a smart device: phones, and frames of this page. */
 export function connectedPhones(clients: readonly Client[]): PhoneFact[] {
   return clients
     .filter(({ state }) => state === ClientState.ACTIVE)

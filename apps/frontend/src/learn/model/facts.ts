@@ -1,14 +1,14 @@
 import type { ServiceName } from '@ubii/proto';
 
-/** What is known of one topic while a lesson is open. */
+/** State of a topic while a lesson is open. */
 export interface TopicFact {
   readonly topic: string;
   readonly format: string;
-  /** Records per second, from the counters of the master; 0 before they are known. */
+  /** Records per second, from the master's statistics; 0 before they are known. */
   readonly hz: number;
-  /** The numbers of the newest value received; empty before the first. */
+  /** Numbers of the newest value; empty before the first. */
   readonly numbers: readonly number[];
-  /** The smallest and the largest of each number since the step began. */
+  /** Minimum and maximum of each number since the step started. */
   readonly low: readonly number[];
   readonly high: readonly number[];
 }
@@ -18,29 +18,29 @@ export interface PhoneFact {
   readonly name: string;
 }
 
-/** The session that the lesson works on. */
+/** Session of the lesson. */
 export interface SessionFact {
   readonly name: string;
   readonly isRunning: boolean;
-  /** State in words. */
+  /** Status in words. */
   readonly state: string;
-  /** Runs per second by the name of the module, from the statistics of its node. */
+  /** Runs per second by module name, from the statistics of its node. */
   readonly runsPerSecond: ReadonlyMap<string, number>;
 }
 
-/** The try-out of the module that the lesson works on. */
+/** Try-out of the lesson's module. */
 export interface TryFact {
   readonly isRunning: boolean;
-  /** Since the try-out started. */
+  /** Number of runs since the try-out started. */
   readonly runs: number;
   readonly runsPerSecond: number;
-  /** The topic that feeds the first input; undefined while values of the form do. */
+  /** Topic of the first input; undefined while the form provides values. */
   readonly inputTopic: string | undefined;
   /** First numbers of the newest values of the first output, oldest first. */
   readonly series: readonly number[];
 }
 
-/** A call of a service since the step began. */
+/** A call of a service since the step started. */
 export interface CallFact {
   readonly service: ServiceName;
   readonly request: unknown;
@@ -51,11 +51,11 @@ export interface CallFact {
   readonly tookMs: number;
 }
 
-/** Everything that checks look at: what runs now, never a text that was written. */
+/** Everything that checks examine: the running system, never the text that the user wrote. */
 export interface LessonFacts {
   /** Id of this page's client. */
   readonly ownId: string;
-  /** Clients with the smart device, phones and frames alike. */
+  /** Clients with a smart device: phones and frames. */
   readonly phones: readonly PhoneFact[];
   /** Names of all clients. */
   readonly clientNames: readonly string[];
@@ -76,12 +76,12 @@ export const NO_FACTS: LessonFacts = {
   calls: [],
 };
 
-/** The values of one topic since the step began. */
+/** Values of a topic since the step started. */
 export type ValueRange = Pick<TopicFact, 'numbers' | 'low' | 'high'>;
 
 export const NO_VALUES: ValueRange = { numbers: [], low: [], high: [] };
 
-/** The range with one more value. */
+/** Extends the range by a value. */
 export function withValue({ low, high }: ValueRange, numbers: readonly number[]): ValueRange {
   return {
     numbers,

@@ -6,20 +6,20 @@ export interface LessonRun {
   readonly step: number;
   /** The farthest step that was opened. */
   readonly reached: number;
-  /** Checks of this step that have passed, with what they measured then. */
+  /** Passed checks of this step, with their measured values. */
   readonly passed: ReadonlyMap<string, string>;
-  /** All steps were done. */
+  /** True when all steps are completed. */
   readonly isDone: boolean;
 }
 
 export type LessonEvent =
   | { readonly kind: 'observe'; readonly found: ReadonlyMap<string, Measurement> }
   | { readonly kind: 'next' }
-  /** Back to the start of the step. */
+  /** Resets the step. */
   | { readonly kind: 'reset' }
-  /** A step that was reached before. */
+  /** Opens a step that was reached before. */
   | { readonly kind: 'open'; readonly step: number }
-  /** Back to the start of the lesson. */
+  /** Restarts the lesson. */
   | { readonly kind: 'restart' };
 
 const NOTHING: ReadonlyMap<string, string> = new Map();
@@ -34,7 +34,7 @@ export function startLesson(
   return { step: isDone ? 0 : reached, reached, passed: NOTHING, isDone };
 }
 
-/** Every check of the step, by its id. */
+/** Measures all checks of the step, by id. */
 export function measureStep(
   lesson: Lesson,
   step: number,
@@ -49,11 +49,11 @@ export function hasPassed(lesson: Lesson, { step, passed }: LessonRun): boolean 
   return (lesson.steps[step]?.checks ?? []).every(({ id }) => passed.has(id));
 }
 
-/** The only way from one run to the next. What is not allowed changes nothing. */
+/** Transition function of a run. Events that are not allowed change nothing. */
 export function nextRun(lesson: Lesson, run: LessonRun, event: LessonEvent): LessonRun {
   switch (event.kind) {
     case 'observe': {
-      // What has passed stays so: some checks of a step cannot hold at the same time
+      // Passed checks stay passed: some checks of a step cannot hold at the same time.
       const fresh = [...event.found].filter(([id, { passed }]) => passed && !run.passed.has(id));
       if (fresh.length === 0) return run;
       const passed = new Map(run.passed);

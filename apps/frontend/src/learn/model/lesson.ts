@@ -1,31 +1,31 @@
 import type { ServiceName } from '@ubii/proto';
 import type { LessonFacts } from './facts.ts';
 
-/** What a check found. */
+/** Result of a check. */
 export interface Measurement {
   readonly passed: boolean;
-  /** What was measured, with its unit; empty while there is nothing to measure. */
+  /** Measured value with its unit; empty without one. */
   readonly value: string;
 }
 
-/** Looks at what runs. */
+/** Examines the running system. */
 export interface Check {
   /** Unique within its step. */
   readonly id: string;
-  /** What has to be true, as a sentence without a full stop. */
+  /** The condition, as a sentence without a full stop. */
   readonly text: string;
-  /** What to do, shown until something is measured. */
+  /** Instruction, shown until there is a measured value. */
   readonly todo: string;
   measure(facts: LessonFacts): Measurement;
 }
 
-/** What "Show answer" does in the workspace. */
+/** Effect of "Show answer" in the workspace. */
 export type Answer =
   | { readonly kind: 'phones'; readonly count: number }
-  /** A finger that draws a circle on each phone of this page, or comes down in its centre. */
+  /** Simulates a finger that draws a circle on each phone of this page, or taps its centre. */
   | { readonly kind: 'touch'; readonly gesture: 'circle' | 'tap' }
   | { readonly kind: 'move-pointer' }
-  /** Wires and values in the graph, which is then started or applied. */
+  /** Adds wires and values to the graph, which is then started or applied. */
   | { readonly kind: 'graph'; readonly edit: GraphAnswer }
   | { readonly kind: 'code'; readonly code: string }
   | { readonly kind: 'try-run' }
@@ -38,7 +38,7 @@ export type GraphAnswer = 'wire-in' | 'wire-out' | 'mirror' | 'start';
 
 export interface Step {
   readonly title: string;
-  /** One idea, at most 60 words. Identifiers between back-quotes. */
+  /** One idea, at most 60 words. Identifiers in back-quotes. */
   readonly text: string;
   /** Shown below the text. */
   readonly code?: string;
@@ -47,22 +47,22 @@ export interface Step {
   readonly answer: Answer;
 }
 
-/** What stands beside the lesson. */
+/** Contents beside the lesson. */
 export type Workspace =
   | { readonly kind: 'topic' }
   | { readonly kind: 'graph'; readonly graph: 'mirror' | 'many-phones'; readonly phones: boolean }
   | {
       readonly kind: 'module';
-      /** The code each step begins with. */
+      /** Code at the start of each step. */
       readonly codes: readonly string[];
     }
   | { readonly kind: 'service'; readonly services: readonly ServiceName[] }
   | { readonly kind: 'program' };
 
 export interface Lesson {
-  /** In the address. */
+  /** Part of the URL. */
   readonly id: string;
-  /** In the contents. */
+  /** Title in the contents. */
   readonly title: string;
   readonly heading: string;
   /** At most two sentences. */

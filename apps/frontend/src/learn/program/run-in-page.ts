@@ -1,8 +1,8 @@
 import { createClient } from '@ubii/client-web';
 
 /**
- * The first program as a page runs it: a client beside the one of the page.
- * @returns what ends it
+ * Runs the first program in the page, as a separate client.
+ * @returns a function that ends it
  */
 export async function runFirstProgram(log: (line: string) => void): Promise<() => Promise<void>> {
   const client = createClient({ name: 'first program' });
@@ -24,7 +24,7 @@ export async function runFirstProgram(log: (line: string) => void): Promise<() =
 
   return async () => {
     clearInterval(timer);
-    await client.close(); // deregisters
+    await client.close(); // Deregisters the client.
     log('closed');
   };
 }

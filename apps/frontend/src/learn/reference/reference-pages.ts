@@ -10,12 +10,12 @@ import {
 import { reference } from 'virtual:learn-reference';
 import { capitalised } from '@ubii/words';
 
-/** A fact of the reference: one row of a page, one result of the search. */
+/** Entry of the reference: one row of a page, one search result. */
 export interface ReferenceEntry {
-  /** In the address behind `#`, and for people. */
+  /** Displayed, and used in the URL after `#`. */
   readonly name: string;
   readonly sentence: string;
-  /** Short facts, as label and value. Identifiers between back-quotes. */
+  /** Short facts as label and value. Identifiers in back-quotes. */
   readonly facts: readonly (readonly [label: string, value: string])[];
   /** Members of a message, inputs and outputs of a module. */
   readonly fields?: readonly {
@@ -23,7 +23,7 @@ export interface ReferenceEntry {
     readonly type: string;
     readonly sentence: string;
   }[];
-  /** The data format whose socket stands before the name. */
+  /** Data format whose socket is shown before the name. */
   readonly format?: DataFormat;
 }
 
@@ -33,7 +33,7 @@ export interface ReferenceSection {
 }
 
 export interface ReferencePage {
-  /** In the address. */
+  /** Part of the URL. */
   readonly id: string;
   readonly title: string;
   readonly intro: string;
@@ -48,7 +48,7 @@ const roleWords = (roles: readonly string[] | 'anyone'): string => {
   if (roles === 'anyone') return 'every caller';
   return roles.length === 0 ? 'no role' : roles.join(', ');
 };
-/** Numbers of rules are for those who develop the master. */
+/** Removes rule ids, which are for developers of the master. */
 const withoutRules = (text: string): string =>
   text
     .replace(/\s*[([]?\b(?:Rules? )?[A-Z]{2}-\d+(?:(?:, | and )[A-Z]{2}-\d+)*[)\]]?\.?/g, '')
@@ -71,7 +71,7 @@ function messageEntry(name: string): ReferenceEntry {
   };
 }
 
-/** Puts entries under heads, in the order in which the heads first appear. */
+/** Groups entries by heading, in the order of first occurrence. */
 function sections(
   entries: readonly (readonly [head: string, entry: ReferenceEntry])[],
 ): ReferenceSection[] {
@@ -270,7 +270,7 @@ function guides(): ReferencePage {
   };
 }
 
-/** Every reference page, made from the sources. */
+/** All reference pages, generated from the sources. */
 export const REFERENCE_PAGES: readonly ReferencePage[] = [
   formats(),
   services(),
@@ -280,5 +280,5 @@ export const REFERENCE_PAGES: readonly ReferencePage[] = [
   guides(),
 ];
 
-/** The id of an entry in its page. */
+/** Id of an entry within its page. */
 export const entryId = (name: string): string => name.replace(/[^\w.-]+/g, '-');

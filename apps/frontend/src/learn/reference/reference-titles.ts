@@ -1,4 +1,4 @@
-/** The reference pages as the contents list them: their text is loaded when one is opened. */
+/** Titles of the reference pages, for the contents; their texts are loaded on demand. */
 export const REFERENCE_TITLES: readonly { readonly id: string; readonly title: string }[] = [
   { id: 'data-formats', title: 'Data formats' },
   { id: 'services', title: 'Services' },

@@ -1,5 +1,5 @@
 declare module 'virtual:learn-reference' {
-  /** What learn-reference-plugin.js reads from the sources when the frontend is built. */
+  /** Data that learn-reference-plugin.js extracts from the sources during the build. */
   export const reference: {
     readonly messages: Readonly<
       Record<

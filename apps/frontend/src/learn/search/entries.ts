@@ -3,7 +3,7 @@ import { LESSONS } from '../lessons/lessons.ts';
 import { entryId, REFERENCE_PAGES } from '../reference/reference-pages.ts';
 import type { SearchEntry } from './search.ts';
 
-/** Everything under `/learn`: lessons with their steps, how-tos, each entry of the reference. */
+/** All entries of `/learn`: lessons with their steps, how-tos, and the reference. */
 export const SEARCH_ENTRIES: readonly SearchEntry[] = [
   ...LESSONS.map(({ id, title, intro, steps }) => ({
     title,

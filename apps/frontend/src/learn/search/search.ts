@@ -1,9 +1,9 @@
 import { fuzzyScore } from '../../ui/fuzzy.ts';
 
-/** Something the search finds. */
+/** Entry of the search index. */
 export interface SearchEntry {
   readonly title: string;
-  /** Searched too. */
+  /** Searched, too. */
   readonly detail: string;
   /** `Lesson`, `How to`, or the title of the reference page. */
   readonly kind: string;
@@ -11,10 +11,10 @@ export interface SearchEntry {
 }
 
 const MAX_RESULTS = 12;
-/** A match in the title counts this much more than one in the detail. */
+/** Bonus of a match in the title over one in the detail. */
 const TITLE_BONUS = 60;
 
-/** The entries for a question, best first. */
+/** Returns the entries that match a query, best first. */
 export function searchEntries(query: string, entries: readonly SearchEntry[]): SearchEntry[] {
   const words = query
     .toLowerCase()
@@ -26,7 +26,7 @@ export function searchEntries(query: string, entries: readonly SearchEntry[]): S
     .flatMap((entry) => {
       const title = fuzzyScore(text, entry.title);
       if (title !== undefined) return [{ entry, score: title + TITLE_BONUS }];
-      // Details are long: only what stands there as it is typed counts, not letters in order
+      // Details are long: match whole words only, not letters in order.
       const all = `${entry.title} ${entry.detail}`.toLowerCase();
       if (!words.every((word) => all.includes(word))) return [];
       return [{ entry, score: fuzzyScore(text, all) ?? 0 }];
@@ -36,7 +36,7 @@ export function searchEntries(query: string, entries: readonly SearchEntry[]): S
     .map(({ entry }) => entry);
 }
 
-/** Words of questions. */
+/** Words of questions that are ignored. */
 const FILLERS: ReadonlySet<string> = new Set(
   'a an the how do does can i to what is are my of in on with for it'.split(' '),
 );

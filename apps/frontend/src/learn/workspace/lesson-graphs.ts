@@ -10,11 +10,11 @@ import { sessionOf } from '../../graph/model/session-of.ts';
 import { lessonSession, lessonTopic, pointerTopic, TOUCH_POSITION } from '../lessons/topics.ts';
 import type { GraphAnswer, Lesson } from '../model/lesson.ts';
 
-/** What a lesson's graph is made of. */
+/** Parts of a lesson's graph. */
 export interface GraphParts {
   readonly clientId: string;
   readonly library: readonly ProcessingModule[];
-  /** Gives a new UUID. */
+  /** Returns a new UUID. */
   readonly uuid: () => string;
 }
 
@@ -32,13 +32,13 @@ const MODULES: Readonly<Record<LessonGraph, string>> = {
 export const graphSessionName = (kind: LessonGraph, clientId: string): string =>
   lessonSession(clientId, NAMES[kind]);
 
-/** The node of the lesson's module, whatever its id. */
+/** Returns the node of the lesson's module, whatever its id. */
 function moduleNodeOf(graph: Graph): string {
   const found = [...graph.nodes.values()].find(({ kind }) => kind === 'module');
   return found?.id ?? '';
 }
 
-/** The command that does what the step asks for; undefined when there is nothing to wire. */
+/** Returns the command for the answer of a step; undefined when there is nothing to wire. */
 export function graphCommand(
   answer: GraphAnswer,
   graph: Graph,
@@ -77,7 +77,7 @@ function addCommand(kind: LessonGraph, { clientId, library, uuid }: GraphParts):
   }
   const constants = new Map([
     ['distance', '{"double":0.2}'],
-    // A finger counts until it comes down elsewhere
+    // A touch is valid until the next one.
     ['maxAgeMs', '{"double":0}'],
   ]);
   const muxer = newMuxerNode(
@@ -107,7 +107,7 @@ function addCommand(kind: LessonGraph, { clientId, library, uuid }: GraphParts):
   return { kind: 'all', label: '', commands: [add, ...wires] };
 }
 
-/** The session of a lesson after some of its answers. */
+/** Returns the session of a lesson after some of its answers. */
 export function lessonSessionAt(
   kind: LessonGraph,
   answers: readonly GraphAnswer[],
@@ -123,7 +123,7 @@ export function lessonSessionAt(
   return sessionOf(graph, base);
 }
 
-/** What the steps before this one have wired, and whether they have started the session. */
+/** Returns the answers of the steps before this one, which determine wires and whether the session runs. */
 export function answersBefore(lesson: Lesson, step: number): readonly GraphAnswer[] {
   return lesson.steps
     .slice(0, step)

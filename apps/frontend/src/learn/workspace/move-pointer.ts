@@ -1,8 +1,8 @@
-/** How long a shown movement takes, milliseconds, and how many positions it has. */
+/** Duration of a simulated movement, milliseconds, and its number of positions. */
 const DURATION_MS = 1_600;
 const POSITIONS = 60;
 
-/** Moves the pointer of this page in a circle, as a user would. */
+/** Moves the pointer of this page in a circle, like a user. */
 export async function movePointer(): Promise<void> {
   for (let step = 0; step <= POSITIONS; step += 1) {
     const angle = (2 * Math.PI * step) / POSITIONS;

@@ -1,10 +1,10 @@
 import type { Answer } from '../model/lesson.ts';
 
-/** Between two presses of a key, milliseconds: the pad sends each of them. */
+/** Interval between two simulated key presses, milliseconds: the pad sends each of them. */
 const KEY_MS = 40;
 const times = (count: number, key: string): string[] => Array.from({ length: count }, () => key);
 
-/** Arrow keys: along the edge of the pad, or once. */
+/** Arrow keys of a gesture: along the edge of the pad, or a single press. */
 const GESTURES: Readonly<Record<Extract<Answer, { kind: 'touch' }>['gesture'], string[]>> = {
   circle: [
     ...times(4, 'ArrowRight'),

@@ -1,13 +1,13 @@
-/** Means over about this time, milliseconds. */
+/** Approximate window of the mean, milliseconds. */
 const WINDOW_MS = 1_000;
 
-/** Turns a count that grows into a rate. */
+/** Converts a growing count to a rate. */
 export interface RunRate {
-  /** @returns runs per second since about a second ago; 0 at first, and after the count began again */
+  /** @returns runs per second over about a second; 0 initially, and after the count was reset */
   measure(count: number): number;
 }
 
-/** @param nowMs a clock that only goes forward */
+/** @param nowMs returns the time of a monotonic clock */
 export function createRunRate(nowMs: () => number): RunRate {
   let samples: { readonly ms: number; readonly count: number }[] = [];
   return {

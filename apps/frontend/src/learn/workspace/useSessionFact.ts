@@ -4,7 +4,7 @@ import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.t
 import { isAlive, sessionState, stateLook } from '../../sessions/state/session-state.ts';
 import type { SessionFact } from '../model/facts.ts';
 
-/** Reads how a session does: its state, and the runs that its nodes report. */
+/** Status of a session, and the run rates that its nodes report. */
 export function useSessionFact(
   session: ComputedRef<Session | undefined>,
 ): () => SessionFact | undefined {

@@ -4,19 +4,19 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { sparkNumbers } from '../../topics/values/value-series.ts';
 import { NO_VALUES, withValue, type TopicFact, type ValueRange } from '../model/facts.ts';
 
-/** How often rates are asked for, milliseconds. */
+/** Interval of requests for rates, milliseconds. */
 const RATES_MS = 500;
 
 export interface TopicFacts {
-  /** The topics that match, and those named, as they are now. */
+  /** Returns the current state of matching and named topics. */
   read(named: readonly (string | undefined)[]): ReadonlyMap<string, TopicFact>;
-  /** Measures how far values move from now on. */
+  /** Restarts the ranges of values. */
   restart(): void;
 }
 
 /**
- * Rates and values of the topics of a lesson, while the calling scope lives.
- * @param globs of topics whose values are followed
+ * Rates and values of the topics of a lesson, while the calling scope is active.
+ * @param globs of topics whose values are recorded
  */
 export function useTopicFacts(globs: readonly string[]): TopicFacts {
   const { topics } = useConnection();
@@ -41,7 +41,7 @@ export function useTopicFacts(globs: readonly string[]): TopicFacts {
       const facts = new Map<string, TopicFact>();
       for (const topic of names) {
         const rate = rates?.get(topic);
-        // A topic that the master does not know any more has ended
+        // A topic that the master no longer knows has ended.
         if (rates !== undefined && rate === undefined) continue;
         const value = values.get(topic);
         facts.set(topic, {

@@ -1,18 +1,18 @@
 import type { CallFact, SessionFact, TryFact } from '../model/facts.ts';
 import type { Answer } from '../model/lesson.ts';
 
-/** What only the workspace knows. */
+/** Facts that only the workspace knows. */
 export interface WorkspaceFacts {
   readonly session?: SessionFact | undefined;
   readonly tried?: TryFact | undefined;
   readonly calls?: readonly CallFact[];
 }
 
-/** What every workspace exposes to the lesson beside it. */
+/** Interface of every workspace to the lesson beside it. */
 export interface LessonWorkspace {
   read(): WorkspaceFacts;
-  /** Does what the step asks for. @returns what takes it back; undefined where nothing was changed */
+  /** Performs the answer of a step. @returns a function that reverts it; undefined if nothing changed */
   answer(answer: Answer): Promise<(() => void) | undefined>;
-  /** Back to how the step begins. */
+  /** Resets the workspace to the start of a step. */
   reset(step: number): Promise<void>;
 }
