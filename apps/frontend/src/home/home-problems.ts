@@ -18,9 +18,9 @@ export interface ProblemLink {
   readonly to: RouteLocationRaw;
 }
 
-/** One problem, as Home shows it. */
+/** A problem in the form shown on the start page. */
 export interface HomeProblem {
-  /** Stays the same while the problem lasts. */
+  /** Stable while the problem lasts. */
   readonly key: string;
   readonly code: string;
   readonly isError: boolean;
@@ -36,11 +36,11 @@ export interface HomeProblem {
   readonly action: ProblemAction | undefined;
 }
 
-/** Where the names in the sentences come from. */
+/** Source of the names in the sentences. */
 export interface ProblemContext {
-  /** With its display name. */
+  /** Client with its display name. */
   findClient(id: string): Client | undefined;
-  /** The name that the client gave itself, which the master writes. */
+  /** Name that the client gave itself, which the master uses in its sentences. */
   ownName(id: string): string | undefined;
   readonly sessions: readonly Session[];
 }
@@ -51,7 +51,7 @@ export function homeProblems(
   context: ProblemContext,
 ): HomeProblem[] {
   const ofMaster = problems
-    // The sessions report theirs in full.
+    // Sessions report their problems in full.
     .filter(({ code }) => code !== 'session_degraded')
     .map((problem) => ofStatus(problem, context));
   const ofSessions = sessionProblems(context.sessions).map(
@@ -70,14 +70,14 @@ export function homeProblems(
   return [...ofSessions, ...ofMaster].sort((a, b) => Number(b.isError) - Number(a.isError));
 }
 
-/** Several of one code may exist: the first clause of their text tells them apart. */
+/** Codes with several possible problems, which are distinguished by the first clause of their text. */
 const IN_TEXT: ReadonlySet<string> = new Set(['limit_reached', 'file_broken']);
 
 function ofStatus(problem: StatusProblem, { findClient, ownName }: ProblemContext): HomeProblem {
   const { code, clientId, sessionId, moduleId, severity, text, remedy, sinceMs } = problem;
   const own = clientId === '' ? undefined : ownName(clientId);
   const parts = problemParts(text, own);
-  // A sentence about the master that names a client begins with the master.
+  // In sentences about the master that mention a client, the master comes first.
   const isAboutClient = own !== undefined && own !== '' && text.startsWith(`${own} `);
   return {
     key: `${code} ${clientId} ${sessionId} ${moduleId} ${IN_TEXT.has(code) ? text.split(',', 1)[0] : ''}`,

@@ -1,22 +1,22 @@
 import { capitalised, plural } from '@ubii/words';
 
-/** The facts that the sentence is made from. */
+/** Facts for the sentence. */
 export interface HomeFacts {
-  /** Connected clients, this page included. */
+  /** Number of connected clients, including this page. */
   readonly active: number;
-  /** Clients that lost their connection a moment ago. */
+  /** Number of clients that lost their connection recently. */
   readonly silent: number;
   readonly errors: number;
   readonly warnings: number;
-  /** Sessions that run or are paused. */
+  /** Number of sessions that run or are paused. */
   readonly running: number;
-  /** Modules of them with an error. */
+  /** Number of their modules with an error. */
   readonly troubledModules: number;
   /** Records per second; `undefined` when the master does not report it. */
   readonly recordsPerSecond: number | undefined;
 }
 
-/** The sentence that Home opens with: the state, and, dimmer, what needs attention. */
+/** First sentence of the start page: the status, and dimmed what needs attention. */
 export interface HomeSentence {
   readonly is: string;
   readonly asks?: string;

@@ -6,7 +6,7 @@ import { formatNumber } from '../ui/readouts/format-number.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import type { ProblemAction } from './home-problems.ts';
 
-/** Returns half of a rate, rounded: the throttle that is tried first. */
+/** Returns half of a rate, rounded: the first throttle to try. */
 export function halfRate(recordsPerSecond: number): number {
   const half = Math.max(1, recordsPerSecond / 2);
   const step = 10 ** Math.floor(Math.log10(half));
