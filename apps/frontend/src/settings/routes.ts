@@ -2,7 +2,7 @@ import type { RouteRecordRaw } from 'vue-router';
 
 const parent = { title: 'Settings', to: '/settings' };
 
-/** What this browser and the master are set to, and what the master says of itself. */
+/** Settings of this browser and the master, and status of the master. */
 export const settingsRoutes: readonly RouteRecordRaw[] = [
   {
     path: '/settings',

@@ -1,12 +1,12 @@
 import { ClipboardList, FileText, Gauge, Info, Monitor, Server } from '@lucide/vue';
 import type { Component } from 'vue';
 
-/** The pages of the settings, in the order of their navigation. */
+/** Pages of the settings, in the order of their navigation. */
 export const SETTINGS_PAGES: readonly {
   readonly title: string;
   readonly to: string;
   readonly icon: Component;
-  /** What people look for there, for the palette. */
+  /** Search words for the command palette. */
   readonly words: string;
 }[] = [
   {

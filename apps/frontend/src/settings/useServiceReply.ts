@@ -11,18 +11,18 @@ import {
 import { usePoll } from '../connection/poll.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
-/** What a service of the master last answered. */
+/** Last reply of a service. */
 export interface ServiceAnswer<R> {
-  /** `undefined` until the first answer; kept while disconnected. */
+  /** `undefined` until the first reply; kept while disconnected. */
   readonly reply: Readonly<ShallowRef<R | undefined>>;
-  /** Why there is none, one sentence; `undefined` while all is well. */
+  /** Reason why there is no reply, one sentence; `undefined` without a problem. */
   readonly problem: ComputedRef<string | undefined>;
 }
 
 /**
- * Asks a service again and again while the calling component lives and the page is seen.
+ * Calls a service at an interval while the calling component is mounted and the page is visible.
  *
- * @param enabled false while there is no use in asking
+ * @param enabled false while the reply is not needed
  */
 export function useServiceReply<R>(
   ask: () => Promise<R>,
@@ -38,7 +38,7 @@ export function useServiceReply<R>(
         reply.value = await ask();
         error.value = undefined;
       } catch (cause) {
-        // A failed link shows in the strip under the top bar, and the poll goes on after it
+        // Shown by the connection strip; polling resumes after reconnecting.
         if (cause instanceof ConnectionError) return;
         if (!(cause instanceof ServiceError)) throw cause;
         error.value = cause;
@@ -50,7 +50,7 @@ export function useServiceReply<R>(
   return { reply, problem: computed(() => error.value && problemSentence(error.value)) };
 }
 
-/** Why a master did not answer, in words: an original one does not know our services. */
+/** Reason why a master did not reply, in words: an original one does not know the extension services. */
 export function problemSentence({ code, message }: ServiceError): string {
   const isUnknown = code === 'unimplemented' || code === 'not_found';
   return isUnknown

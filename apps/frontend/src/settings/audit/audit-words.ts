@@ -1,7 +1,7 @@
 import { AccessRole, AuditEntryWay, type AuditEntry } from '@ubii/proto';
 import { unnamedClient } from '../../connection/display-names.ts';
 
-/** What was done, by the end of the topic of the service: as it was done, and as it was tried. */
+/** Descriptions of actions, by the end of the service topic: as done, and as tried. */
 const DEEDS: Readonly<Record<string, readonly [done: string, tried: string]>> = {
   'session/runtime/add': ['created the session', 'create the session'],
   'session/runtime/start': ['started the session', 'start the session'],
@@ -34,7 +34,7 @@ const ROLES: Readonly<Record<number, string>> = {
   [AccessRole.ACCESS_ROLE_VIEWER]: 'viewer',
 };
 
-/** What can be asked for, by a part of the names of services. */
+/** Filters for actions, by a part of the service names. */
 export const AREAS = [
   { value: 'all', text: 'everything' },
   { value: 'session', text: 'sessions' },
@@ -46,8 +46,8 @@ export const AREAS = [
 export type Area = (typeof AREAS)[number]['value'];
 
 /**
- * Who did it: a name, or how it came in.
- * @param client the client as this page knows it: its display name counts while its own name is as it was
+ * Returns the actor: a name, or the kind of access.
+ * @param client the client, if known: its display name is used while its own name is unchanged
  */
 export function whoOf(
   { clientName, clientId, way }: AuditEntry,
@@ -60,7 +60,7 @@ export function whoOf(
   return way === AuditEntryWay.NETWORK ? 'A program in an admitted network' : 'A client';
 }
 
-/** `started the session Lights`, or `tried to start` it; of services without words, their name. */
+/** `started the session Lights`, or `tried to start` it; the service name if there is no description. */
 export function deedOf({ service, object, error }: AuditEntry): string {
   const name = service.replace('/services/', '');
   const [done, tried] = DEEDS[name] ?? [`called ${name}`, `call ${name}`];

@@ -7,17 +7,17 @@ import { useServiceReply, type ServiceAnswer } from '../useServiceReply.ts';
 const INTERVAL_MS = 3_000;
 const PAGE = 100;
 
-/** What admins and participants did, the newest first. */
+/** Actions of admins and participants, newest first. */
 export interface LiveAudit extends Pick<ServiceAnswer<unknown>, 'problem'> {
-  /** `undefined` until the master has answered. */
+  /** `undefined` until the first reply. */
   readonly entries: Readonly<ShallowRef<readonly AuditEntry[] | undefined>>;
-  /** There are older ones that fit. */
+  /** True when there are older matching entries. */
   readonly hasMore: Readonly<Ref<boolean>>;
-  /** Asks for more of them from now on. */
+  /** Requests more entries from now on. */
   showMore(): void;
 }
 
-/** Asks for entries that fit while the calling component lives and the page is seen. */
+/** Requests matching entries while the calling component is mounted and the page is visible. */
 export function useAuditLog(search: Ref<string>, service: () => string): LiveAudit {
   const { client } = useConnection();
   const { isNoAdmin } = useRole();
@@ -31,7 +31,7 @@ export function useAuditLog(search: Ref<string>, service: () => string): LiveAud
     entries.value = log?.entries;
     hasMore.value = log?.more ?? false;
   });
-  // What is typed counts at once. The next poll puts right what came in another order.
+  // Request at once while typing. The next poll corrects replies that arrived out of order.
   watch([search, service, count], () => {
     if (isNoAdmin.value) return;
     ask().then(
@@ -39,7 +39,7 @@ export function useAuditLog(search: Ref<string>, service: () => string): LiveAud
         entries.value = log.entries;
         hasMore.value = log.more;
       },
-      () => undefined, // the poll says why
+      () => undefined, // The poll reports the reason.
     );
   });
   return {

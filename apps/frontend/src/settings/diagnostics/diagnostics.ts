@@ -4,13 +4,13 @@ import { sessionState, stateLook } from '../../sessions/state/session-state.ts';
 import { limitRow } from '../limits/limit-row.ts';
 import { lineText } from '../log/log-lines.ts';
 
-/** What a report of a fault is made from; what could not be had is `undefined`. */
+/** Contents of a fault report; `undefined` for parts that are not available. */
 export interface DiagnosticFacts {
-  /** When, this machine's clock, epoch milliseconds. */
+  /** Time of the report, this computer's clock, epoch milliseconds. */
   readonly nowMs: number;
   readonly page: {
     readonly version: string | undefined;
-    /** Path only: what stands behind it may name things of people. */
+    /** Path only: the query and hash may contain personal names. */
     readonly path: string;
     readonly userAgent: string;
     readonly screen: string;
@@ -31,8 +31,8 @@ export interface DiagnosticFacts {
 }
 
 /**
- * The facts as one JSON text. Picked one by one, so that nothing gets in unseen: no tokens, no ids of
- * this page, no code of modules, no topic data.
+ * Formats the facts as JSON. Selected one by one, so that nothing else is included: no tokens, no ids of this page, no
+ * code of modules, no topic data.
  */
 export function diagnosticsText(facts: DiagnosticFacts): string {
   const { nowMs, page, connection, settings, limits, sessions, log } = facts;

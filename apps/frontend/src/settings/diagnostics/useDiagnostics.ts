@@ -5,12 +5,12 @@ import { useThemeChoice } from '../../theme/useTheme.ts';
 import { fetchLicences } from '../licences/licences.ts';
 import { diagnosticsText } from './diagnostics.ts';
 
-/** Saves what helps to find a fault as one file; also while the master is away, with what is known. */
+/** Saves a fault report as a file; while disconnected, with the data that is available. */
 export function useDiagnostics(): () => Promise<void> {
   const { client, state, roundTrip, master, sessions, isConnected } = useConnection();
   const theme = useThemeChoice();
 
-  /** What does not come is left out: the report is made when things are broken. */
+  /** Omits parts that fail: reports are made when things are broken. */
   const ask = async <R>(question: () => Promise<R>): Promise<R | undefined> =>
     isConnected.value ? question().catch(() => undefined) : undefined;
 

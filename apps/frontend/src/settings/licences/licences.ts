@@ -1,4 +1,4 @@
-/** One package of others, as the build lists it. */
+/** A third-party package, as listed by the build. */
 export interface PackageLicence {
   readonly name: string;
   readonly version: string;
@@ -6,13 +6,13 @@ export interface PackageLicence {
   readonly licence: string;
   readonly author: string;
   readonly url: string;
-  /** `frontend`, `master`, `node`: what has it in it. */
+  /** Programs that contain it: `frontend`, `master`, `node`. */
   readonly parts: readonly string[];
-  /** Empty when the package brings no text. */
+  /** Empty when the package has no licence text. */
   readonly text: string;
 }
 
-/** `/licences.json`, which the build makes from what it bundles. */
+/** Content of `/licences.json`, which the build generates from the bundled packages. */
 export interface Licences {
   readonly own: Omit<PackageLicence, 'parts'>;
   readonly packages: readonly PackageLicence[];
@@ -20,7 +20,7 @@ export interface Licences {
 
 const FILE = '/licences.json';
 
-/** @throws Error in words when there is no list */
+/** @throws {Error} with a message when there is no list */
 export async function fetchLicences(): Promise<Licences> {
   const response = await fetch(FILE).catch(() => {
     throw new Error('The master does not answer, so the list is not available.');
@@ -31,7 +31,7 @@ export async function fetchLicences(): Promise<Licences> {
   return (await response.json()) as Licences;
 }
 
-/** Packages with every word of a search in name, licence, author or part. */
+/** Packages that match every word of a search in name, licence, author or part. */
 export function filterLicences(
   packages: readonly PackageLicence[],
   search: string,
@@ -43,7 +43,7 @@ export function filterLicences(
   });
 }
 
-/** How many packages are under which licence, most first. */
+/** Number of packages by licence, highest first. */
 export function licenceCounts(packages: readonly PackageLicence[]): [string, number][] {
   const counts = new Map<string, number>();
   for (const { licence } of packages) counts.set(licence, (counts.get(licence) ?? 0) + 1);

@@ -4,26 +4,26 @@ import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { Readout } from '../../ui/readouts/readout.ts';
 
-/** Share of a limit from which on it is shown as almost reached. */
+/** Share from which a limit counts as almost reached. */
 export const NEAR_SHARE = 0.8;
 
-/** One limit as a row shows it. */
+/** Row of a limit. */
 export interface LimitRow {
   readonly limit: Limit;
-  /** Its name in words: `Retained bytes`. */
+  /** Name in words: `Retained bytes`. */
   readonly words: string;
   readonly allowed: Readout;
   /** `undefined` when the master does not measure it. */
   readonly used: Readout | undefined;
-  /** Of what is allowed, 0 to 1; `undefined` likewise. */
+  /** Used share, 0 to 1; `undefined` when not measured. */
   readonly share: number | undefined;
-  /** Reached or almost reached: `near` and `met` want to be seen. */
+  /** `near` and `met` are highlighted. */
   readonly state: 'fine' | 'near' | 'met';
-  /** What would change it, to be copied. */
+  /** Command-line flag that changes it, for copying. */
   readonly flag: string;
 }
 
-/** `1024 bytes` and `30 000 ms` as people say them; other units as they are. */
+/** Formats `1024 bytes` and `30 000 ms` in larger units; other units unchanged. */
 export function limitReadout(value: number, unit: string): Readout {
   const per = unit.endsWith('/s') ? '/s' : '';
   if (unit === `bytes${per}`) return formatBytes(value, `B${per}`);
@@ -36,7 +36,7 @@ export function limitReadout(value: number, unit: string): Readout {
   return { digits: formatNumber(value, Number.isInteger(value) ? 0 : 1), unit };
 }
 
-/** The same of what is used: beside what is allowed, the unit need not be repeated. */
+/** The same for the usage, without the unit if the limit beside it has the same. */
 function useReadout(value: number, unit: string): Readout {
   const { digits, unit: shown } = limitReadout(value, unit);
   return shown === unit ? { digits } : limitReadout(value, unit);
@@ -64,8 +64,8 @@ export interface LimitGroupRows {
 }
 
 /**
- * The rows that a search finds, under their headings; those that are met or nearly so stand first,
- * under one of their own.
+ * Returns the rows that match a search, grouped by heading; limits that are reached or almost reached come first, under
+ * a separate heading.
  */
 export function groupLimits(limits: readonly Limit[], search: string): LimitGroupRows[] {
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);

@@ -1,11 +1,11 @@
 import { LogLevel, type LogLine, type LogTail } from '@ubii/proto';
 
-/** Lines kept in this page at most; older ones go. The master keeps as many. [EX-37] */
+/** Most lines kept in this page, the same as on the master; older ones are dropped. [EX-37] */
 export const MOST_LINES = 1000;
 
-/** What this page has of the log. */
+/** Part of the log that this page has. */
 export interface KeptLog {
-  /** For the next question. */
+  /** For the next request. */
   readonly cursor: number;
   /** Oldest first. */
   readonly lines: readonly LogLine[];
@@ -15,7 +15,7 @@ export interface KeptLog {
 
 export const EMPTY_LOG: KeptLog = { cursor: 0, lines: [], missed: 0 };
 
-/** Adds an answer. A master that was started again starts over. */
+/** Adds a reply. After a restart of the master, the log starts over. */
 export function addTail(kept: KeptLog, tail: LogTail): KeptLog {
   const before = tail.reset ? [] : kept.lines;
   const all = [...before, ...tail.lines];
@@ -24,7 +24,7 @@ export function addTail(kept: KeptLog, tail: LogTail): KeptLog {
   return { cursor: tail.cursor, lines, missed };
 }
 
-/** The levels, from worst to best, as words. */
+/** Levels from most to least severe, as words. */
 export const LEVELS: readonly { readonly level: LogLevel; readonly word: string }[] = [
   { level: LogLevel.LOG_ERROR, word: 'error' },
   { level: LogLevel.LOG_WARN, word: 'warn' },
@@ -35,7 +35,7 @@ export const LEVELS: readonly { readonly level: LogLevel; readonly word: string 
 export const levelWord = (level: LogLevel): string =>
   LEVELS.find((one) => one.level === level)?.word ?? String(level);
 
-/** Lines as severe as a level, with every word of a search in their message, names or values. */
+/** Lines of at least a level that match every word of a search in message, names or values. */
 export function filterLines(
   lines: readonly LogLine[],
   level: LogLevel,
@@ -51,7 +51,7 @@ export function filterLines(
   });
 }
 
-/** One line as text, to be copied and searched elsewhere. */
+/** Formats a line as text, for copying. */
 export function lineText({ timeMs, level, message, fields }: LogLine): string {
   const values = fields.map(({ name, value }) => ` ${name}=${quoted(value)}`).join('');
   const word = levelWord(level).toUpperCase().padEnd(5);
@@ -61,6 +61,6 @@ export function lineText({ timeMs, level, message, fields }: LogLine): string {
 const quoted = (value: string): string =>
   /^[^\s"=]+$/.test(value) ? value : JSON.stringify(value);
 
-/** Several of them, one a line. */
+/** Formats several lines. */
 export const linesText = (lines: readonly LogLine[]): string =>
   lines.map((line) => `${lineText(line)}\n`).join('');

@@ -7,18 +7,18 @@ import { addTail, EMPTY_LOG, type KeptLog } from './log-lines.ts';
 
 const INTERVAL_MS = 1000;
 
-/** The end of the master's log, as it grows. */
+/** Newest lines of the master's log. */
 export interface LiveLog {
   readonly kept: Readonly<ShallowRef<KeptLog>>;
-  /** True once the master has answered. */
+  /** True after the first reply. */
   readonly hasAnswer: ComputedRef<boolean>;
   readonly problem: ComputedRef<string | undefined>;
-  /** What is shown stands still; the master goes on keeping lines. */
+  /** Pauses the display; the master continues logging. */
   readonly isPaused: Ref<boolean>;
   clear(): void;
 }
 
-/** Follows the log while the calling component lives and the page is seen. */
+/** Follows the log while the calling component is mounted and the page is visible. */
 export function useLogTail(): LiveLog {
   const { client } = useConnection();
   const { isNoAdmin } = useRole();
