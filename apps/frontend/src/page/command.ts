@@ -3,16 +3,16 @@ import type { Component } from 'vue';
 export type CommandKind =
   'page' | 'example' | 'session' | 'module' | 'client' | 'service' | 'topic' | 'action';
 
-/** Something the palette finds. */
+/** Entry of the command palette. */
 export interface Command {
-  /** Stable, so that it is remembered as recent. */
+  /** Stable, so that it can be stored as recently used. */
   readonly id: string;
   readonly kind: CommandKind;
   readonly title: string;
-  /** Dimmer, behind the title; searched too. */
+  /** Dimmed text after the title; searched, too. */
   readonly detail?: string;
   readonly shortcut?: string;
-  /** What stands at the left: an icon, a data format's socket, or a letter. */
+  /** Symbol on the left: an icon, the socket of a data format, or a letter. */
   readonly icon?: Component;
   readonly format?: string;
   readonly letter?: string;

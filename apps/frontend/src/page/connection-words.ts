@@ -1,7 +1,7 @@
 import type { ConnectionErrorReason, ConnectionState } from '@ubii/client-web';
 import type { MarkedState } from '../ui/UiStateMark.vue';
 
-/** The connection's state as a mark and a word. */
+/** State of the connection as a mark and a word. */
 export function connectionWord(state: ConnectionState): { mark: MarkedState; text: string } {
   switch (state.status) {
     case 'idle':
@@ -22,13 +22,13 @@ export function connectionWord(state: ConnectionState): { mark: MarkedState; tex
   }
 }
 
-/** What the strip under the top bar says: what was lost, what is retried and when, what can be done. */
+/** Texts of the connection strip: what was lost, when it is retried, and what the user can do. */
 export interface ConnectionNotice {
   readonly tone: 'warning' | 'error' | 'stopped';
   readonly text: string;
-  /** What is being tried, and when; drawn dimmer. */
+  /** Next attempt and its time, dimmed. */
   readonly next: string | undefined;
-  /** The button's words. */
+  /** Label of the button. */
   readonly action: string;
 }
 
@@ -43,9 +43,9 @@ const CAUSES: Record<ConnectionErrorReason, string> = {
 };
 
 /**
- * The notice for a state, or `undefined` while all is well or still starting.
- * @param nowMs this machine's clock, epoch milliseconds
- * @param hadData true once something was on the screen that now stands still
+ * Returns the notice for a state; `undefined` while connected or starting.
+ * @param nowMs this computer's clock, epoch milliseconds
+ * @param hadData true when live data was shown, which is now frozen
  */
 export function connectionNotice(
   state: ConnectionState,
@@ -60,7 +60,7 @@ export function connectionNotice(
     case 'reconnecting': {
       const seconds = Math.ceil((state.nextAttemptMs - nowMs) / 1000);
       const tries = `try ${state.attempt}`;
-      // It was closed once; how a later attempt fails depends on how far it got
+      // An open connection closes only once: a later attempt that ends with `closed` was refused.
       const isTriedAgain = state.attempt > 1 && state.error.reason === 'closed';
       const cause = CAUSES[isTriedAgain ? 'refused' : state.error.reason];
       return {
@@ -95,7 +95,7 @@ export function connectionNotice(
           action: 'Connect',
         };
       }
-      // The page for it says the rest.
+      // The join page explains the rest.
       if (state.error.reason === 'join') return undefined;
       return {
         tone: 'error',

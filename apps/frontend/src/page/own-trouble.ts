@@ -1,18 +1,18 @@
 import type { StatusProblem } from '@ubii/proto';
 
-/** What concerns the person at this page, and why. */
+/** Problem that concerns the user of this page, and its cause. */
 export interface OwnTrouble {
-  /** Stays the same while the problem stands. */
+  /** Stable while the problem lasts. */
   readonly key: string;
   readonly code: string;
-  /** What is wrong and what follows. */
+  /** Problem and consequence. */
   readonly text: string;
   readonly remedy: string;
-  /** The session it is about; empty when it is about this page itself. */
+  /** Id of the session; empty when it concerns this page itself. */
   readonly sessionId: string;
 }
 
-/** What a page does to others, or others to it; that it is silent it cannot show. [EX-18] [EX-46] [EX-47] */
+/** Problems that this page causes or suffers. That it is silent, it cannot show. [EX-18] [EX-46] [EX-47] */
 const OF_CLIENT: ReadonlySet<string> = new Set([
   'client_throttled',
   'publisher_noisy',
@@ -26,10 +26,9 @@ const OF_CLIENT: ReadonlySet<string> = new Set([
 const OF_SESSION: ReadonlySet<string> = new Set(['module_slow', 'machine_busy']);
 
 /**
- * The problems that are this page's own: of its client, of the modules it runs, and of the session
- * that is open in it.
+ * Returns the problems of this page: of its client, the modules it runs, and the session that is open in it.
  * @param own this page's client, with its name
- * @param openSession id of the session that is open here, if any
+ * @param openSession id of the open session, if any
  */
 export function ownTroubles(
   problems: readonly StatusProblem[],
@@ -50,12 +49,12 @@ export function ownTroubles(
     }));
 }
 
-/** “Mara publishes” is, to Mara, what this page does. */
+/** Rewrites “Mara publishes” for Mara as what this page does. */
 function asOwn(text: string, name: string | undefined): string {
   return name && text.startsWith(`${name} `) ? `This page ${text.slice(name.length + 1)}` : text;
 }
 
-/** Texts for the user of the page, not for the operator of the master. */
+/** Remedies for the user of the page instead of the operator of the master. */
 function asOwnRemedy(remedy: string, code: string): string {
   return OWN_REMEDIES[code] ?? remedy;
 }

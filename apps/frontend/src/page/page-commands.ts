@@ -2,7 +2,7 @@ import { onScopeDispose, toValue, watch, type MaybeRefOrGetter } from 'vue';
 import type { Command } from './command.ts';
 import { useShell } from './shell.ts';
 
-/** What the palette also finds while the calling component lives: what can be done on its page. */
+/** Adds commands of the current page to the palette, while the calling component is mounted. */
 export function usePageCommands(commands: MaybeRefOrGetter<readonly Command[]>): void {
   const { pageCommands } = useShell();
   watch(

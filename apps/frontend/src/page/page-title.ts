@@ -1,10 +1,7 @@
 import { onScopeDispose, toValue, watch, type MaybeRefOrGetter } from 'vue';
 import { useShell } from './shell.ts';
 
-/**
- * Names the page after the thing it shows, while the calling component lives; without a name, the
- * route's title stands.
- */
+/** Sets the title of the page, while the calling component is mounted; without a name, the route's title is used. */
 export function usePageTitle(title: MaybeRefOrGetter<string | undefined>): void {
   const { pageTitle } = useShell();
   watch(

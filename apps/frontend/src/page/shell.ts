@@ -1,21 +1,21 @@
 import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
 import type { Command } from './command.ts';
 
-/** What floats over the page; one at a time. */
+/** Dialogs of the shell; one at a time. */
 export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts' | 'identity' | 'more';
 
-/** How pages reach the dialogs of the shell. */
+/** Interface of the shell for pages. */
 export interface Shell {
   readonly dialog: ShallowRef<ShellDialog | undefined>;
-  /** What the page is about, when that has a name; `usePageTitle` sets it. */
+  /** Name of what the page shows; set by `usePageTitle`. */
   readonly pageTitle: ShallowRef<string | undefined>;
-  /** What can be done on the page, for the palette; `usePageCommands` sets it. */
+  /** Commands of the page, for the palette; set by `usePageCommands`. */
   readonly pageCommands: ShallowRef<readonly Command[]>;
   open(dialog: ShellDialog): void;
   close(): void;
 }
 
-/** Where a page may put a title of its own making into the top bar, with a Teleport. */
+/** Id of the element in the top bar into which a page can teleport its own title. */
 export const PAGE_TITLE_ID = 'page-title';
 
 export const SHELL: InjectionKey<Shell> = Symbol('shell');

@@ -1,4 +1,4 @@
-/** A row of the dialog that lists the keyboard shortcuts. Only that dialog loads these tables. */
+/** Row of the dialog with the keyboard shortcuts. Only that dialog loads these tables. */
 export interface KeyText {
   readonly keys: string;
   readonly text: string;

@@ -15,13 +15,13 @@ import {
 } from '@lucide/vue';
 import type { Component } from 'vue';
 
-/** A page of the navigation. Only pages that exist stand here. */
+/** Page of the navigation. */
 export interface NavigationPage {
   readonly title: string;
   readonly to: string;
   readonly icon: Component;
   readonly shortcut: string;
-  /** On phones it stands in the sheet of the last item. */
+  /** On phones it is in the sheet of the last item. */
   readonly isBehindMore?: boolean;
 }
 
@@ -65,7 +65,7 @@ export const SETTINGS_PAGE: NavigationPage = {
   shortcut: 'G S',
 };
 
-/** True on the page itself and on the pages below it. */
+/** True for the page itself and its subpages. */
 export function isUnder(path: string, page: string): boolean {
   return page === '/' ? path === '/' : path === page || path.startsWith(`${page}/`);
 }

@@ -4,19 +4,19 @@ import { isAlive } from '../sessions/state/session-state.ts';
 
 type Living = Pick<Session, 'name' | 'status' | 'extension'>;
 
-/** How many sessions are named. */
+/** Most sessions that are named. */
 const MAX_NAMES = 2;
 
-/** The sessions that run, by name: a page of an example starts its own again under another id. */
+/** Names of running sessions: example pages restart theirs under another id. */
 export function runningNames(sessions: readonly Living[]): string[] {
   return sessions.filter(isAlive).map(({ name }) => name);
 }
 
 /**
- * What became of the sessions that ran before the master was restarted; empty when none ran. Sessions that the master
- * started are told from those that pages did, because the terminal of the master counts its own. [SE-24]
- * @param before names of those that ran
- * @param now the sessions of the master that was restarted
+ * Describes the state of previously running sessions after a restart of the master; empty if there were none.
+ * Distinguishes sessions started by the master and by pages, because the terminal of the master counts its own. [SE-24]
+ * @param before names of previously running sessions
+ * @param now sessions of the restarted master
  */
 export function afterRestart(before: readonly string[], now: readonly Living[]): string {
   const left = now.filter(isAlive);
@@ -39,7 +39,7 @@ export function afterRestart(before: readonly string[], now: readonly Living[]):
   ].join(' ');
 }
 
-/** `“Hands”`, `“Hands” and “Mirror”`, `3 sessions`. */
+/** Formats names: `“Hands”`, `“Hands” and “Mirror”`, `3 sessions`. */
 function namesOf(names: readonly string[]): string {
   if (names.length > MAX_NAMES) return `${names.length} sessions`;
   return names.map((name) => `“${name || 'Session without a name'}”`).join(' and ');

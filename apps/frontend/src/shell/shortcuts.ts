@@ -1,7 +1,7 @@
 import type { ShellDialog } from '../page/shell.ts';
 import { PAGES, SETTINGS_PAGE } from './pages.ts';
 
-/** What keys do anywhere in the program. */
+/** Keyboard shortcut that works on every page. */
 export interface Shortcut {
   /** One key, or two in a row separated by a space, as `KeyboardEvent.key` names them in upper case. */
   readonly keys: string;
@@ -22,15 +22,15 @@ export const SHORTCUTS: readonly Shortcut[] = [
   })),
 ];
 
-/** How long the second key of a pair may take, milliseconds. */
+/** Longest time between the two keys of a sequence, milliseconds. */
 export const PAIR_MS = 1000;
 
-/** Shortcuts of the program on a page; single keys that mean something else there are left out. */
+/** Returns the shortcuts available on a page; single keys with another meaning there are omitted. */
 export function shortcutsOn({ ownKeys = '' }: { readonly ownKeys?: string }): readonly Shortcut[] {
   return SHORTCUTS.filter(({ keys }) => keys.length > 1 || !ownKeys.includes(keys));
 }
 
-/** What a key press leads to: a shortcut, the first half of one, or nothing. */
+/** Matches a key press: a shortcut, the first key of a sequence, or nothing. */
 export function matchShortcut(
   pending: string | undefined,
   key: string,
@@ -42,6 +42,6 @@ export function matchShortcut(
   if (shortcut) return { shortcut };
   if (shortcuts.some((candidate) => candidate.keys.startsWith(`${keys} `)))
     return { pending: keys };
-  // A pair that was not completed may be the start of something else
+  // After an incomplete sequence, the key may start another one.
   return pending === undefined ? {} : matchShortcut(undefined, key, shortcuts);
 }

@@ -92,7 +92,7 @@ describe('shortcuts', () => {
     for (const key of ['c', '?', 'g', 'h']) await world.press(key, {}, inner[inner.length - 1]);
     expect(world.shell.dialog.value).toBeUndefined();
     expect(world.push).not.toHaveBeenCalled();
-    // The first key of a pair does not wait for the field to be left either
+    // The first key of a sequence is not kept until the field is left.
     await world.press('h');
     expect(world.push).not.toHaveBeenCalled();
     host.remove();

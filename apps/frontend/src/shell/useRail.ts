@@ -2,10 +2,10 @@ import { useLocalStorage, useMediaQuery } from '@vueuse/core';
 import { computed, type ComputedRef } from 'vue';
 import { useRoute } from 'vue-router';
 
-/** From this width on, the labels leave enough room for the pages. */
+/** Screen width from which labels leave enough room for pages. */
 const WIDE_SCREEN = '(min-width: 1280px)';
 
-/** Pages with columns of their own on both sides: they start with the narrow rail. */
+/** Pages with side panels of their own: they start with the narrow rail. */
 const EDITORS = [/^\/sessions\/[^/]+\/graph/, /^\/modules\/./, /^\/learn\/./];
 
 export interface Rail {
@@ -16,12 +16,12 @@ export interface Rail {
   toggle(): void;
 }
 
-/** Returns true on pages where the labels would take room from an editor. */
+/** Returns true on pages where labels would take space from an editor. */
 export function isEditor(path: string): boolean {
   return EDITORS.some((pattern) => pattern.test(path));
 }
 
-/** The rail with or without labels, remembered in this browser, for editors apart from the other pages. */
+/** State of the rail, with or without labels; stored in this browser, separately for editors and other pages. */
 export function useRail(): Rail {
   const route = useRoute();
   const canBeWide = useMediaQuery(WIDE_SCREEN);

@@ -8,10 +8,10 @@ const sources = import.meta.glob<string>('../**/*.{vue,css,ts}', {
 });
 const tokens = sources['./tokens.css']!;
 
-/** A colour in a style sheet. Mixing tokens is no literal. */
+/** Matches colour literals in a style sheet. Mixed tokens are allowed. */
 const STYLE_COLOUR =
   /#[0-9a-f]{3,8}\b|\b(?:rgba?|hsla?|hwb|oklch|oklab|lch|lab)\(|:[^;{}]*(?<![\w-])(?:white|black|red|green|blue|gr[ae]y|orange|yellow|purple|pink)(?![\w-])/gi;
-/** A colour in a program: a string of its own. `#name` outside a string is a private member. */
+/** Matches colour literals in code: a whole string. `#name` outside a string is a private member. */
 const SCRIPT_COLOUR =
   /(['"`])#(?:[0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})\1|['"`](?:rgba?|hsla?|oklch)\(/gi;
 
@@ -48,7 +48,7 @@ it('every token that is used is defined', () => {
   const defined = new Set([...all.matchAll(definition)].map((match) => match[1] ?? match[2]));
   for (const [name] of nodeMeasures()) defined.add(name);
   const used = new Set([...all.matchAll(/var\((--[\w-]+)[,)]/g)].map((match) => match[1]!));
-  // Set by the component library
+  // Set by the component library.
   const missing = [...used].filter((name) => !defined.has(name) && !name.startsWith('--reka-'));
   expect(missing).toEqual([]);
 });

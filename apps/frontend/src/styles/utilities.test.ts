@@ -16,7 +16,7 @@ const stylesOf = (path: string, source: string): string =>
   path.endsWith('.css')
     ? source
     : [...source.matchAll(STYLE_BLOCK)].map((match) => match[1]).join('\n');
-/** In a style sheet the colon of `hover:ink-1` has a backslash. */
+/** In a style sheet the colon of `hover:ink-1` is escaped. */
 const rulesOf = (styles: string): string[] =>
   classes(styles, /\.([a-z](?:\\:|[\w-])*)/gi).map((name) => name.replace('\\', ''));
 
@@ -27,7 +27,7 @@ const ruled = new Set(
   Object.entries(sources).flatMap(([path, source]) => rulesOf(stylesOf(path, source))),
 );
 
-/** Classes of a component without a rule and without a program that looks for them. */
+/** Returns classes of a component that have no rule and are not used by code. */
 function unknownClasses(source: string): string[] {
   return classes(source, /\sclass="([^"]*)"/g).filter(
     (name) => !ruled.has(name) && !new RegExp(`['"\`][^'"\`\\n]*\\.${name}\\b`).test(source),

@@ -1,7 +1,7 @@
 import type { Command, CommandKind } from '../../page/command.ts';
 import { fuzzyScore } from '../../ui/fuzzy.ts';
 
-/** What each kind is called at the right edge of its row. */
+/** Names of the kinds, at the right edge of a row. */
 export const KIND_WORDS: Readonly<Record<CommandKind, string>> = {
   page: 'page',
   example: 'example',
@@ -13,7 +13,7 @@ export const KIND_WORDS: Readonly<Record<CommandKind, string>> = {
   action: 'action',
 };
 
-/** Topics and clients are many: they win only with a better match. */
+/** Bonus by kind. Topics and clients are numerous: they need a better match. */
 const KIND_BONUS: Readonly<Record<CommandKind, number>> = {
   page: 20,
   example: 12,
@@ -25,7 +25,7 @@ const KIND_BONUS: Readonly<Record<CommandKind, number>> = {
   topic: 0,
 };
 
-/** Too many to be shown unasked. */
+/** Kinds that are numerous and shown only when searched for. */
 const BY_NAME: ReadonlySet<CommandKind> = new Set([
   'topic',
   'client',
@@ -35,12 +35,12 @@ const BY_NAME: ReadonlySet<CommandKind> = new Set([
 ]);
 
 const RECENT_BONUS = 15;
-/** More are not read. */
+/** Most results. */
 const MAX_RESULTS = 60;
 
 /**
- * The commands for a query, best first. Without a query: recent ones first, then pages, examples and
- * actions; topics, clients, sessions, modules and services are looked for by name.
+ * Returns the commands for a query, best first. Without a query: recently used ones, then pages, examples and actions;
+ * topics, clients, sessions, modules and services need a query.
  * @param recent ids, newest first
  */
 export function rankCommands(
@@ -72,7 +72,7 @@ export function rankCommands(
 
 const MAX_RECENT = 6;
 
-/** The recent list after `id` was used. */
+/** Returns the list of recently used commands after `id` was used. */
 export function rememberRecent(recent: readonly string[], id: string): string[] {
   return [id, ...recent.filter((other) => other !== id)].slice(0, MAX_RECENT);
 }

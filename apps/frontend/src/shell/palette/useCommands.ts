@@ -17,10 +17,10 @@ import { PAGES, SETTINGS_PAGE } from '../pages.ts';
 import { useActionCommands } from './useActionCommands.ts';
 import { useSessionCommands } from './useSessionCommands.ts';
 
-/** While the palette is open, topics that come and go are followed this often, milliseconds. */
+/** Interval of requests for topics while the palette is open, milliseconds. */
 const TOPICS_INTERVAL_MS = 1000;
 
-/** Everything the palette finds, kept up to date while it is open. */
+/** All commands of the palette, updated while it is open. */
 export function useCommands(): ComputedRef<Command[]> {
   const router = useRouter();
   const shell = useShell();

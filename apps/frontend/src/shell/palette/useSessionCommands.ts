@@ -6,7 +6,7 @@ import { sessionLocation } from '../../locations/session-location.ts';
 import type { Command } from '../../page/command.ts';
 import { sessionState, stateLook } from '../../sessions/state/session-state.ts';
 
-/** What can be done with the life of a session from anywhere. */
+/** Actions on sessions that are available on every page. */
 const INTENTS = {
   start: { verb: 'Start', icon: Play, service: 'sessionRuntimeStart' },
   stop: { verb: 'Stop', icon: Square, service: 'sessionRuntimeStop' },
@@ -17,12 +17,12 @@ type Intent = keyof typeof INTENTS;
 
 const isIntent = (action: string): action is Intent => Object.hasOwn(INTENTS, action);
 
-/** Sessions to open, and what can be done with each now. */
+/** Commands to open sessions, and their available actions. */
 export function useSessionCommands(): ComputedRef<Command[]> {
   const router = useRouter();
   const { client, sessions } = useConnection();
 
-  /** A failed intent shows where the session is shown. */
+  /** Failures are shown where the session is shown. */
   async function act(id: string, intent: Intent): Promise<void> {
     await client
       .call(INTENTS[intent].service, { id })
