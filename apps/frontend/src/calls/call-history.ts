@@ -2,26 +2,26 @@ import { ServiceError, SERVICES, toJson, type JsonObject, type ServiceName } fro
 import type { MessageType } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 
-/** What came of a call. */
+/** Result of a call. */
 export type CallOutcome =
   | { readonly kind: 'reply'; readonly json: JsonObject }
   | { readonly kind: 'error'; readonly code: string; readonly sentence: string };
 
-/** One call of this visit. */
+/** A call of this visit. */
 export interface CallRecord {
   readonly id: number;
   readonly service: ServiceName;
-  /** Undefined: called without a request. */
+  /** Undefined for a call without a request. */
   readonly request: JsonObject | undefined;
   readonly atMs: number;
   readonly tookMs: number;
   readonly outcome: CallOutcome;
 }
 
-/** Older ones are forgotten. */
+/** Most calls kept; older ones are dropped. */
 export const MAX_CALLS = 30;
 
-/** The calls of this visit, newest first. */
+/** Calls of this visit, newest first. */
 export interface CallHistory {
   readonly calls: Readonly<ShallowRef<readonly CallRecord[]>>;
   add(call: Omit<CallRecord, 'id'>): CallRecord;
@@ -42,13 +42,13 @@ export function createCallHistory(): CallHistory {
   };
 }
 
-/** What a service replied, as JSON. */
+/** Result with the reply of a service, as JSON. */
 export function replyOutcome(service: ServiceName, reply: unknown): CallOutcome {
   const type = SERVICES[service].replyFormat as MessageType;
   return { kind: 'reply', json: toJson(type, reply as never) };
 }
 
-/** Why there was no reply, in words. */
+/** Result with the reason why there was no reply. */
 export function errorOutcome(error: unknown): CallOutcome {
   const sentence = error instanceof Error ? error.message : String(error);
   return { kind: 'error', code: error instanceof ServiceError ? error.code : 'no_reply', sentence };

@@ -10,13 +10,13 @@ import {
 } from '@ubii/proto';
 import { asObject, defaultJson } from '../message-form/default-json.ts';
 
-/** The message a service takes; undefined when it takes none. */
+/** Request type of a service; undefined when it takes none. */
 export function requestType(service: ServiceName): MessageDescriptor | undefined {
   const { requestFormat } = SERVICES[service];
   return requestFormat === '' ? undefined : messageDescriptor(requestFormat);
 }
 
-/** A request to begin with; where a client is asked for, this one. */
+/** Initial request; members for a client id contain that of this page. */
 export function newRequest(service: ServiceName, clientId: string): JsonObject {
   const type = requestType(service);
   if (type === undefined) return {};
@@ -24,7 +24,7 @@ export function newRequest(service: ServiceName, clientId: string): JsonObject {
   return type.fieldByName.has('clientId') ? { ...json, clientId } : json;
 }
 
-/** What keeps a request from being sent. */
+/** Returns the problems because of which a request cannot be sent. */
 export function checkRequest(service: ServiceName, json: JsonObject): JsonProblem[] {
   const type = SERVICES[service].requestFormat;
   return type === '' ? [] : findJsonProblems(type as MessageType, json);

@@ -1,7 +1,7 @@
 import type { RouteRecordRaw } from 'vue-router';
 
 export const callsRoutes: readonly RouteRecordRaw[] = [
-  // What the page is called in the navigation; the master's own path answers clients
+  // Alias after the name in the navigation; `/services` on the master itself is for clients.
   { path: '/services', redirect: '/calls' },
   {
     path: '/calls/:service?',

@@ -1,10 +1,10 @@
-/** Larger files are not made into one record. */
+/** Largest file in a record, bytes. */
 export const MAX_FILE_BYTES = 2_000_000;
 
-/** `String.fromCharCode` takes so many arguments at most, everywhere. */
+/** Number of arguments of `String.fromCharCode` that all browsers support. */
 const CHUNK = 8192;
 
-/** Bytes as JSON carries them. */
+/** Encodes bytes as base64, as in JSON messages. */
 export function base64Of(bytes: Uint8Array): string {
   let binary = '';
   for (let from = 0; from < bytes.length; from += CHUNK) {

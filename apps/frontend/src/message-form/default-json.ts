@@ -8,7 +8,7 @@ import {
   type MessageDescriptor,
 } from '@ubii/proto';
 
-/** A value to begin with, as JSON: what the data format's neutral value is, else zeros and nothing. */
+/** Returns the initial value as JSON: the neutral value of a data format, otherwise zeros and empty values. */
 export function defaultJson(type: FieldDescriptor['type']): JsonValue {
   if (typeof type === 'object') {
     return type.kind === 'enum' ? (type.nameByNumber.get(0) ?? 0) : defaultMessage(type);
@@ -24,12 +24,12 @@ function defaultMessage({ name }: MessageDescriptor): JsonObject {
   return toJson(name, (info?.createDefault() ?? {}) as never);
 }
 
-/** The object a JSON value is; an empty one for anything else. */
+/** Returns a JSON value that is an object; an empty one for other values. */
 export function asObject(json: JsonValue | undefined): JsonObject {
   return typeof json === 'object' && json !== null && !Array.isArray(json) ? json : {};
 }
 
-/** The number a JSON value says; 0 for anything else. */
+/** Returns a JSON value that is a number; 0 for other values. */
 export function asNumber(json: JsonValue | undefined): number {
   const number = typeof json === 'string' && json.trim() === '' ? 0 : Number(json ?? 0);
   return Number.isFinite(number) ? number : 0;

@@ -1,15 +1,15 @@
-/** A place in a text, both from 1. */
+/** Position in a text, line and column from 1. */
 export interface TextPlace {
   readonly line: number;
   readonly column: number;
 }
 
-/** A text that is no JSON: where it stops to be, and why. */
+/** Position and reason of a syntax error in a JSON text. */
 export interface SyntaxProblem extends TextPlace {
   readonly sentence: string;
 }
 
-/** Where each member of a JSON text stands, by its path (`position.x`, `elements[2]`). */
+/** Positions of the members in a JSON text, by path (`position.x`, `elements[2]`). */
 export interface JsonPlaces {
   readonly offsets: ReadonlyMap<string, number>;
   readonly problem: SyntaxProblem | undefined;
@@ -20,7 +20,7 @@ const NUMBER = /-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
 const STRING = /"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/y;
 const WORD = /true|false|null/y;
 const SPACE = /[ \t\r\n]*/y;
-/** Deeper than any message is. */
+/** Deepest nesting, above that of any message. */
 const MAX_DEPTH = 64;
 
 class Misfit extends Error {
@@ -31,7 +31,7 @@ class Misfit extends Error {
   }
 }
 
-/** Reads a text only for where things stand; what they mean is for `JSON.parse`. */
+/** Scans a text for positions only; `JSON.parse` provides the values. */
 export function jsonPlaces(text: string): JsonPlaces {
   const offsets = new Map<string, number>();
   let at = 0;
@@ -98,7 +98,7 @@ export function jsonPlaces(text: string): JsonPlaces {
   }
 }
 
-/** Line and column of an offset in a text. */
+/** Converts an offset in a text to line and column. */
 export function placeAt(text: string, offset: number): TextPlace {
   const before = text.slice(0, offset);
   const line = before.split('\n').length;

@@ -1,6 +1,6 @@
 import type { FieldDescriptor, JsonValue } from '@ubii/proto';
 
-/** Props of the field for one member, which lists and messages give to their slot. */
+/** Props of the field for a member, which lists and messages pass to their slot. */
 export interface MemberField {
   readonly field: FieldDescriptor;
   readonly json: JsonValue | undefined;

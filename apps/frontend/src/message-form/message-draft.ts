@@ -2,21 +2,21 @@ import type { JsonObject, JsonProblem } from '@ubii/proto';
 import { computed, ref, shallowRef, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 import { jsonPlaces, placeAt, type TextPlace } from './json-places.ts';
 
-/** Something wrong with a text, and where. */
+/** Problem of a text, with its position. */
 export interface PlacedProblem extends TextPlace {
-  /** Empty when it is the text that is no JSON. */
+  /** Empty for syntax errors. */
   readonly path: string;
   readonly sentence: string;
 }
 
-/** One message that is written as a form and as JSON at the same time. */
+/** A message that is edited as a form and as JSON at the same time. */
 export interface MessageDraft {
   readonly text: Readonly<Ref<string>>;
-  /** What the text says; what it said last while it is no JSON. */
+  /** Parsed value of the text; the last valid one while the text is invalid. */
   readonly json: Readonly<ShallowRef<JsonObject>>;
   readonly problems: ComputedRef<readonly PlacedProblem[]>;
   readonly problemByPath: ComputedRef<ReadonlyMap<string, string>>;
-  /** The text is JSON: the form shows what it says. */
+  /** True while the text is valid JSON, and the form shows it. */
   readonly isJson: ComputedRef<boolean>;
   setText(text: string): void;
   setJson(json: JsonObject): void;
@@ -24,7 +24,7 @@ export interface MessageDraft {
 
 export const prettyJson = (json: JsonObject): string => JSON.stringify(json, null, 2);
 
-/** @param check what is wrong with a message, but for its syntax */
+/** @param check returns the problems of a message, apart from its syntax */
 export function createMessageDraft(
   initial: JsonObject,
   check: (json: JsonObject) => readonly JsonProblem[],
@@ -70,7 +70,7 @@ function isObject(text: string): boolean {
   return text.trimStart().startsWith('{');
 }
 
-/** The path, or the closest one around it that is in the text. */
+/** Returns the path, or its nearest ancestor in the text. */
 function nearest(path: string, offsets: ReadonlyMap<string, number>): string {
   let around = path;
   while (around !== '' && !offsets.has(around))

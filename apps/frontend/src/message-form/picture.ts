@@ -1,13 +1,13 @@
 import type { JsonObject } from '@ubii/proto';
 import { base64Of } from './base64.ts';
 
-/** Larger pictures are made smaller, pixels of the longer side. */
+/** Longer side to which larger pictures are scaled down, pixels. */
 const MAX_SIDE = 1280;
-/** Files up to this size are sent as they are, bytes. */
+/** Largest file that is sent unchanged, bytes. */
 const MAX_AS_IS = 300_000;
 const QUALITY = 0.85;
 
-/** The members of an Image2D: a JPEG of what is drawn. */
+/** Encodes a drawn picture as JPEG; returns the members of an Image2D. */
 export async function pictureOf(
   source: CanvasImageSource,
   width: number,
@@ -25,7 +25,9 @@ export async function pictureOf(
   return members(canvas.width, canvas.height, blob);
 }
 
-/** The members of an Image2D: the file itself when it is a small JPEG, PNG or WebP, else a JPEG of it. */
+/**
+ * Returns the members of an Image2D: the file itself if it is a small JPEG, PNG or WebP; otherwise re-encoded as JPEG.
+ */
 export async function pictureOfFile(file: File): Promise<JsonObject> {
   const bitmap = await createImageBitmap(file);
   const { width, height } = bitmap;

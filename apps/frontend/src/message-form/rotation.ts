@@ -6,7 +6,7 @@ export interface Rotation {
   readonly w: number;
 }
 
-/** Turns about the axes in degrees, applied in the order z, y, x of the turned body. */
+/** Rotations about the axes in degrees, applied in the order z, y, x of the rotated body. */
 export interface Angles {
   /** About z. */
   readonly yaw: number;
@@ -19,14 +19,14 @@ export interface Angles {
 const RADIANS = Math.PI / 180;
 const rounded = (value: number): number => Number(value.toFixed(6)) || 0;
 
-/** The same rotation with length 1; no rotation when there is none to read. */
+/** Normalises a quaternion; the identity for an invalid one. */
 export function normalized({ x, y, z, w }: Rotation): Rotation {
   const length = Math.hypot(x, y, z, w);
   if (!(length > 0) || !Number.isFinite(length)) return { x: 0, y: 0, z: 0, w: 1 };
   return { x: x / length, y: y / length, z: z / length, w: w / length };
 }
 
-/** `first`, then `second` about the axes of the room. */
+/** Rotates by `first`, then by `second` about the axes of the world. */
 export function turned(first: Rotation, second: Rotation): Rotation {
   const { x: a, y: b, z: c, w: d } = second;
   const { x, y, z, w } = first;
@@ -38,7 +38,7 @@ export function turned(first: Rotation, second: Rotation): Rotation {
   });
 }
 
-/** A turn about an axis, degrees. */
+/** Returns a rotation about an axis, degrees. */
 export function about(axis: 'x' | 'y' | 'z', degrees: number): Rotation {
   const half = (degrees * RADIANS) / 2;
   return { x: 0, y: 0, z: 0, [axis]: Math.sin(half), w: Math.cos(half) };
@@ -59,7 +59,7 @@ export function toAngles(rotation: Rotation): Angles {
   };
 }
 
-/** Where a point of the turned body is. */
+/** Rotates a point. */
 export function rotate(
   rotation: Rotation,
   [px, py, pz]: readonly [number, number, number],

@@ -17,7 +17,7 @@ const RECORD = 'ubii.topicData.TopicDataRecord';
 /** Members that the client library fills in. */
 const NOT_TYPED = new Set(['timestamp', 'clientId', 'client_id', 'extension']);
 
-/** A record as the client publishes it. */
+/** A record in the form that the client publishes. */
 export interface OutgoingRecord {
   readonly topic: string;
   readonly format: DataFormat;
@@ -65,7 +65,7 @@ export function checkRecord(json: JsonObject, source: VariableSource): JsonProbl
       sentence: 'The record has no value. Add one, for example "double": 0.5.',
     });
   } else if (problems.length === 0) {
-    // Checks that need the whole value: the bytes of an image.
+    // Validation that needs the whole value, such as the bytes of an image.
     const sentence = DATA_FORMATS[format].validate(valueOf(filled, format));
     if (sentence !== undefined) problems.push(placed(sentence));
   }

@@ -21,7 +21,7 @@ export const MAX_SNIPPETS = 200;
 const KIND = 'ubii-publish-snippets';
 const VERSION = 1;
 const MAX_NAME = 120;
-/** Characters of a file; browsers store less. */
+/** Longest file, characters; browsers store less. */
 const MAX_FILE = 20_000_000;
 
 /** Adds a snippet, or replaces the one of the same name. */
@@ -62,10 +62,10 @@ const SNIPPET = v.object({
   rateHz: v.fallback(finite, 1),
   gesture: maybe(GESTURE),
 });
-/** Without entries that are no snippets, such as those of another version. */
+/** Drops invalid entries, such as those of another version. */
 const SNIPPETS = validElements(SNIPPET, MAX_SNIPPETS);
 
-/** How this browser keeps them. */
+/** Storage in this browser. */
 export const storedSnippets = storedAs(SNIPPETS, []);
 
 /** Returns the snippets in a file. */

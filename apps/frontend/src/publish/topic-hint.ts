@@ -1,10 +1,10 @@
-/** The data format that is published, and the one that the topic holds; empty for a topic without a value. */
+/** The published data format, and that of the topic; empty for a topic without a value. */
 export interface TopicFormats {
   readonly published: string;
   readonly held: string;
 }
 
-/** What is unusual about a topic that may still be meant; undefined for a usual one. */
+/** Returns a warning about an unusual topic; undefined for a usual one. */
 export function topicHint(topic: string, { published, held }: TopicFormats): string | undefined {
   if (topic === '') return undefined;
   if (/\s/u.test(topic)) {

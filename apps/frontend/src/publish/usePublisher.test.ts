@@ -5,7 +5,7 @@ import { usePublisher, type Publisher } from './usePublisher.ts';
 const publish = vi.fn();
 let reportError: (problem: Error) => void;
 const isConnected = ref(true);
-// Files share their modules: what is mocked here is neither there before nor afterwards
+// Test files share modules: reset them before and after mocking.
 vi.hoisted(() => vi.resetModules());
 afterAll(() => void vi.resetModules());
 vi.mock('../connection/useConnection.ts', () => ({

@@ -17,25 +17,25 @@ import { variableSource } from './variables.ts';
 
 /** Limits of the repeat rate, records per second. */
 export const RATE_HZ = { least: 0.1, most: 100 } as const;
-/** How long values published here stay after this tab was closed, minutes. Longer than a reload or a break. */
+/** Time for which values published here stay after this tab was closed, minutes: longer than a reload or a break. */
 export const KEPT_MINUTES = 60;
 
 /** Edits the record of this page, and publishes it once or repeatedly. */
 export interface Publisher {
   readonly draft: MessageDraft;
-  /** Why the record cannot be published now, one sentence; undefined when it can. */
+  /** Reason why the record cannot be published now, one sentence; undefined when it can. */
   readonly reason: ComputedRef<string | undefined>;
-  /** Records published since the page was opened. */
+  /** Number of records published since the page was opened. */
   readonly sent: Readonly<Ref<number>>;
   /** Topic of the last record; empty before the first. */
   readonly sentTo: Readonly<Ref<string>>;
-  /** Why the last record was not published, one sentence; until the next edit. */
+  /** Reason why the last record was not published, one sentence; until the next edit. */
   readonly error: Readonly<ShallowRef<string | undefined>>;
   readonly isRepeating: Readonly<Ref<boolean>>;
   send(): boolean;
   /** Publishes this record instead of the one on the page. */
   sendRecord(record: JsonObject): boolean;
-  /** Publishes now and then at this rate, until `stop` or until the page is left. */
+  /** Publishes now and repeatedly at this rate, until `stop` or until the page is left. */
   repeat(rateHz: number): void;
   stop(): void;
 }

@@ -38,7 +38,7 @@ export function fillIn(json: JsonValue, source: VariableSource): JsonValue {
   );
 }
 
-/** Returns the names in `{{…}}` that are no variables; they are published as they are. */
+/** Returns the unknown names in `{{…}}`, which are published unchanged. */
 export function unknownVariables(text: string): string[] {
   const known: ReadonlySet<string> = new Set(VARIABLES.map(({ name }) => name));
   const named = Array.from(text.matchAll(/\{\{\s*(\w{1,40})\s*\}\}/g), ([, name]) => name!);

@@ -3,7 +3,7 @@ import * as v from 'valibot';
 
 /** A value at a time of a gesture. */
 export interface GestureFrame {
-  /** Since the gesture began, milliseconds. */
+  /** Time since the start of the gesture, milliseconds. */
   readonly atMs: number;
   readonly value: JsonValue;
 }
@@ -17,7 +17,7 @@ export interface Gesture {
 /** Limits of a recording: length, number of values, */
 export const MAX_LENGTH_MS = 30_000;
 export const MAX_FRAMES = 1800;
-/** and characters of one value as JSON, which excludes images. */
+/** and length of one value as JSON, which excludes images. */
 export const MAX_VALUE_LENGTH = 4000;
 
 export type PlayMode = 'once' | 'loop' | 'ping-pong';
@@ -59,10 +59,10 @@ export function placeAt(
   return { atMs: isBack ? toMs - into : fromMs + into, pass, isOver: false };
 }
 
-/** At most this many values are sent at once when the page is late; older ones are skipped. */
+/** Most values sent at once when the page is late; older ones are skipped. */
 const MAX_LATE = 50;
 
-/** Position of a gesture that is played. */
+/** Position in a gesture while playing. */
 export interface Place {
   readonly atMs: number;
   readonly pass: number;
@@ -108,7 +108,7 @@ const FRAMES = v.pipe(
   v.check((frames) => frames.every(({ atMs }, index) => atMs >= (frames[index - 1]?.atMs ?? 0))),
 );
 
-/** A gesture in a file or in the storage of the browser. */
+/** Schema of a gesture in a file or in the storage of the browser. */
 export const GESTURE: v.GenericSchema<unknown, Gesture> = v.object({
   format: v.custom<DataFormat>((json) => typeof json === 'string' && isDataFormat(json)),
   frames: FRAMES,
