@@ -1,7 +1,7 @@
 import type { ComponentInit } from '@ubii/client-web';
 import type { Init, Session } from '@ubii/proto';
 
-/** The page as a device; topics are `/<client id>/web-camera-calibration/<name>`. */
+/** Name of the page's device; topics are `/<client id>/web-camera-calibration/<name>`. */
 export const CALIBRATION_DEVICE = 'web-camera-calibration';
 
 export const CALIBRATION_COMPONENTS = [
@@ -57,7 +57,7 @@ export const CALIBRATION_COMPONENTS = [
 const OUTPUTS = ['calibration', 'views', 'hint', 'corners', 'error'] as const;
 export type CalibrationComponent = (typeof CALIBRATION_COMPONENTS)[number]['name'];
 
-/** The board as it was printed, and measured. */
+/** Measures of the printed board. */
 export interface PrintedBoard {
   readonly columns: number;
   readonly rows: number;
@@ -65,7 +65,7 @@ export interface PrintedBoard {
   readonly markerMetres: number;
 }
 
-/** A session with the module `camera-calibration` between topics of this page. */
+/** Creates a session with the module `camera-calibration` that reads and writes topics of this page. */
 export function calibrationSession(
   owner: string,
   board: PrintedBoard,

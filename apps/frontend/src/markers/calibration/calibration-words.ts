@@ -1,10 +1,10 @@
 import type { CameraCalibration } from '@ubii/vision/markers';
 
-/** Pixels up to which a calibration is good, and fair. */
+/** Largest errors of a good and a fair calibration, pixels. */
 const GOOD_PX = 0.5;
 const FAIR_PX = 1;
 
-/** A calibration in words: how good it is, what to do about it, and its figures. */
+/** Describes a calibration: quality, advice and figures. */
 export function calibrationWords(calibration: CameraCalibration) {
   const { width, height, fx, fy, reprojectionErrorPx: errorPx = NaN } = calibration;
   const angle = (side: number, focal: number): string =>

@@ -15,9 +15,9 @@ import {
   calibrationSession,
 } from './calibration-session.ts';
 
-/** The board needs sharp corners; the module looks at ten pictures a second. */
+/** Sharp corners are required; the module processes ten pictures a second. */
 const SETTINGS: PictureSettings = { width: 640, rateHz: 10, encoding: 'JPEG', quality: 0.9 };
-/** A smaller picture would be of another camera. */
+/** Fixed size: a scaled picture has different camera parameters. */
 const HABITS: PictureHabits = { isAdaptive: false, keepsNewest: false };
 const MARKER_PART = DEFAULT_BOARD.markerMetres / DEFAULT_BOARD.squareMetres;
 
@@ -89,7 +89,7 @@ export function useCalibration(sources: PictureSources) {
     hint.value = '';
     device.publish('start_over', true);
   }
-  // Views of one camera say nothing of another
+  // Views of different cameras must not be mixed.
   watch(camera, (_now, before) => before !== '' && startOver());
   watch(isOn, (on) => on || (corners.value = undefined));
 
@@ -106,7 +106,7 @@ export function useCalibration(sources: PictureSources) {
       isOn.value && device.isRegistered.value ? device.topicOf('image') : undefined,
     ),
     isSaved,
-    /** Of the camera that is on, from another time. */
+    /** Stored calibration of the current camera. */
     saved: computed(() => {
       const json = calibrations.of(camera.value);
       return json === undefined ? undefined : parseCalibration(json);

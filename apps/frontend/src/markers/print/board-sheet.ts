@@ -8,10 +8,10 @@ import {
 } from '@ubii/vision/markers';
 import { inkOfCells, MARGIN, type PaperName, rectangle, type Sheet, usableArea } from './paper.ts';
 
-/** Of the line of words below the board, millimetres. */
+/** Height of the text line below the board, millimetres. */
 const LABEL = 6;
 
-/** What is wrong with printing a board, one sentence. */
+/** Returns why a board cannot be printed, one sentence. */
 export function boardProblem(board: CharucoBoard, paper: PaperName): string | undefined {
   try {
     checkBoard(board);
@@ -26,7 +26,7 @@ export function boardProblem(board: CharucoBoard, paper: PaperName): string | un
   return undefined;
 }
 
-/** A board in the middle of a sheet. */
+/** Returns a sheet with a centred board. */
 export function boardSheet(board: CharucoBoard, paper: PaperName): Sheet {
   const { columns, rows, dictionary: name } = board;
   const dictionary = markerDictionary(name);

@@ -7,9 +7,9 @@ export interface MarkerPrint {
   /** First and last id, both printed. */
   readonly from: number;
   readonly to: number;
-  /** Side of a marker, its black border included, millimetres. */
+  /** Side length of a marker including its black border, millimetres. */
   readonly sizeMm: number;
-  /** White around each marker, millimetres. */
+  /** White margin around each marker, millimetres. */
   readonly borderMm: number;
   readonly hasLabels: boolean;
   readonly hasCuts: boolean;
@@ -19,7 +19,7 @@ export interface MarkerPrint {
 const LABEL = 5;
 export const MAX_PRINTED = 600;
 
-/** What is wrong with a print, one sentence. */
+/** Returns why markers cannot be printed, one sentence. */
 export function markerPrintProblem(print: MarkerPrint): string | undefined {
   const { dictionary, from, to, sizeMm, borderMm, paper, hasLabels } = print;
   const last = dictionary.count - 1;
@@ -41,7 +41,7 @@ export function markerPrintProblem(print: MarkerPrint): string | undefined {
   return undefined;
 }
 
-/** The sheets of a print that has no problem: rows from the top left, as many as fit. */
+/** Returns the sheets of a valid print: rows from the top left, as many as fit. */
 export function markerSheets(print: MarkerPrint): readonly Sheet[] {
   const { paper, dictionary, from, to, sizeMm, borderMm, hasLabels, hasCuts } = print;
   const area = usableArea(paper);

@@ -6,28 +6,28 @@ export const PAPERS = {
 
 export type PaperName = keyof typeof PAPERS;
 
-/** Printers leave up to 6 mm at the edges white. */
+/** Margin, millimetres: printers leave up to 6 mm blank at the edges. */
 export const MARGIN = 10;
-/** Of the control ruler below, with its words. */
+/** Height of the control ruler with its text at the bottom, millimetres. */
 export const FOOTER = 16;
 
-/** Where markers can be, millimetres. */
+/** Returns the area for markers, millimetres. */
 export function usableArea(paper: PaperName) {
   const { width, height } = PAPERS[paper];
   return { width: width - 2 * MARGIN, height: height - 2 * MARGIN - FOOTER };
 }
 
-/** One page to print; all in millimetres from the top left. */
+/** A page to print; all in millimetres from the top left. */
 export interface Sheet {
   readonly paper: PaperName;
-  /** What is black, as the path of an SVG. */
+  /** Black areas as an SVG path. */
   readonly ink: string;
   readonly labels: readonly { readonly x: number; readonly y: number; readonly text: string }[];
-  /** Where to cut, as the path of an SVG. */
+  /** Cutting lines as an SVG path. */
   readonly cuts: string;
 }
 
-/** Black cells as the path of an SVG: one rectangle for cells that touch in a row. */
+/** SVG path of black cells: one rectangle for adjacent cells of a row. */
 export function inkOfCells(
   cells: readonly (readonly boolean[])[],
   left: number,
@@ -51,5 +51,5 @@ export function rectangle(x: number, y: number, width: number, height: number): 
   return `M${mm(x)} ${mm(y)}h${mm(width)}v${mm(height)}h${mm(-width)}z`;
 }
 
-/** A tenth of a micrometre is finer than any printer. */
+/** Rounds to a tenth of a micrometre, finer than any printer. */
 const mm = (value: number): number => Math.round(value * 10_000) / 10_000;

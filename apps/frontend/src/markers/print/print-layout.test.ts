@@ -15,7 +15,7 @@ const PRINT: MarkerPrint = {
   hasCuts: true,
 };
 
-/** The rectangles of a path, millimetres. */
+/** Returns the rectangles of a path, millimetres. */
 function rectangles(path: string) {
   return [...path.matchAll(/M([\d.]+) ([\d.]+)h([\d.]+)v([\d.]+)/g)].map(([, ...parts]) => {
     const [x, y, width, height] = parts.map(Number) as [number, number, number, number];
@@ -26,7 +26,7 @@ function rectangles(path: string) {
 describe('sheets of markers', () => {
   it('have markers of the size asked for, within the paper and above the ruler', () => {
     const sheets = markerSheets(PRINT);
-    // 2 × 2 tiles of 84 × 89 mm on 190 × 261 mm
+    // 2 × 2 tiles of 84 × 89 mm on 190 × 261 mm.
     expect(sheets.map(({ labels }) => labels.length)).toEqual([4, 4, 2]);
     const first = rectangles(sheets[0]!.ink).filter(
       ({ right, bottom }) => right < 105 && bottom < 99,

@@ -6,10 +6,10 @@ import type { PaperName } from './paper.ts';
 
 export type PrintKind = 'markers' | 'board';
 
-/** Part of a square that its marker takes, in each direction. */
+/** Side length of a marker relative to its square. */
 const MARKER_PART = DEFAULT_BOARD.markerMetres / DEFAULT_BOARD.squareMetres;
 
-/** What is printed: fields as people type them, and the sheets that follow. */
+/** State of printing: fields, and the resulting sheets. */
 export function usePrint(kind: PrintKind) {
   const fields = reactive({
     kind,
