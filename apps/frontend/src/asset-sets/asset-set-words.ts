@@ -5,12 +5,12 @@ import type { MarkedState } from '../ui/UiStateMark.vue';
 
 const MEGABYTE = 1e6;
 
-/** `18.6 MB`. */
+/** Formats a size: `18.6 MB`. */
 export function megabytes(bytes: number): string {
   return `${formatNumber(bytes / MEGABYTE, 1)} MB`;
 }
 
-/** `7.8 of 18.6 MB, 12 s left`; the time is left out while nothing has come. */
+/** Formats the progress: `7.8 of 18.6 MB, 12 s left`; without a time until data has arrived. */
 export function downloadWords(download: AssetSetDownload): string {
   const { loadedBytes, totalBytes, elapsedMs } = download;
   const loaded = `${formatNumber(loadedBytes / MEGABYTE, 1)} of ${megabytes(totalBytes)}`;
@@ -19,9 +19,9 @@ export function downloadWords(download: AssetSetDownload): string {
   return `${loaded}, ${formatUptime(leftMs)} left`;
 }
 
-/** Whether an asset set can be loaded, as a mark and a word. */
+/** Availability of an asset set, as a mark and a word. */
 export function assetSetLook({ state, bundled }: Pick<AssetSet, 'state' | 'bundled'>): {
-  /** Absent when all is well. */
+  /** Undefined when the set is available. */
   readonly mark?: MarkedState;
   readonly word: string;
 } {
@@ -35,7 +35,7 @@ export function assetSetLook({ state, bundled }: Pick<AssetSet, 'state' | 'bundl
   }
 }
 
-/** Tells an admin how to install a set that the master cannot download. */
+/** Returns instructions for an admin to install a set that the master cannot download. */
 export function wayOut({
   name,
   publisherAddress,

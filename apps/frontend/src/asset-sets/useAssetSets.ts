@@ -4,20 +4,20 @@ import { computed, shallowRef, toValue, type MaybeRefOrGetter } from 'vue';
 import { usePoll } from '../connection/poll.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
-/** Files are put there by hand, too: nothing announces that. */
+/** Interval of requests, milliseconds: manual changes of files are not announced. */
 const IDLE_MS = 3000;
 const DOWNLOADING_MS = 400;
 
 /**
- * The asset sets of the master, kept up to date while the calling component lives. [EX-57]
+ * Asset sets of the master, updated while the calling component is mounted. [EX-57]
  *
  * @param enabled false while they are not shown
  */
 export function useAssetSets(enabled: MaybeRefOrGetter<boolean> = true) {
   const { client, isConnected } = useConnection();
-  /** `undefined` until the first answer, and where the master or the role has none. */
+  /** `undefined` until the first reply, and where the master or the role does not provide them. */
   const sets = shallowRef<readonly AssetSet[]>();
-  /** Why the last request of this page was refused, by the name of the set. */
+  /** Reason why the last request was refused, by the name of the set. */
   const refusals = shallowRef<ReadonlyMap<string, string>>(new Map());
   const isDownloading = computed(() => sets.value?.some(({ download }) => download?.running));
 

@@ -1,10 +1,10 @@
-/** A file to be kept. */
+/** A text file to download. */
 export interface TextFile {
   readonly name: string;
   readonly text: string;
 }
 
-/** Without signs that file systems do not like. */
+/** Replaces characters that file systems do not allow. */
 export function fileName(name: string): string {
   return name
     .replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, '-')

@@ -13,15 +13,15 @@ export async function readFiles(files: FileList | readonly File[] | null): Promi
 }
 
 /**
- * Takes files that are dropped on an element.
- * @returns true while files hover over it
+ * Handles files dropped on an element.
+ * @returns true while files are dragged over it
  */
 export function useFileDrop(
   target: Readonly<Ref<HTMLElement | null>>,
   onFiles: (files: readonly File[]) => void,
 ): Readonly<ShallowRef<boolean>> {
   const isOver = shallowRef(false);
-  /** Every child that is entered counts. */
+  /** Number of nested elements entered, because each one fires its own events. */
   let depth = 0;
   const enter = (by: number): void => {
     depth = Math.max(0, depth + by);

@@ -12,7 +12,7 @@ import {
 import { DATA_FORMATS, parseDataFormat, type DataFormat, type DataFormatFamily } from '@ubii/proto';
 import type { Component } from 'vue';
 
-/** How a family of data formats is distinguished, besides colour and shape. */
+/** Properties that distinguish a family of data formats besides colour and shape. */
 export interface FamilyLook {
   readonly name: string;
   readonly letter: string;
@@ -31,17 +31,17 @@ export const FAMILIES: Readonly<Record<DataFormatFamily, FamilyLook>> = {
   system: { name: 'System', letter: 'S', icon: Diamond },
 };
 
-/** What a message format of a component or a topic says about its look. */
+/** Display of the message format of a component or topic. */
 export interface FormatLook {
-  /** `undefined` for a format this program does not know. */
+  /** `undefined` for a format that this program does not know. */
   readonly format: DataFormat | undefined;
   readonly family: DataFormatFamily;
   readonly isList: boolean;
-  /** As people see it: the short name, or the unknown text itself. */
+  /** Short name for display, or the unknown text itself. */
   readonly text: string;
 }
 
-/** Reads a format in any spelling that occurs (`vector2`, `ubii.dataStructure.Vector2`, `boolean`). */
+/** Parses a format in any spelling that occurs (`vector2`, `ubii.dataStructure.Vector2`, `boolean`). */
 export function formatLook(text: string): FormatLook {
   const format = parseDataFormat(text);
   if (format === undefined) return { format, family: 'system', isList: false, text };

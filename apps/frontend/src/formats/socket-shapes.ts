@@ -1,10 +1,10 @@
 import type { DataFormatFamily } from '@ubii/proto';
 
-/** The shape of a family's socket as SVG paths in a box of 12, and the second outline of a list. */
+/** Shape of a family's socket as SVG paths in a box of 12 units, and the second outline for lists. */
 export interface SocketShape {
-  /** The outline; filled when the socket carries data, unless `core` is there. */
+  /** Outline; filled when the socket carries data, unless there is a `core`. */
   readonly outline: string;
-  /** Filled in place of the outline when the socket carries data. */
+  /** Filled instead of the outline when the socket carries data. */
   readonly core?: string;
   /** Drawn behind, to the right, for lists. */
   readonly echo: string;

@@ -4,10 +4,10 @@ import { onScopeDispose, watch } from 'vue';
 type Drawable = ImageBitmap | ImageData;
 
 /**
- * Draws the newest picture. One is decoded at a time; those that come meanwhile are skipped, not queued.
+ * Draws the newest picture. Decodes one at a time; pictures received meanwhile are skipped, not queued.
  *
- * @param decode rejects, or gives nothing, for what is no picture
- * @param handle gets what was decoded, and nothing when that failed; browsers do not say why
+ * @param decode rejects, or returns undefined, for invalid pictures
+ * @param handle called with the decoded picture, and without one on failure; browsers report no reason
  */
 export function useNewestPicture(
   image: () => Image2D,
@@ -39,7 +39,7 @@ export function useNewestPicture(
   onScopeDispose(() => (next = undefined));
 }
 
-/** Puts a picture on a canvas of its size, and lets go of it. */
+/** Draws a picture on a canvas of its size, and releases it. */
 export function drawPicture(canvas: HTMLCanvasElement | null, drawable: Drawable): void {
   const context = canvas?.getContext('2d');
   if (canvas && context) {

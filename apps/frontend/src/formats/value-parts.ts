@@ -1,6 +1,6 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 
-/** How a value of a data format is edited. */
+/** Kind of editor for the values of a data format. */
 export type FieldKind = 'number' | 'switch' | 'text' | 'parts' | 'color' | 'json';
 
 const KINDS: { readonly [F in DataFormat]?: FieldKind } = {
@@ -16,7 +16,7 @@ const KINDS: { readonly [F in DataFormat]?: FieldKind } = {
   color: 'color',
 };
 
-/** The members of values that are nothing but numbers. */
+/** Members of values that consist of numbers only. */
 const PARTS: { readonly [F in DataFormat]?: readonly string[] } = {
   vector2: ['x', 'y'],
   vector3: ['x', 'y', 'z'],
@@ -29,13 +29,13 @@ export const fieldKind = (format: DataFormat): FieldKind => KINDS[format] ?? 'js
 
 export const partNames = (format: DataFormat): readonly string[] => PARTS[format] ?? [];
 
-/** Whether people type such values at all: pictures and lists come from elsewhere. */
+/** Whether users can type values of this format: not for pictures and lists. */
 export function isTypable(format: DataFormat): boolean {
   const { isList, family } = DATA_FORMATS[format];
   return !isList && family !== 'image' && family !== 'system';
 }
 
-/** The value in a constant such as `{"double":1}`; undefined when it cannot be read. */
+/** Returns the value in a constant such as `{"double":1}`; undefined when it is invalid. */
 export function valueOf(format: DataFormat, json: string): unknown {
   try {
     const record: unknown = JSON.parse(json);
@@ -47,14 +47,14 @@ export function valueOf(format: DataFormat, json: string): unknown {
   }
 }
 
-/** The numbers of a constant, in the order of `partNames`; 0 where one is missing. */
+/** Returns the numbers of a constant, in the order of `partNames`; 0 for missing ones. */
 export function partsOf(format: DataFormat, json: string | undefined): readonly number[] {
   const value = json === undefined ? undefined : valueOf(format, json);
   const members = (typeof value === 'object' && value !== null ? value : {}) as object;
   return partNames(format).map((name) => numberOf((members as Record<string, unknown>)[name]));
 }
 
-/** The constant with another number at one of its members. */
+/** Returns the constant with one number replaced. */
 export function withPart(
   format: DataFormat,
   json: string | undefined,
@@ -69,7 +69,7 @@ export function withPart(
   return JSON.stringify({ [format]: Object.fromEntries(members) as object });
 }
 
-/** `#rrggbb` of a colour whose parts go from 0 to 1. */
+/** Converts a colour with parts from 0 to 1 to `#rrggbb`. */
 export function hexOf(parts: readonly number[]): string {
   const two = (part = 0): string =>
     Math.round(Math.min(1, Math.max(0, part)) * 255)
@@ -78,7 +78,7 @@ export function hexOf(parts: readonly number[]): string {
   return `#${two(parts[0])}${two(parts[1])}${two(parts[2])}`;
 }
 
-/** The colour constant with another hue; how opaque it is stays. */
+/** Returns the colour constant with another colour; the opacity stays. */
 export function withHex(json: string | undefined, hex: string): string {
   const part = (at: number): number =>
     Math.round((parseInt(hex.slice(at, at + 2), 16) / 255) * 1000) / 1000;

@@ -20,7 +20,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-/** The browser's own banner stays away. */
+/** Fires the event of an install prompt; the browser's own banner is suppressed. */
 function offer() {
   const prompt = vi.fn(() => Promise.resolve({ outcome: 'accepted' }));
   const event = Object.assign(new Event('beforeinstallprompt', { cancelable: true }), { prompt });

@@ -7,10 +7,10 @@ interface InstallPromptEvent extends Event {
   prompt(): Promise<{ readonly outcome: 'accepted' | 'dismissed' }>;
 }
 
-/** The install prompt of the browser, which it offers once, before the page needs it. */
+/** Install prompt of the browser, which fires once, before the page needs it. */
 const offered = shallowRef<InstallPromptEvent>();
 
-/** Keeps the browser's offer until a page has a place for it. Call once, at the start. */
+/** Stores the browser's install prompt until a page can show it. Call once, at startup. */
 export function keepInstallOffer(): void {
   addEventListener('beforeinstallprompt', (event) => {
     event.preventDefault();
@@ -19,20 +19,20 @@ export function keepInstallOffer(): void {
   addEventListener('appinstalled', () => (offered.value = undefined));
 }
 
-/** Opened from the home screen, with no browser around it. */
+/** True when the page runs as an installed app. */
 export function isInstalled(): boolean {
   const isOnHomeScreen = (navigator as { standalone?: boolean }).standalone === true; // iOS
   return isOnHomeScreen || matchMedia('(display-mode: standalone)').matches;
 }
 
-/** `button`: the browser asks the person · `words`: iOS, where only the person can do it · `none` */
+/** `button`: the browser asks the user; `words`: iOS, where only the user can install it; `none` */
 export type InstallWay = 'button' | 'words' | 'none';
 
-/** How this page can be made an app of this device. */
+/** Installation of this page as an app. */
 export function useInstallOffer(): {
   readonly way: ComputedRef<InstallWay>;
   install(): Promise<void>;
-  /** Not to be asked again in this browser. */
+  /** Never asks again in this browser. */
   decline(): void;
 } {
   const isDeclined = useLocalStorage('ubii.install.declined', false);
@@ -45,7 +45,7 @@ export function useInstallOffer(): {
     way,
     async install() {
       const offer = offered.value;
-      // It can be taken once
+      // The prompt can be used once.
       offered.value = undefined;
       await offer?.prompt();
     },

@@ -28,7 +28,7 @@ it.each(icons)('$src is what the manifest says', ({ src, sizes, type }) => {
     expect(bytes.toString()).toContain('<svg');
     return;
   }
-  // Width and height stand at the beginning of a PNG
+  // Width and height are at the beginning of a PNG.
   expect(bytes.subarray(1, 4).toString()).toBe('PNG');
   expect(`${bytes.readUInt32BE(16)}x${bytes.readUInt32BE(20)}`).toBe(sizes);
 });

@@ -1,7 +1,7 @@
 import type { RouteRecordRaw } from 'vue-router';
 import { startPath } from './start-path.ts';
 
-/** Where the installed app opens, as `public/manifest.webmanifest` says. */
+/** Start URL of the installed app, as in `public/manifest.webmanifest`. */
 export const START_PATH = '/start';
 
 export const installRoutes: readonly RouteRecordRaw[] = [

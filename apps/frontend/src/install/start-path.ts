@@ -1,19 +1,19 @@
 const KEY = 'ubii.start';
 const SMART_DEVICE = '/devices/smart-device';
 
-/** Where a phone goes from now on when no page is named: a page this device is used for. */
+/** Stores the page that a phone opens by default from now on: one that this device was used for. */
 export function rememberStart(path: string): void {
   localStorage.setItem(KEY, path);
 }
 
-/** Held in the hand: touched, and nothing to hover with. */
+/** True for touch devices without hover. */
 function isHandheld(): boolean {
   return matchMedia('(pointer: coarse) and (not (any-hover: hover))').matches;
 }
 
 /**
- * Returns the default page: on a phone the page it was last used for, the first time
- * to the smart device; with everything else home.
+ * Returns the default page: on a phone the page it was last used for, initially the smart device; otherwise the start
+ * page.
  *
  * @param mayBeDevice false when the role does not allow devices
  */

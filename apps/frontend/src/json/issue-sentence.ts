@@ -2,15 +2,15 @@ import type { BaseIssue } from 'valibot';
 
 type Issue = BaseIssue<unknown>;
 
-/** A text or list with its length, which issues give as a number. */
+/** Formats the length of a text or list, which issues report as a number. */
 const withLength = ({ input }: Issue, limit: string): string =>
   typeof input === 'string' ? `a text of ${limit} characters` : `a list of ${limit} elements`;
 
-/** Of `("a" | "b")`: `"a" or "b"`. */
+/** Converts `("a" | "b")` to `"a" or "b"`. */
 const alternatives = ({ expected }: Issue): string =>
   (expected ?? '').replace(/^\((.*)\)$/, '$1').replaceAll(' | ', ' or ');
 
-/** What a value should be, by the type of a valibot issue. */
+/** Expected value, by the type of a valibot issue. */
 const EXPECTED: Readonly<Record<string, (issue: Issue) => string>> = {
   string: () => 'a text',
   number: () => 'a number',
@@ -30,15 +30,15 @@ const EXPECTED: Readonly<Record<string, (issue: Issue) => string>> = {
   min_length: (issue) => withLength(issue, `${String(issue.requirement)} or more`),
 };
 
-/** As in `results[0].findings`; empty for the whole. */
+/** Path such as `results[0].findings`; empty for the whole value. */
 function placeOf({ path }: Issue): string {
   const steps = path?.map(({ key }) => (typeof key === 'number' ? `[${key}]` : `.${String(key)}`));
   return (steps ?? []).join('').replace(/^\./, '');
 }
 
 /**
- * Returns what is wrong, where, and what it should be: `results[0].startedMs should be a number.` A schema may
- * have words of its own: those that end with a full stop say it all, others follow the place.
+ * Formats an issue as a sentence: `results[0].startedMs should be a number.` Messages of a schema that end with a full
+ * stop are complete; others follow the path.
  */
 export function issueSentence(issue: Issue): string {
   if (issue.message.endsWith('.')) return issue.message;

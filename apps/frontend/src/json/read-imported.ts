@@ -1,29 +1,29 @@
 import { safeParse, type GenericSchema, type InferOutput } from 'valibot';
 import { issueSentence } from './issue-sentence.ts';
 
-/** A kind of JSON that people export and import. */
+/** Kind of JSON that users export and import. */
 export interface ImportKind {
-  /** In plural or with its noun: `The file contains no …`. */
+  /** Noun for messages: `The file contains no …`. */
   readonly what: string;
-  /** The member that names the kind, and its value. */
+  /** Member that identifies the kind, and its value. */
   readonly mark: readonly [member: string, value: string];
-  /** The member with the version of the format, and the one that is read; files without it have that. */
+  /** Member with the version of the format, and the supported version; the default for files without it. */
   readonly version: readonly [member: string, value: number];
-  /** Longer texts are not read. */
+  /** Longest text that is parsed, characters. */
   readonly maxChars: number;
 }
 
-/** What a person gave as a value, or why it cannot be read: sentences with the place and what to do. */
+/** Imported value, or the reason why it is invalid: sentences with the path and the remedy. */
 export type Imported<T> =
   | { readonly kind: 'read'; readonly value: T }
   | { readonly kind: 'broken'; readonly message: string };
 
 export const brokenImport = (message: string) => ({ kind: 'broken', message }) as const;
 
-/** Objects within objects; deeper ones would exhaust the stack of recursive readers. */
+/** Deepest nesting; more would exhaust the stack of recursive readers. */
 const MAX_DEPTH = 100;
 
-/** Reads a file. */
+/** Parses a file. */
 export function readImported<S extends GenericSchema>(
   kind: ImportKind,
   schema: S,
@@ -41,7 +41,7 @@ export function readImported<S extends GenericSchema>(
   return importedValue(kind, schema, json);
 }
 
-/** Reads the value of a file or link. */
+/** Validates the value of a file or link. */
 export function importedValue<S extends GenericSchema>(
   { what, mark, version }: ImportKind,
   schema: S,
@@ -61,7 +61,7 @@ export function importedValue<S extends GenericSchema>(
       `The ${source} has ${its}; this page reads version ${version[1]}. Create it with the same version of Ubi-Interact.`,
     );
   }
-  // Without messages of their own, issues have an empty one: the sentence is made of the whole path.
+  // With an empty message, issues without their own message are formatted with the whole path.
   const { success, output, issues } = safeParse(schema, json, { abortEarly: true, message: '' });
   if (success) return { kind: 'read', value: output };
   return brokenImport(`The ${source} cannot be read: ${issueSentence(issues[0])}`);

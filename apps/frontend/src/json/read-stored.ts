@@ -2,10 +2,10 @@ import type { Serializer } from '@vueuse/core';
 import { parse, safeParse, type GenericSchema, type InferOutput } from 'valibot';
 
 /**
- * Reads JSON that a page stored or published, perhaps one of another version.
- * @param text `null` where nothing is stored
- * @param maxChars longer texts are none of ours
- * @returns `undefined` for a text that is no JSON or does not fit the schema; never throws
+ * Parses JSON that a page stored or published, possibly of another version.
+ * @param text `null` when nothing is stored
+ * @param maxChars longer texts are invalid
+ * @returns `undefined` for a text that is not JSON or does not match the schema; never throws
  */
 export function readStored<S extends GenericSchema>(
   schema: S,
@@ -20,7 +20,7 @@ export function readStored<S extends GenericSchema>(
   }
 }
 
-/** As `readStored`, of a value that is parsed already. */
+/** The same for a parsed value. */
 export function storedValue<S extends GenericSchema>(
   schema: S,
   json: unknown,
@@ -30,8 +30,8 @@ export function storedValue<S extends GenericSchema>(
 }
 
 /**
- * How `useLocalStorage` and its like read and write a value of a schema.
- * @param empty JSON of which the schema makes the value to begin with
+ * Serializer for `useLocalStorage` and similar functions, with a schema.
+ * @param empty JSON from which the schema creates the initial value
  */
 export function storedAs<S extends GenericSchema>(
   schema: S,

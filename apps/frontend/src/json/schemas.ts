@@ -7,10 +7,10 @@ export const finite = v.pipe(v.number(), v.finite());
 
 export const textUpTo = (maxChars: number) => v.pipe(v.string(), v.maxLength(maxChars));
 
-/** A text; empty where there is none. */
+/** A text; empty when missing or invalid. */
 export const textOrNone = v.fallback(v.string(), '');
 
-/** The beginning of a text; empty where there is none. */
+/** A text cut to a length; empty when missing or invalid. */
 export const textCutAt = (maxChars: number) =>
   v.fallback(
     v.pipe(
@@ -20,20 +20,20 @@ export const textCutAt = (maxChars: number) =>
     '',
   );
 
-/** True only when it says so. */
+/** A boolean; false when missing or invalid. */
 export const flag = v.fallback(v.boolean(), false);
 
-/** Undefined where it is missing or does not fit. */
+/** Undefined when missing or invalid. */
 export const maybe = <S extends v.GenericSchema>(schema: S) =>
   v.fallback(v.optional(schema), undefined);
 
-/** An object of whatever members. */
+/** Any object. */
 export const jsonObject = v.custom<JsonObject>(
   (json) => typeof json === 'object' && json !== null && !Array.isArray(json),
   'should be an object',
 );
 
-/** A message of the protocol, as the codec reads it. */
+/** A message of the protocol in JSON form. */
 export const message = <const T extends MessageType>(type: T) =>
   v.pipe(
     v.unknown(),
@@ -50,7 +50,7 @@ export const message = <const T extends MessageType>(type: T) =>
     }),
   );
 
-/** The elements of a list that fit, at most `max` of them. */
+/** A list; drops invalid elements, and elements above `max`. */
 export const validElements = <S extends v.GenericSchema>(element: S, max = Infinity) =>
   v.pipe(
     v.array(v.unknown()),
@@ -62,7 +62,7 @@ export const validElements = <S extends v.GenericSchema>(element: S, max = Infin
     ),
   );
 
-/** The members of an object whose values fit. */
+/** An object; drops invalid members. */
 export const validMembers = <S extends v.GenericSchema>(member: S) =>
   v.pipe(
     v.record(v.string(), v.unknown()),

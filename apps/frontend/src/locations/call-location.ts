@@ -1,4 +1,4 @@
 import type { ServiceName } from '@ubii/proto';
 
-/** Where a service is called. */
+/** Location of the form for calling a service. */
 export const callLocation = (service: ServiceName): string => `/calls/${service}`;

@@ -1,2 +1,2 @@
-/** How to make a device trust this master. Strangers and plain HTTP reach it, too. */
+/** Path of the instructions for trusting this master; available without joining and over plain HTTP. */
 export const CERTIFICATE_PATH = '/connect/certificate';

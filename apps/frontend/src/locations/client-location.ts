@@ -1,10 +1,10 @@
 import type { RouteLocationRaw } from 'vue-router';
 
-/** The path of a client's own address. Some programs have ids that are no UUIDs. */
+/** Path of a client's page. The ids of some programs are not UUIDs. */
 export const clientPath = (clientId: string): string =>
   `/clients/${encodeURIComponent(clientId).replaceAll('.', '%2E')}`;
 
-/** Where a client is shown. The address can be shared. */
+/** Location of a client's page; the URL can be shared. */
 export const clientLocation = (clientId: string): RouteLocationRaw => ({
   path: clientPath(clientId),
 });

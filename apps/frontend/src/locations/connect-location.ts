@@ -1,2 +1,2 @@
-/** Where phones are connected. */
+/** Path of the page for connecting phones. */
 export const CONNECT_PATH = '/connect';

@@ -1,20 +1,20 @@
 import type { RouteLocationRaw } from 'vue-router';
 
-/** Where strangers come to. The token of a QR code stands in the fragment. [AC-5] [AC-11] */
+/** Path of the join page. The token of a QR code is in the fragment. [AC-5] [AC-11] */
 export const JOIN_PATH = '/join';
 
-/** In the query: who is in already wants to join with another code. */
+/** Query parameter for a connected client that wants to join with another code. */
 export const ANOTHER = 'another';
 
-/** Where one joins with another code. @param to path of the page to come back to */
+/** Location for joining with another code. @param to path of the page to return to */
 export function anotherCode(to: string): RouteLocationRaw {
   return { path: JOIN_PATH, query: { [ANOTHER]: '', to } };
 }
 
-/** In the query, for `ANOTHER`: what is wanted is to become admin. */
+/** Value of `ANOTHER` for becoming an admin. */
 export const TO_ADMIN = 'admin';
 
-/** Where one becomes admin with a code. @param to path of the page to come back to */
+/** Location for becoming an admin with a code. @param to path of the page to return to */
 export function adminCode(to: string): RouteLocationRaw {
   return { path: JOIN_PATH, query: { [ANOTHER]: TO_ADMIN, to } };
 }

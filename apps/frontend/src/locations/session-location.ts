@@ -1,22 +1,22 @@
 import type { RouteLocationRaw } from 'vue-router';
 
-/** A new session as text. */
+/** Path of a new session as text. */
 export const NEW_TEXT_PATH = '/sessions/new/text';
 
-/** Where a session is shown. */
+/** Location of a session. */
 export function sessionLocation(id: string): RouteLocationRaw {
   return { path: `/sessions/${encodeURIComponent(id)}` };
 }
 
-/** Where the text of a session is edited; at a line, to be shown there. */
+/** Location of the text editor of a session, optionally at a line. */
 export function sessionTextLocation(id: string, line?: number): RouteLocationRaw {
   const hash = line === undefined ? '' : `#L${line}`;
   return { path: `/sessions/${encodeURIComponent(id)}/text`, hash };
 }
 
 /**
- * Where a new session is written as text.
- * @param id of the new session on the graph page, if it was there before
+ * Location of the text editor of a new session.
+ * @param id of the new session, when coming from its graph page
  */
 export function newTextLocation(id?: string): RouteLocationRaw {
   return { path: NEW_TEXT_PATH, query: id === undefined ? {} : { id } };

@@ -5,12 +5,12 @@ import { isInstalled } from '../install/install-offer.ts';
 const SERVICE_WORKER = '/service-worker.js';
 
 /**
- * Where a page that cannot be loaded does not help, words take its place: on phones and in the installed app.
- * The machine of the master has them not: its addresses belong to other programs, too.
+ * Registers a service worker that shows a message when a page cannot be loaded: on phones and in the installed app. Not
+ * on the master's own computer, where other programs may use the same origin.
  */
 export function keepInReach(): void {
   const isHere = isThisMachine();
   if (!import.meta.env.PROD || (isHere && !isInstalled())) return;
-  // Missing over plain HTTP; refused where the certificate was accepted, but is not trusted
+  // Not available over plain HTTP; refused for a certificate that was accepted without being trusted.
   navigator.serviceWorker?.register(SERVICE_WORKER).catch(() => undefined);
 }

@@ -1,14 +1,12 @@
 import page from './out-of-reach.html?raw';
 import style from './out-of-reach.css?inline';
 
-/*
- * Says in words that the master is out of reach, in place of the browser's own page. It does nothing else:
- * every page comes from the master, nothing is kept, and requests of pages do not pass through here.
- */
+/* Shows a message that the master is unreachable, instead of the browser's error page. Does nothing else: no
+   caching, and only navigation requests are handled. */
 
 interface LifeEvent extends Event {
   waitUntil(done: Promise<unknown>): void;
-  /** https://www.w3.org/TR/service-workers/#dom-installevent-addroutes, not everywhere */
+  /** https://www.w3.org/TR/service-workers/#dom-installevent-addroutes, not supported everywhere */
   addRoutes?(rules: object): Promise<void>;
 }
 
@@ -29,13 +27,13 @@ const worker = self as unknown as Worker;
 
 worker.addEventListener('install', (event) => {
   void worker.skipWaiting();
-  // Where the browser can, it does not even ask: only the opening of pages comes here
+  // Where supported, the browser bypasses this worker except for navigation.
   const others = { condition: { not: { requestMode: 'navigate' } }, source: 'network' };
   event.waitUntil(Promise.resolve(event.addRoutes?.(others)).catch(() => undefined));
 });
 
 worker.addEventListener('activate', (event) => {
-  // The request leaves while this worker is still being started
+  // The request is sent while this worker is still starting.
   event.waitUntil(Promise.resolve(worker.registration.navigationPreload?.enable()));
 });
 

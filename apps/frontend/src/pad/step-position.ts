@@ -9,8 +9,8 @@ const DIRECTIONS: Readonly<Record<string, readonly [number, number]>> = {
 };
 
 /**
- * The position one key press away; both axes 0 to 1, origin top left.
- * @returns `undefined` when the key moves nothing
+ * Returns the position after an arrow key; both axes 0 to 1, origin top left.
+ * @returns `undefined` for other keys
  */
 export function stepPosition(
   from: { readonly x: number; readonly y: number },

@@ -20,7 +20,7 @@ const PLAYER = v.object({
   points: finite,
 });
 
-/** Rooms of earlier versions lack members, which then are as in an empty room. */
+/** Rooms of earlier versions lack members, which get the values of an empty room. */
 const ROOM = v.object({
   phase: v.optional(v.picklist(PHASES)),
   endsAtMs: v.optional(finite),
@@ -58,7 +58,7 @@ const MEMORY = v.object({
   ),
 });
 
-/** The party in the storage of this browser; one that cannot be read begins again. */
+/** Storage of the party in this browser; an invalid one starts a new party. */
 export const hostStorage: HostStorage = {
   load(): HostMemory | undefined {
     try {
@@ -71,7 +71,7 @@ export const hostStorage: HostStorage = {
     try {
       localStorage.setItem(MEMORY_KEY, JSON.stringify(memory));
     } catch {
-      // The party goes on; a reload would begin again.
+      // The party continues; a reload would start a new one.
     }
   },
 };

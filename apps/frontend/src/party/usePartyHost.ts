@@ -6,11 +6,11 @@ import { onBeforeUnmount, ref, shallowRef } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
 import { hostStorage } from './host-memory.ts';
 
-/** Leads the party of this page, as long as the page is open. */
+/** Hosts the party while the page is open. */
 export function usePartyHost() {
   const { client } = useConnection();
   const trouble = ref('');
-  /** Another screen leads now. */
+  /** True when another screen is the host. */
   const isSuperseded = ref(false);
   const views = new Set<NonNullable<PartyHostListener['handleView']>>();
   const states = new Set<NonNullable<PartyHostListener['handleState']>>();
@@ -89,7 +89,7 @@ export function usePartyHost() {
     link,
     trouble,
     isSuperseded,
-    /** Leads again, after another screen has. */
+    /** Becomes the host again. */
     takeBack(): void {
       isSuperseded.value = false;
       host.value = open();

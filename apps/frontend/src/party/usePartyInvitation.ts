@@ -11,7 +11,7 @@ import { PARTY_PHONE_PATH } from '../locations/party-location.ts';
 
 const HOUR_MS = 3_600_000;
 
-/** For phones that may play, and nothing more. */
+/** Invitation for phones with the role of a player. */
 const CHOICE: GrantChoice = {
   target: PARTY_PHONE_PATH,
   role: AccessRole.ACCESS_ROLE_PLAYER,
@@ -20,7 +20,7 @@ const CHOICE: GrantChoice = {
   readTopics: PLAYER_READS,
 };
 
-/** How phones join this party: the address, a code, and what stands in the QR code. */
+/** Joining of phones: URL, code, and content of the QR code. */
 export function usePartyInvitation() {
   const { master } = useConnection();
   const addresses = computed(() =>
@@ -44,7 +44,7 @@ export function usePartyInvitation() {
   });
   return {
     invitation,
-    /** The address of the master for phones; undefined when none can reach it. */
+    /** URL of the master for phones; undefined when no phone can reach it. */
     url,
     /** False while no phone can reach this master. */
     isReachable: computed(() => url.value !== undefined),

@@ -2,21 +2,21 @@ import { lazyPatterns, MeteredPatterns } from '@ubii/patterns';
 import { TokenBucket } from '@ubii/timing';
 import { shallowRef, type ShallowRef } from 'vue';
 
-/** What matching the patterns of a view may take at once, milliseconds, and a second in the long run. */
+/** Time budget for matching the patterns of a view, milliseconds at once and per second on average. */
 const MATCH_MS = 250;
 const MATCH_MS_PER_SECOND = 100;
-/** Topics whose answers are remembered for each pattern: those of a large system. */
+/** Most topics cached per pattern: those of a large system. */
 const MAX_TEXTS = 65_536;
 
-/** Regular expressions that others wrote, for views. */
+/** Regular expressions of other clients, for views. */
 export interface Patterns {
-  /** Undefined while the code is loaded, which begins when this is read first. */
+  /** Undefined while the code is being loaded, which starts with the first read. */
   readonly compiler: MeteredPatterns | undefined;
-  /** Rejects when the code cannot be had. */
+  /** Rejects when the code cannot be loaded. */
   load(): Promise<MeteredPatterns>;
 }
 
-/** Patterns with a budget of time of their own, so that none freezes the page. [TD-65] */
+/** Patterns with a time budget of their own, so that none freezes the page. [TD-65] */
 export function usePatterns(): Patterns {
   const source = lazyPatterns();
   const compiler: ShallowRef<MeteredPatterns | undefined> = shallowRef();
@@ -35,7 +35,7 @@ export function usePatterns(): Patterns {
     get compiler() {
       if (!hasBegun) {
         hasBegun = true;
-        // Tried again with the next look
+        // Retried with the next read.
         load().catch(() => (hasBegun = false));
       }
       return compiler.value;

@@ -1,4 +1,4 @@
-/** The shapes and colours people are distinguished by, in this order. Tokens: --player-<colour>. */
+/** Shapes and colours that distinguish clients, in this order. Tokens: --player-<colour>. */
 const PLAYERS = [
   { shape: 'circle', colour: 'coral' },
   { shape: 'triangle', colour: 'blue' },
@@ -17,15 +17,15 @@ const PLAYERS = [
 export type PlayerShape = (typeof PLAYERS)[number]['shape'];
 export type PlayerColour = (typeof PLAYERS)[number]['colour'];
 
-/** How one client is drawn everywhere: shape, colour and letter. */
+/** Display of a client everywhere: shape, colour and letter. */
 export interface PlayerIdentity {
   readonly shape: PlayerShape;
   readonly colour: PlayerColour;
-  /** First letter or digit of the name, upper case; `?` when it has none. */
+  /** First letter or digit of the name, upper case; `?` without one. */
   readonly letter: string;
 }
 
-/** The same client looks the same in every browser: shape and colour follow from its id alone. */
+/** Derived from the client's id alone, so that a client looks the same in every browser. */
 export function playerIdentity(clientId: string, name: string): PlayerIdentity {
   const player = PLAYERS[hash(clientId) % PLAYERS.length]!;
   const letter = /[\p{L}\p{N}]/u.exec(name)?.[0] ?? '?';

@@ -7,7 +7,7 @@ import type { TabNode, TabNodeLoad, TabNodeState } from './tab-node.ts';
 
 const IDLE: TabNodeLoad = { instances: 0, runsPerSecond: 0, load: 0 };
 
-/** What the modules of this tab do together. */
+/** Total load of the modules in this tab. */
 export function tabNodeLoad(instances: readonly Pick<NodeInstance, 'statistics'>[]): TabNodeLoad {
   const reports = instances.map(({ statistics }) => statistics);
   const sum = (of: (one: NonNullable<(typeof reports)[number]>) => number): number =>
@@ -20,8 +20,8 @@ export function tabNodeLoad(instances: readonly Pick<NodeInstance, 'statistics'>
 }
 
 /**
- * This tab as a node. Workers and runtime are loaded when they are wanted first.
- * @param open makes the node; it is not started yet
+ * This tab as a node. Workers and runtime are loaded on first use.
+ * @param open creates the node without starting it
  */
 export function createTabNode(
   client: UbiiClient,
@@ -33,7 +33,7 @@ export function createTabNode(
   const state = shallowRef<TabNodeState>({ status: 'off' });
   const load = shallowRef<TabNodeLoad>(IDLE);
   let node: ProcessingNode | undefined;
-  /** One change after the other, however fast the switch is turned. */
+  /** Serialises changes, however fast the switch is toggled. */
   let changes: Promise<void> = Promise.resolve();
 
   async function openNode(): Promise<ProcessingNode> {
@@ -43,7 +43,7 @@ export function createTabNode(
     return opened;
   }
 
-  /** What people want; applied once, however fast the switch is turned. */
+  /** Requested state; only the newest one is applied. */
   const wish = (): string => `${isWanted.value} ${isChosen.value}`;
   let applied = 'false false';
 
@@ -54,7 +54,7 @@ export function createTabNode(
       if (isWanted.value) {
         if (state.value.status !== 'on') state.value = { status: 'starting' };
         node ??= await openNode();
-        // Only who chose it permanently lets the master choose, too
+        // Only with the user's permanent choice, the master may assign modules by itself.
         await node.setAcceptsWork(isChosen.value);
         await node.start();
         state.value = { status: 'on' };

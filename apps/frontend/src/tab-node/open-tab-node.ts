@@ -1,7 +1,7 @@
 import type { UbiiClient } from '@ubii/client-web';
 import type { ProcessingNode } from '@ubii/client-web/processing';
 
-/** The node of this page; its code, the library and the workers are loaded now. */
+/** Creates the node of this page; loads its code, the library and the workers. */
 export async function openTabNode(client: UbiiClient): Promise<ProcessingNode> {
   const [
     { createProcessingNode },
@@ -19,7 +19,7 @@ export async function openTabNode(client: UbiiClient): Promise<ProcessingNode> {
   return createProcessingNode(client, {
     sandboxes: createBrowserSandboxes(),
     assets: createAssetStore(createHttpAssets(location.origin)),
-    // Ours: they run at full speed. Whatever else a session brings is sandboxed. [PM-51]
+    // Trusted modules, which run at full speed. Other modules of sessions are sandboxed. [PM-51]
     modules: [...moduleLibrary(), ...partyModules()],
     kind: 'browser',
   });
