@@ -1,6 +1,6 @@
 import { StatusEventKind, type StatusEvent } from '@ubii/proto';
 
-/** How a client left: it deregistered, an admin removed it, or its connection was lost. [EX-55] */
+/** Way in which a client left: it deregistered, an admin removed it, or its connection was lost. [EX-55] */
 export type GoneHow = 'left' | 'disconnected' | 'lost';
 
 /** A client that is no longer listed. */

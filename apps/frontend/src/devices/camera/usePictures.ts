@@ -27,7 +27,7 @@ export interface PictureMeasures {
   rateHz: number | undefined;
   /** True when the rate is reduced to the highest data rate. */
   isSlowed: boolean;
-  /** How pictures differ from the wanted settings, and why, one sentence. */
+  /** Difference from the wanted settings, and its reason, one sentence. */
   adapted: string | undefined;
   /** Time at which the last picture was sent, on the clock of `performance.now()`. */
   sentAtMs: number | undefined;

@@ -17,7 +17,7 @@ export function useExampleStatus(example: {
   readonly isStarting: () => boolean;
   /** True when there is a problem. */
   readonly hasProblem: () => boolean;
-  /** What is being loaded before the module starts; `undefined` when nothing is. */
+  /** Name of what is loaded before the module starts; `undefined` when nothing is. */
   readonly loads: () => string | undefined;
   /** True when results arrived recently. */
   readonly hasResults: () => boolean;

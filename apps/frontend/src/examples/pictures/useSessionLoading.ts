@@ -3,7 +3,9 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 import { loadingOf, LoadingPace, type ModuleLoading } from '../../sessions/live/module-loading.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
 
-/** What the modules of a session load before they start: that of the first one that loads something. [PM-94] */
+/**
+ * Asset set that the modules of a session load before they start: that of the first one that loads something. [PM-94]
+ */
 export function useSessionLoading(
   session: Readonly<{ value: Session | undefined }>,
 ): ComputedRef<ModuleLoading | undefined> {

@@ -74,7 +74,7 @@ export interface GraphEditor {
   handleSession(session: Session, isReopened?: boolean): void;
   /**
    * Delays announcements while a save is under way: its announcement may arrive before its reply.
-   * @param sent what is being saved; recognised when only its announcement arrives
+   * @param sent session that is being saved; recognised when only its announcement arrives
    * @returns a function that ends the delay
    */
   hold(sent: Session): () => void;
