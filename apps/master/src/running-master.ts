@@ -6,7 +6,7 @@ import type { ListeningPorts } from './adapters/network/listeners.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
 import type { LogTail, Master, TerminalAccess } from './index.ts';
 
-/** What a master that listens is made of. */
+/** Parts of a listening master. */
 export interface MasterParts {
   readonly config: Config;
   readonly log: LogTail;
@@ -32,9 +32,12 @@ export interface RunningMaster {
   readonly ports: ListeningPorts;
   /** Asked again each time: networks come and go. */
   reachability(): Reachability;
-  /** What the terminal shows; undefined when it could not be kept [AC-19] [AC-42]. */
+  /** Secrets shown in the terminal; undefined when they could not be stored. [AC-19] [AC-42] */
   readonly terminal: TerminalAccess | undefined;
-  /** What callers of this machine are, and whether the system tells them from others [AC-1] [AC-40]. */
+  /**
+   * Role of callers on this computer, and whether the system distinguishes the operator's programs from others. [AC-1]
+   * [AC-40]
+   */
   readonly loopback: LoopbackFacts;
   readonly sessionsAtStop: Master['sessionsAtStop'];
   readonly sessionsRestored: Master['sessionsRestored'];

@@ -43,7 +43,7 @@ import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
 import type { MasterParts, RunningMaster } from './running-master.ts';
 
-/** How long connections may take to end in good order before they are cut. */
+/** Time for connections to close gracefully before they are cut, milliseconds. */
 const CLOSE_GRACE_MS = 500;
 
 /**

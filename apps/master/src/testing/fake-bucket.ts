@@ -1,12 +1,12 @@
 import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 
-/** What a bucket sends in place of a file. */
+/** Response of a bucket instead of a file. */
 export interface BucketAnswer {
   readonly status?: number;
   readonly headers?: Readonly<Record<string, string>>;
   readonly body?: Uint8Array;
-  /** What comes after the body: the end, a connection that is cut, or nothing. */
+  /** Behaviour after the body: end the response, cut the connection, or send nothing more. */
   readonly then?: 'end' | 'cut' | 'silence';
 }
 

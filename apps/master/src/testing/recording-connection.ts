@@ -2,7 +2,7 @@ import type { ErrorMessage } from '@ubii/proto';
 import type { ClientConnection } from '../core/ports/client-connection.ts';
 import type { RecordBatch } from '../core/ports/record-batch.ts';
 
-/** What a peer would see, in the order it would see it. */
+/** Frames in the order in which a peer would receive them. */
 export type Sent =
   | { readonly kind: 'record'; readonly record: Uint8Array }
   | { readonly kind: 'list'; readonly records: readonly Uint8Array[] }

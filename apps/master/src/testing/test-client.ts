@@ -26,7 +26,7 @@ export class TestClient {
   readonly name: string;
   readonly #testMaster: TestMaster;
   readonly #caller: CallerFacts;
-  /** What the master made of it. */
+  /** The client as registered by the master. */
   registered: Client;
   connection: RecordingConnection = new RecordingConnection();
   #handle: ConnectionHandle | undefined = undefined;
@@ -52,7 +52,7 @@ export class TestClient {
     return this.registered.extension?.resumeToken;
   }
 
-  /** Who it is to the transport, with its credential if it has one. */
+  /** Caller facts of its transport, with its credential if it has one. */
   get caller(): CallerFacts {
     const { credential } = this.registered.extension ?? {};
     return { ...this.#caller, bearer: credential || undefined };
@@ -116,7 +116,7 @@ export class TestClient {
     this.#testMaster.clock.endTurnSync();
   }
 
-  /** What its socket was sent since it was asked last. */
+  /** Returns the frames sent to its socket since the last call. */
   takeSent(): Sent[] {
     return this.connection.sent.splice(0);
   }
@@ -139,7 +139,7 @@ export class TestClient {
     return this.takeSent().flatMap((sent) => (sent.kind === 'error' ? [sent.error] : []));
   }
 
-  /** How its socket was closed, if it was. */
+  /** Code and reason with which its socket was closed, if it was. */
   get closed(): { code: number; reason: string } | undefined {
     const last = this.connection.sent.findLast((sent) => sent.kind === 'close');
     return last && { code: last.code, reason: last.reason };

@@ -30,7 +30,7 @@ import { RecordingLog } from './recording-log.ts';
 import { SequentialIds } from './sequential-ids.ts';
 import { TestClient } from './test-client.ts';
 
-/** What a test may want otherwise. */
+/** Settings that a test can override. */
 export interface TestMasterOptions {
   readonly limits?: Partial<Limits>;
   readonly checks?: MasterSettings['checks'];

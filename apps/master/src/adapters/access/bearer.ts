@@ -3,7 +3,7 @@ const MAX_LENGTH = 1_024;
 /** Tokens and credentials are longer than any typed code. */
 const MIN_TOKEN_LENGTH = 40;
 
-/** What follows `Bearer`; undefined for other ways to show who one is, which are not ours. [AC-3] */
+/** Returns the token after `Bearer`; undefined for other authentication schemes, which are not supported. [AC-3] */
 export function bearerOf(authorization: string | undefined): string | undefined {
   if (authorization === undefined) return undefined;
   const match = /^bearer(?: +(.*))?$/i.exec(authorization.trim());

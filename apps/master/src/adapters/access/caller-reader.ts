@@ -7,14 +7,14 @@ import { bearerOf } from './bearer.ts';
 import { callerBehind, isPassedOn } from './forwarding.ts';
 import type { PeerOwners, PeerSocket } from './peer-owners.ts';
 
-/** What is looked at of a request. */
+/** Parts of a request that identify its caller. */
 export interface CallerRequest {
   readonly headers: IncomingHttpHeaders;
   readonly httpVersion?: string;
   readonly socket: PeerSocket;
 }
 
-/** What was decided on callers of this machine, who show no token. [AC-40] */
+/** Role of callers on this computer without a token. [AC-40] */
 export interface LoopbackFacts {
   readonly role: 'admin' | 'participant' | 'none';
   /** The system tells programs of the operator's user from those of others. */
@@ -23,7 +23,7 @@ export interface LoopbackFacts {
 
 export interface CallerReaderOptions {
   readonly policy: Pick<OriginPolicy, 'pageOf'>;
-  /** What callers of this machine are without a token. */
+  /** Role of callers on this computer without a token. */
   readonly loopback: LoopbackFacts['role'];
   /** Whether an address is one of this machine. */
   readonly isOwnAddress: (address: string) => boolean;

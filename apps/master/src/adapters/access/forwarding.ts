@@ -54,7 +54,7 @@ export function callerBehind(
   return undefined;
 }
 
-/** Who passed the request on, the nearest last; undefined when two headers say so, or none. */
+/** Addresses of the proxies that forwarded the request, nearest last; undefined when two headers have them, or none. */
 function chainOf(headers: IncomingHttpHeaders): readonly string[] | undefined {
   const { forwarded } = headers;
   const list = headers['x-forwarded-for'];

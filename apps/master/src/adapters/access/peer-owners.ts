@@ -10,7 +10,7 @@ export interface PeerSocket {
   readonly localPort?: number | undefined;
 }
 
-/** What `PeerOwners` asks the system. */
+/** Operating system queries of `PeerOwners`. */
 export interface OwnerSource {
   /** The tables of TCP sockets as Linux writes them; undefined where there are none. */
   readonly tables: () => readonly string[] | undefined;

@@ -37,7 +37,7 @@ export function plainAddress(remoteAddress: string | undefined): string | undefi
   return address !== undefined && isIpAddress(address) ? address : undefined;
 }
 
-/** How near the other end of a connection is; undefined when the system does not say. */
+/** Kind of the remote address of a connection; undefined when the system does not report it. */
 export function kindOfPeer(remoteAddress: string | undefined): AddressKind | undefined {
   const address = plainAddress(remoteAddress);
   if (address === undefined) return undefined;
@@ -46,10 +46,10 @@ export function kindOfPeer(remoteAddress: string | undefined): AddressKind | und
 }
 
 /**
- * What one person has: an IPv4 address, or the 64 bits of an IPv6 network. Wrong codes and connections are
- * counted by it. [AC-17] [AC-60]
+ * Returns the unit by which wrong codes and connections are counted, presumably one user: an IPv4 address, or the
+ * 64-bit prefix of an IPv6 address. [AC-17] [AC-60]
  *
- * @param address as `plainAddress` gives it
+ * @param address in the form of `plainAddress`
  */
 export function placeOf(address: string | undefined): string {
   if (address === undefined || isIP(address) !== 6) return address ?? '';

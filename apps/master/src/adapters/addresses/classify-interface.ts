@@ -1,6 +1,6 @@
 export type NetworkKind = 'wifi' | 'ethernet' | 'virtual';
 
-/** What the system knows of an interface besides its name. */
+/** Properties of a network interface that the system reports besides its name. */
 export interface InterfaceFacts {
   readonly isWireless: boolean;
   /** undefined where the system does not say. */
@@ -14,7 +14,7 @@ const VIRTUAL =
 /** Names that Linux (`wlan0`, `wlp3s0`) and Windows (`Wi-Fi`, `WLAN`) give to Wi-Fi. */
 const WIFI = /^(wl|wi-?fi|wlan|drahtlos|wireless)/i;
 
-/** What kind of network an interface belongs to, by what the system says of it and by its name. */
+/** Kind of network that an interface belongs to, from its properties and its name. */
 export function classifyInterface(name: string, facts: InterfaceFacts): NetworkKind {
   if (facts.isWireless || WIFI.test(name)) return 'wifi';
   if (VIRTUAL.test(name)) return 'virtual';

@@ -14,7 +14,7 @@ export interface NetworkAddress {
   readonly address: string;
 }
 
-/** Where this system describes its interfaces; only Linux has it. */
+/** Folder with properties of network interfaces; Linux only. */
 const SYSTEM_FOLDER = '/sys/class/net';
 
 /**

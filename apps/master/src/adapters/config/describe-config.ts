@@ -6,7 +6,7 @@ import type { Init, Setting, SettingList } from '@ubii/proto';
 import { OPTIONS, type Config, type OptionName } from './config.ts';
 import type { LegacyPorts } from './legacy-ports.ts';
 
-/** What the program does in place of running. */
+/** Options that make the program do something else than run. */
 const NO_SETTINGS: ReadonlySet<OptionName> = new Set(['help', 'version']);
 
 /**

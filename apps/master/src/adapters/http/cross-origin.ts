@@ -7,7 +7,7 @@ import { mayBeToken } from '../access/bearer.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { SECURITY_HEADERS } from './security-headers.ts';
 
-/** How long a browser may keep the answer to a preflight, seconds. */
+/** Time for which browsers may cache the reply to a preflight, seconds. */
 const PREFLIGHT_MAX_AGE_S = 600;
 
 export interface OriginGuardOptions {

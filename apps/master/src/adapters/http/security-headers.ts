@@ -1,7 +1,7 @@
 /**
- * What a page of ours may load and run: nothing from elsewhere, no inline scripts. Components of
- * libraries set inline styles; workers and pictures are made from blobs. Sent with every file of the
- * frontend: a worker obeys the policy of its own response, not that of its page.
+ * Sources that pages may load and run: none from other origins, no inline scripts. Components of libraries set inline
+ * styles; workers and pictures are created from blobs. Sent with every file of the frontend: a worker obeys the policy
+ * of its own response, not that of its page.
  */
 export const CONTENT_SECURITY_POLICY = [
   "default-src 'self'",
@@ -17,7 +17,7 @@ export const CONTENT_SECURITY_POLICY = [
   "frame-ancestors 'self'",
 ].join('; ');
 
-/** What pages of ours ask of a device, each where a person has to allow it besides. */
+/** Device features that pages use, each after the user's permission. */
 const USED_FEATURES = [
   'accelerometer',
   'autoplay',
@@ -33,7 +33,7 @@ const USED_FEATURES = [
   'screen-wake-lock',
 ];
 
-/** What none of them asks for, of what browsers know: code that gets into a page cannot, either. */
+/** Device features that pages do not use, disabled for injected code. */
 const UNUSED_FEATURES = [
   'browsing-topics',
   'compute-pressure',

@@ -7,7 +7,7 @@ const REPLY = 'ubii.services.ServiceReply';
 /** Name of a format. */
 export type FormatName = 'json' | 'binary';
 
-/** How a service request is read and its reply written. */
+/** Codec of service requests and replies. */
 export interface ServiceFormat {
   readonly name: FormatName;
   readonly contentType: string;

@@ -64,7 +64,7 @@ function send(
   answer: ServiceAnswer,
   { clock }: ServicesOptions,
 ): FastifyReply {
-  // What waits for the reply may follow once it left, or once its receiver did. [TD-24]
+  // Actions that wait for the reply run after it was sent, or after its receiver disconnected. [TD-24]
   reply.raw.once('close', () => answer.afterReply());
   const encoded = format.encodeReply(answer.reply);
   reply.header('content-type', format.contentType).header('cache-control', 'no-store');

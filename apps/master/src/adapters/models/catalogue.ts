@@ -10,7 +10,7 @@ export interface KnownModel {
   readonly licence: string;
   /** Page of the publisher, for people. */
   readonly source: string;
-  /** Where the files are, with a slash at the end. */
+  /** URL of the folder with the files, with a trailing slash. */
   readonly address: string;
   readonly files: readonly AssetFile[];
 }
@@ -65,7 +65,7 @@ export function modelBytes({ files }: Pick<KnownModel, 'files'>): number {
 }
 
 /**
- * Where the files of a model are: at its publisher, or in the folder of its name on a mirror.
+ * Returns the URL of a model's files: at its publisher, or in the folder of its name on a mirror.
  *
  * @returns the address of the folder, with a slash at the end
  */

@@ -4,13 +4,13 @@ import type { AssetFolders } from '@ubii/pm-sandbox/node';
 import { AssetSetState, type AssetSet } from '@ubii/proto';
 import { modelAddress, modelBytes, type KnownModel } from './catalogue.ts';
 
-/** Where an asset set is looked for. */
+/** Folders that may contain an asset set. */
 export interface AssetSetPlaces {
   readonly assets: AssetFolders;
   /** `models/` of the data directory. */
   readonly folder: string;
   readonly mirror: string | undefined;
-  /** What is known of it; undefined when it cannot be downloaded. */
+  /** Catalogue entry of the model; undefined when it cannot be downloaded. */
   readonly model: KnownModel | undefined;
 }
 

@@ -8,10 +8,10 @@ export const STALL_MS = 20_000;
 /** A publisher may move files within its host this often. */
 const MAX_REDIRECTS = 3;
 
-/** How one file is downloaded. */
+/** Options for downloading a file. */
 export interface FileDownload {
   readonly url: URL;
-  /** What is expected. */
+  /** Expected file. */
   readonly file: AssetFile;
   /** Path of the new file. */
   readonly target: string;

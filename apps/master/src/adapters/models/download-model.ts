@@ -8,7 +8,7 @@ import { downloadFile } from './download-file.ts';
 /** Hidden, so that no set of this name can be asked for [PM-93]. */
 const TEMPORARY = '.download-';
 
-/** How a model is downloaded. */
+/** Options for downloading a model. */
 export interface ModelDownload {
   /** `models/` of the data directory. */
   readonly folder: string;

@@ -10,7 +10,7 @@ import { DownloadError } from './download-error.ts';
 import { downloadModel } from './download-model.ts';
 import { megabytes, progressLine } from './model-words.ts';
 
-/** How often progress is written to a terminal, milliseconds, and to anything else, percent. */
+/** Interval of progress lines in a terminal, milliseconds; step of progress lines in other outputs, percent. */
 const TERMINAL_MS = 200;
 const LINE_PERCENT = 10;
 
@@ -34,7 +34,7 @@ Options are those of the master, from the same places. A running master need not
 `,
 });
 
-/** What the program has around it. */
+/** Environment of the program. */
 export interface ModelProgram {
   readonly models: readonly KnownModel[];
   /** Asset sets that come with the program. */

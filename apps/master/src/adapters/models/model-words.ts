@@ -6,7 +6,7 @@ export function megabytes(bytes: number): string {
 }
 
 /**
- * How far a download is, in one line.
+ * Progress of a download in one line.
  *
  * @param elapsedMs since its start
  */

@@ -7,7 +7,7 @@ import { assetSetNames, describeAssetSet } from './describe-asset-set.ts';
 import { DownloadError } from './download-error.ts';
 import { downloadModel, removeLeftovers } from './download-model.ts';
 
-/** What a store of asset sets works with. */
+/** Dependencies of a store of asset sets. */
 export interface StoredAssetSetsOptions {
   readonly assets: AssetFolders;
   /** `models/` of the data directory. */

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 
 /**
- * How many files and connections this process may have open (`ulimit -n`); undefined when the system
- * sets no such limit or does not tell. Node has raised it as far as it may.
+ * Returns the most files and connections this process may have open (`ulimit -n`); undefined when the system sets no
+ * limit or does not report it. Node.js raises the soft limit to the hard limit.
  */
 export function descriptorLimit(): number | undefined {
   if (process.platform === 'win32') return undefined;

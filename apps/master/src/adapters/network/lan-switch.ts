@@ -34,7 +34,7 @@ export class LanSwitch implements Lan {
     return new LanSwitch(parts, host, await openHttps(config, host, log));
   }
 
-  /** What the master listens on, see `openPort`. */
+  /** Host to listen on, see `openPort`. */
   get host(): string {
     return this.#host;
   }

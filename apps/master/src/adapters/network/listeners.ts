@@ -11,7 +11,7 @@ import { explainListenError } from './explain-listen-error.ts';
 import { openPort } from './open-port.ts';
 
 export interface ListenersOptions {
-  /** What to listen on at first, see `openPort`. */
+  /** Initial host to listen on, see `openPort`. */
   readonly host: string;
   readonly handleRequest: RequestListener;
   readonly handleUpgrade: (request: IncomingMessage, socket: Duplex, head: Buffer) => void;
@@ -24,7 +24,7 @@ export interface ListenersOptions {
   readonly log: Log;
 }
 
-/** How long connections may take, milliseconds [AC-63]. */
+/** Timeouts of connections, milliseconds. [AC-63] */
 export interface ConnectionTimeouts {
   /** The headers of a request, from its first byte or the end of a TLS handshake. */
   readonly headersMs: number;
@@ -34,7 +34,7 @@ export interface ConnectionTimeouts {
   readonly keepAliveMs?: number | undefined;
 }
 
-/** How often Node looks for headers that take too long, milliseconds. */
+/** Interval at which Node.js checks for late headers, milliseconds. */
 const CHECK_INTERVAL_MS = 1_000;
 /** A connection that has nothing to do is closed after this time, milliseconds. */
 const KEEP_ALIVE_MS = 5_000;
@@ -49,7 +49,7 @@ export interface WantedPorts {
   readonly legacyWished: boolean;
 }
 
-/** Where the ports are, and whether they answer HTTPS. */
+/** The open ports, and whether they use HTTPS. */
 export interface Reach {
   /** See `openPort`. */
   readonly host: string;
@@ -59,9 +59,9 @@ export interface Reach {
 /** The ports clients are told. */
 export interface ListeningPorts {
   readonly main: number;
-  /** Where existing clients find services; the main port when the legacy port is not open. */
+  /** Port of services for existing clients; the main port when the legacy port is not open. */
   readonly services: number;
-  /** Where existing clients find topic data; the main port when the legacy port is not open. */
+  /** Port of topic data for existing clients; the main port when the legacy port is not open. */
   readonly topicData: number;
 }
 

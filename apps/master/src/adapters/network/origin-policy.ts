@@ -14,7 +14,7 @@ export interface OriginPolicyOptions {
   readonly isOwnAddress?: (address: string) => boolean;
 }
 
-/** What is to happen with a request, by the headers a browser sets and a page cannot. */
+/** Decision about a request, from headers that browsers set and pages cannot change. */
 export type OriginVerdict =
   | { readonly kind: 'same-origin' }
   | { readonly kind: 'allowed'; readonly origin: string }

@@ -16,7 +16,7 @@ const KINDS: { readonly [K in NetworkKind]: MasterAddressKind } = {
 /** Addresses that mean all networks of a machine. */
 const WILDCARDS: readonly string[] = ['::', '0.0.0.0'];
 
-/** Where a master can be reached, for the clients that ask and the people who read. */
+/** Addresses of a master, for clients and for display. */
 export interface Reachability {
   /** The address for this machine. */
   readonly localUrl: string;

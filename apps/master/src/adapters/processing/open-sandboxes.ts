@@ -8,7 +8,7 @@ import {
 } from '@ubii/pm-sandbox/node';
 import { DEFAULT_LIMITS, type Limits } from '../../index.ts';
 
-/** Where code runs on this master, and what it finds there. */
+/** Sandboxes of this master, and the libraries and assets available in them. */
 export interface OpenSandboxes {
   readonly sandboxes: SandboxFactory;
   /** Names of the libraries that modules get in `state.modules`. */

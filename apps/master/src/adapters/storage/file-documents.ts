@@ -9,7 +9,7 @@ import type { DocumentStore, StoredDocument } from '../../core/ports/index.ts';
 import { fileNameOf, keyOfFileName } from './file-names.ts';
 import { FolderWatch } from './folder-watch.ts';
 
-/** What is no document of ours, or a mistake: a whole session with its code takes some hundred KiB. */
+/** Largest file that is read, bytes: a whole session with its code takes some hundred KiB. */
 const MAX_FILE_BYTES = 32 * 1024 * 1024;
 
 interface KnownFile {
@@ -74,7 +74,7 @@ export class FileDocuments implements DocumentStore {
     this.#listeners.clear();
   }
 
-  /** What is in the queue is done. */
+  /** Resolves when the queue is empty. */
   async settled(): Promise<void> {
     await this.#queue;
   }

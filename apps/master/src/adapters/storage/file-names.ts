@@ -1,4 +1,4 @@
-/** What Windows, macOS or Linux do not take in a filename, and the escape itself. */
+/** Characters that Windows, macOS or Linux do not allow in a filename, and the escape character itself. */
 // eslint-disable-next-line no-control-regex -- control characters are among them
 const UNSAFE = /[\u0000-\u001f\u007f<>:"/\\|?*%]|^\.|[. ]$/gu;
 /** Names that Windows keeps for devices. */

@@ -31,7 +31,7 @@ export class FolderWatch {
     this.#watcher?.close();
   }
 
-  /** What cannot be watched is looked at. */
+  /** Polls folders that cannot be watched. */
   #lookOften(): void {
     this.#watcher?.close();
     clearInterval(this.#interval);

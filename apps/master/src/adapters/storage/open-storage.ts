@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import type { DocumentStore, SessionStorage } from '../../core/ports/index.ts';
 import { FileDocuments } from './file-documents.ts';
 
-/** What a master keeps in its data directory [SE-20]. */
+/** Opens the stores in the data directory. [SE-20] */
 export function openStorage(dataDir: string): SessionStorage & {
   readonly grants: DocumentStore;
   settled(): Promise<void>;

@@ -20,9 +20,9 @@ export interface BannerFacts {
   readonly dataDir: string;
   readonly ports: ListeningPorts;
   readonly reachability: Reachability;
-  /** What makes an admin, and what others join with; undefined when the master could not make them. */
+  /** Secrets for becoming admin and for joining; undefined when the master could not create them. */
   readonly terminal: BannerSecrets | undefined;
-  /** What callers of this machine are without a token. */
+  /** Role of callers on this computer without a token. */
   readonly loopback: LoopbackFacts;
   /** Address of the development server that serves the pages instead of the master. */
   readonly devUrl: string | undefined;
@@ -45,7 +45,7 @@ export function joinUrl(origin: string, token: string): string {
   return `${origin}/join#${token}`;
 }
 
-/** What a person who started the master reads: where it is, and what to do next. */
+/** Text for the user who started the master: addresses and next steps. */
 export function formatBanner(facts: BannerFacts): string {
   const { name, version, dataDir, ports, reachability, terminal, loopback, devUrl } = facts;
   const { localUrl, networkAddresses } = reachability;
@@ -108,7 +108,7 @@ export function formatBanner(facts: BannerFacts): string {
   ].join('\n');
 }
 
-/** What was decided on callers of this machine, who show no token. [AC-40] */
+/** Role of callers on this computer without a token. [AC-40] */
 function decided({ role, tellsOwners }: LoopbackFacts): readonly string[] {
   const who = tellsOwners
     ? 'Programs and pages of your user on this machine'

@@ -1,9 +1,9 @@
 import type { TerminalAccess } from '../../core/master/master.ts';
 
 /**
- * What `--print-endpoints json` prints: one line of JSON for programs that start a master.
+ * Output of `--print-endpoints json`: one line of JSON for programs that start a master.
  *
- * @param terminal what makes an admin, and what others join with
+ * @param terminal secrets for becoming admin and for joining
  */
 export function formatEndpoints(localUrl: string, pid: number, terminal?: TerminalAccess): string {
   const { admin, join } = terminal ?? {};

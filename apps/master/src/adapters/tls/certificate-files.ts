@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { ConfigError, SECRET_MODE, writeAtomicallySync } from '@ubii/program';
 import type { Issued } from './issue-certificates.ts';
 
-/** Where a certificate and its key are kept. */
+/** Files of a certificate and its key. */
 export interface CertificateFiles {
   readonly certificate: string;
   readonly key: string;

@@ -33,7 +33,7 @@ export class Certificates {
   readonly #options: CertificatesOptions;
   readonly #authority: Issued | undefined;
   #served: Issued;
-  /** What the leaf was asked to be good for; some of it may be beyond its authority. */
+  /** Names requested for the leaf certificate; its authority may not permit all. */
   #names: ReadonlySet<string>;
 
   /** @throws ConfigError when files are there and cannot be used */
@@ -71,7 +71,7 @@ export class Certificates {
     this.#names = new Set(names);
   }
 
-  /** What the servers show. */
+  /** Certificate that the servers present. */
   get served(): Issued {
     return this.#served;
   }

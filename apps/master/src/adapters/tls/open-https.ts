@@ -5,7 +5,7 @@ import { Certificates } from './certificates.ts';
 import { OnePort } from './one-port.ts';
 import { listOwnNames } from './own-names.ts';
 
-/** How often it is looked whether the addresses of this machine have changed, milliseconds. */
+/** Interval of checks for changed addresses of this computer, milliseconds. */
 const LOOK_INTERVAL_MS = 10_000;
 
 /** HTTPS on the ports of the master. */

@@ -24,6 +24,6 @@ export function listOwnNames(
 
 function shortName(host: string): string | undefined {
   const short = host.split('.')[0]?.toLowerCase() ?? '';
-  // What certificates may say: RFC 5280, 4.2.1.6, and no underscore.
+  // Names allowed in certificates: RFC 5280, 4.2.1.6, without underscores.
   return /^[a-z0-9]([a-z0-9-]*[a-z0-9])?$/.test(short) ? short : undefined;
 }

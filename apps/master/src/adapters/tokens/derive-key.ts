@@ -1,6 +1,6 @@
 import { hkdfSync } from 'node:crypto';
 
-/** What keys are for: each has one of its own. */
+/** Purpose of a key; each purpose has its own key. */
 export type KeyPurpose = 'resume tokens' | 'credentials' | 'join secrets';
 
 const KEY_BYTES = 32;

@@ -3,7 +3,7 @@ import { monitorEventLoopDelay, performance, type EventLoopUtilization } from 'n
 
 import type { ResourceUsage, UsageMeasurement } from '../../core/ports/index.ts';
 
-/** How often the delay of the event loop is looked at: its histogram counts from one look to the next, milliseconds. */
+/** Resolution of the histogram of the event-loop delay, milliseconds. */
 const DELAY_RESOLUTION_MS = 20;
 
 interface Moment {
@@ -12,7 +12,7 @@ interface Moment {
   readonly loop: EventLoopUtilization;
 }
 
-/** What this process takes from the machine. */
+/** Resource usage of this process. */
 export class ProcessUsage implements ResourceUsage {
   readonly processors = availableParallelism();
   readonly #delay = monitorEventLoopDelay({ resolution: DELAY_RESOLUTION_MS });

@@ -4,14 +4,14 @@ export type FrameParts = readonly Buffer[];
 /** From this size on a record is handed to the system where it lies instead of being copied. */
 const LARGE_BYTES = 16 * 1024;
 
-/** How much of a record of this length has to fit into the joined bytes. */
+/** Bytes that a record of this length takes in the joined buffer. */
 export function joinedSize(length: number): number {
   return length > LARGE_BYTES ? 0 : length;
 }
 
 /** Joins what is small in one piece of memory and keeps what is large where it lies, in order. */
 export class JoinedParts {
-  /** What is small; to be written to at `pos`. */
+  /** Buffer for small records; write at `pos`. */
   readonly bytes: Buffer;
   pos = 0;
   readonly #parts: Buffer[] = [];

@@ -7,7 +7,7 @@ import type { WebSocket } from 'ws';
 import { SOCKET_RIGHTS } from '../../core/access/rights-table.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
 
-/** Where a page tries whether its browser gets WebSockets through, before it joins. [AC-29] */
+/** Path at which pages test WebSockets before joining. [AC-29] */
 const PATH = SOCKET_RIGHTS.preflight.path;
 
 /** A question is a counter; nothing longer is answered. */

@@ -2,7 +2,7 @@ import { STATUS_CODES } from 'node:http';
 import type { Duplex } from 'node:stream';
 import type { Clock } from '@ubii/timing';
 
-/** How long the other side may take to read the answer and close, milliseconds. */
+/** Time for the client to read the response and close, milliseconds. */
 const LINGER_MS = 1_000;
 
 /**

@@ -14,7 +14,7 @@ import type { PreflightSockets } from './preflight-sockets.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
 import { WebSocketConnection } from './websocket-connection.ts';
 
-/** How long a client may take to answer a close frame, and to read what is before it. */
+/** Time for a client to reply to a close frame, including reading earlier data, milliseconds. */
 const CLOSE_TIMEOUT_MS = 5_000;
 
 /** Close code of RFC 6455: the server met something it did not expect. */
@@ -109,7 +109,7 @@ export class TopicDataSockets {
     socket.on('data', () => opened.handleReadEnd());
     webSocket.on('message', (data: Buffer, isBinary) => {
       try {
-        // What the library hands over it has read into memory of its own, and forgets.
+        // The library copies messages into new memory and keeps no reference.
         if (isBinary) opened.handleBinary(data);
         else opened.handleText(data.toString());
       } catch (error) {

@@ -14,7 +14,7 @@ import {
 } from './frames.ts';
 import type { FrameParts } from './joined-parts.ts';
 
-/** What the reason of a close frame may take beside its code (RFC 6455, section 5.5.1). */
+/** Longest reason of a close frame besides its code, bytes (RFC 6455, section 5.5.1). */
 const MAX_REASON_BYTES = 123;
 
 /** WebSocket.OPEN */

@@ -20,7 +20,7 @@ export interface AccessContext {
   readonly tokens: ResumeTokens;
   readonly grants: Grants;
   readonly guesses: GuessLimit;
-  /** How a registered client came in; undefined when there is no such client. */
+  /** Returns the access of a registered client; undefined for unknown ids. */
   readonly accessOf: (clientId: string) => ClientAccess | undefined;
 }
 
@@ -46,7 +46,7 @@ export class Access {
     this.grants = context.grants;
   }
 
-  /** Who calls. What it shows counts, and what is good for nothing is not taken for none [AC-3]. */
+  /** Identifies a caller. An invalid token is not treated like a missing one. [AC-3] */
   identify(facts: CallerFacts): Caller {
     const { standing, bearer } = facts;
     if (bearer !== undefined) return this.#identifyBearer(bearer, facts);
@@ -106,7 +106,7 @@ export class Access {
     const mayTry = access === undefined || access.kind === 'grant';
     if (standing === 'local' && isLike(access, LOCAL)) return undefined;
     if (standing === 'network' && isLike(access, NETWORK)) return undefined;
-    // Who proves to have had an id hears what became of it.
+    // Only a client that proves its former id learns the reason.
     const isProven = clientId !== '' && token !== '' && tokens.verify(clientId, token);
     if (!mayTry || !isProven) return joinRefusal(JOIN_PROBLEM_MISSING);
     const isOver = access !== undefined && access.expiresMs <= this.#context.clock.nowMs();

@@ -3,9 +3,9 @@ import type { Grant } from './grant.ts';
 import type { Role } from './roles.ts';
 
 /**
- * Who calls, once the transport and the token were looked at: `local`, of this machine, without a
- * token [AC-2] · `network`, admitted without one [AC-4] · `client`, a client that joined, shown by its credential [AC-13] · `joining`,
- * with a token or code, to register with · `stranger`, everybody else.
+ * A caller after its transport and token were checked: `local`: on this computer without a token [AC-2]; `network`:
+ * admitted without a token [AC-4]; `client`: a joined client with its credential [AC-13]; `joining`: with a token or
+ * code, to register; `stranger`: all others.
  */
 export type Caller =
   | { readonly kind: 'local'; readonly role: 'admin' | 'participant' }
@@ -26,7 +26,7 @@ export type Caller =
       readonly refusal: ServiceError;
     };
 
-/** How a client came in, as it is kept with the client [AC-20]. */
+/** Access of a client, stored with it. [AC-20] */
 export interface ClientAccess {
   readonly kind: 'local' | 'network' | 'grant';
   readonly role: Role;
@@ -36,7 +36,7 @@ export interface ClientAccess {
   readonly expiresMs: number;
 }
 
-/** How a client came in that needed no token, on a machine that is trusted [AC-40]. */
+/** Access of a client that needed no token, on a trusted computer. [AC-40] */
 export const TRUSTED_ACCESS: ClientAccess = withoutGrant('local', 'admin');
 const LOCAL_ACCESS = withoutGrant('local', 'participant');
 const NETWORK_ACCESS = withoutGrant('network', 'participant');

@@ -1,6 +1,6 @@
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 
-/** How long a credential lives, milliseconds [AC-13]. */
+/** Lifetime of a credential, milliseconds. [AC-13] */
 export const CREDENTIAL_LIFETIME_MS = 7 * 24 * 3_600_000;
 
 /** Content of a credential [AC-13]. */

@@ -7,7 +7,7 @@ import { EventLog } from '../counters/event-log.ts';
 import { LimitWatch } from '../counters/limit-watch.ts';
 import { GuessLimit } from './guess-limit.ts';
 
-/** How long a code stands at most, seconds. [AC-11] */
+/** Longest lifetime of a code, seconds. [AC-11] */
 const CODE_LIFETIME_S = 12 * 3_600;
 
 function world() {

@@ -3,14 +3,14 @@ import type { LimitName } from '../limits/index.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 
-/** Where a code comes from. */
+/** Origin of a code. */
 export type GuessSource = Pick<CallerFacts, 'place' | 'address'>;
 
 /** Wrong codes that a place is not held to its own pace for: people mistype twice. */
 const FIRST_TRIES = 3;
 /** A place without wrong codes for this long is a new one again. */
 const FORGET_MS = 60_000;
-/** What is not used is kept for as many seconds. */
+/** Seconds for which an unused allowance accumulates. */
 const BURST_S = 2;
 /** Addresses of one network that have a pace of their own; further ones have that of the network. */
 const MOST_ADDRESSES = 64;

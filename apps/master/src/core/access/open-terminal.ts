@@ -9,9 +9,12 @@ interface TerminalContext {
   readonly clock: Clock;
 }
 
-/** How long others can join with what a terminal shows, milliseconds [AC-19]. */
+/** Time for which clients can join with the code in the terminal, milliseconds. [AC-19] */
 const TERMINAL_LIFETIME_MS = 12 * 3_600_000;
-/** Who joined with it comes back for so long after the start, milliseconds: phones of a course of some days [AC-19]. */
+/**
+ * Time after the start for which clients that joined with it can resume, milliseconds: a course of several days.
+ * [AC-19]
+ */
 const TERMINAL_STAY_MS = 7 * 24 * 3_600_000;
 /** The token of the operator's machine is good while the master runs, and for no longer than this, milliseconds [AC-42]. */
 const OPERATOR_LIFETIME_MS = 365 * 24 * 3_600_000;

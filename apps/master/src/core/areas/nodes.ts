@@ -18,7 +18,7 @@ export type NodeDependencies = Pick<MasterPorts, 'clock' | 'patterns' | 'sandbox
   Pick<ClientArea, 'clients' | 'devices'> &
   Pick<LibraryArea, 'modules'>;
 
-/** How many modules a master likes to run: the load the design was measured with. */
+/** Default number of modules that a master accepts: the load used for measurements. */
 const DEFAULT_CAPACITY = 100;
 
 /** Nothing runs until a session starts. */

@@ -23,7 +23,7 @@ export interface MasterPorts {
   readonly accessSecrets: AccessSecrets;
   /** Store of the invitations, readable by the master alone [AC-19]. */
   readonly grants: DocumentStore;
-  /** Where the audit log is kept [EX-92]. */
+  /** Storage of the audit log. [EX-92] */
   readonly audit: AuditStore;
   readonly log: Log;
   /** Keeps the last lines of `log`, and of what else the process logs [EX-37]. */
@@ -32,18 +32,18 @@ export interface MasterPorts {
   readonly usage: ResourceUsage;
   /** Opens the master to the local network while it runs [AC-47]. */
   readonly lan: Lan;
-  /** Where modules on the master run. Opened when the first of them comes; the core closes it. */
+  /** Sandboxes for modules on the master. Opened for the first module; closed by the core. */
   readonly sandboxes: SandboxFactory;
   /** Asset sets of trusted modules on the master [PM-90]. Default: none. */
   readonly assets?: AssetStore;
-  /** Which asset sets there are, and downloads of more [EX-57] [EX-58]. */
+  /** Available asset sets, and downloads of further ones. [EX-57] [EX-58] */
   readonly assetSets: AssetSets;
   readonly storage: SessionStorage;
   /** Trusted modules: those that came with the program, and the operator's [PM-51]. The same list as long as nothing changes. */
   readonly library: () => readonly ProcessingModule[];
 }
 
-/** Where this master can be reached. */
+/** Addresses of this master. */
 export interface MasterEndpoints {
   /** IPv4 address on a cable; empty when there is none, or when the master listens on loopback only. */
   readonly ipEthernet: string;
@@ -57,7 +57,7 @@ export interface MasterEndpoints {
   readonly addresses: readonly Init<MasterAddress>[];
 }
 
-/** How one master is set up. */
+/** Settings of a master. */
 export interface MasterSettings {
   /** Name shown to clients. Default `master-node`, as the original calls itself. */
   readonly name?: string;
@@ -67,7 +67,7 @@ export interface MasterSettings {
   readonly endpoints: () => MasterEndpoints;
   /** Names of the libraries that trusted modules find in `state.modules`. Default: none. */
   readonly libraries?: readonly string[];
-  /** How many modules this master likes to run at once. Default: 100. */
+  /** Number of modules that this master accepts at once. Default: 100. */
   readonly capacity?: number;
   /** Check settings that differ from `DEFAULT_CHECKS` [EX-48]. */
   readonly checks?: Partial<CheckSettings>;

@@ -8,7 +8,7 @@ import { auditEntryFromLine, lineOfAuditEntry } from './audit-line.ts';
 const BURST_SECONDS = 60;
 /** Callers whose rate is remembered; of more, that of the one that was quiet for longest is forgotten. */
 const KNOWN_CALLERS = 1_000;
-/** What all who came in one way may have written together: so many times what one may. */
+/** Allowance for all callers of one kind of access together, as a multiple of that for one caller. */
 const CALLERS_OF_ONE_WAY = 8;
 const DEFAULT_COUNT = 100;
 const MOST_COUNT = 500;

@@ -42,7 +42,7 @@ export function loadsOf(sessions: readonly Session[]): ModuleLoad[] {
 }
 
 /**
- * Which modules are too slow for what is asked of them [EX-47].
+ * Modules that are too slow for their mode. [EX-47]
  * @param overrunsBefore Overruns of each module at the last look.
  * @param nodeLabel Name of a node for people.
  * @param masterId The node that is no client.

@@ -15,7 +15,7 @@ export function noisyKey(clientId: string): string {
   return `publisher_noisy ${clientId}`;
 }
 
-/** Which clients take more of the master than one should [EX-47]. */
+/** Clients that use more of the master than their share. [EX-47] */
 export function* checkPublishers(
   clients: Iterable<Client>,
   workPercent: number,

@@ -5,7 +5,7 @@ import type { Problem } from './problem.ts';
 
 /** Looks in a row that find something before it is a problem [EX-45]. */
 const LOOKS_BEFORE = 3;
-/** How long a problem stands after the last look that found it [EX-18], milliseconds. */
+/** Time for which a problem is reported after the last check that found it, milliseconds. [EX-18] */
 const STANDS_MS = 30_000;
 
 /** Findings of one check. */

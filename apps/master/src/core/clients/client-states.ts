@@ -1,6 +1,6 @@
 import { ClientState } from '@ubii/proto';
 
-/** Where a client stands [CL-10]. */
+/** Status of a client. [CL-10] */
 export type ClientStatus = 'active' | 'inactive' | 'unavailable' | 'removed';
 
 /** Events of a client. */

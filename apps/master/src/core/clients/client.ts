@@ -66,7 +66,7 @@ export class Client implements PublishingClient {
   /** When it registered, epoch milliseconds. */
   readonly firstSeenMs: number;
   throttle: Throttle | undefined = undefined;
-  /** How it came in, and what it may do [AC-20]. */
+  /** Kind of access and role. [AC-20] */
   access: ClientAccess = TRUSTED_ACCESS;
   publishRights: PublishRights | undefined = undefined;
   /** Its capabilities as a node; undefined when it is not a node [PM-60]. */

@@ -4,7 +4,7 @@ import type { KeptValues } from '../topics/kept-values.ts';
 import type { Client } from './client.ts';
 import type { ClientRegistry } from './client-registry.ts';
 
-/** How often clients are looked at [CL-12], milliseconds. */
+/** Interval of liveness checks, milliseconds. [CL-12] */
 export const SWEEP_INTERVAL_MS = 500;
 /** Silence after which a client is asked [CL-12], milliseconds. */
 export const PING_AFTER_MS = 1_000;

@@ -83,7 +83,7 @@ export class SocketAdmission {
     socket.setRecordLists(client.takesRecordLists); // [TD-3] [TD-4]
     const { outbox } = client.subscriber;
     if (client.heardSequence !== undefined) {
-      // What came after the last word of the client may not have reached it. [TD-33]
+      // Records delivered after the client's last message may not have arrived. [TD-33]
       for (const entry of subscriptions.replayable(client.subscriber)) {
         if (entry.record !== undefined && entry.sequence > client.heardSequence)
           outbox.queueReplay(entry);

@@ -9,7 +9,7 @@ import { OpenConnection, type ConnectionKind, type TransportPeer } from './open-
 const KEPT_FOR_THIS_MACHINE = 8;
 /** A connection as young as this is not closed for another of the same address: it may be about to say who it is. */
 const GRACE_MS = 3_000;
-/** How often it is looked who has said nothing yet. */
+/** Interval of checks for connections without a request, milliseconds. */
 const SWEEP_INTERVAL_MS = 1_000;
 
 /** Connections of one address of another machine that have not become sockets, the oldest first. */

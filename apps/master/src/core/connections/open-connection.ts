@@ -10,9 +10,8 @@ export interface TransportPeer {
 }
 
 /**
- * What is known of a connection: `local`, of this machine; `stranger`, nothing; `known`, from an address
- * with a joined caller; `member`, with a request of a joined caller; `socket`, it
- * is the WebSocket of a client.
+ * Kind of a connection: `local`: from this computer; `stranger`: unknown; `known`: from an address with a joined
+ * caller; `member`: with a request of a joined caller; `socket`: the WebSocket of a client.
  */
 export type ConnectionKind = 'local' | 'stranger' | 'known' | 'member' | 'socket';
 

@@ -7,7 +7,7 @@ import { oneLine } from '../texts/one-line.ts';
 /** Events kept [EX-17]: what a page can show, usually in some 30 KB. */
 const KEPT_EVENTS = 200;
 
-/** What is logged where it happens, with more about it, and what people see without a log. */
+/** Events that are logged elsewhere with more details, or that users see without a log. */
 const NOT_LOGGED: ReadonlySet<StatusEventKind> = new Set([
   StatusEventKind.MASTER_STARTED,
   StatusEventKind.LIMIT_REACHED,

@@ -1,7 +1,7 @@
 import type { Cancel, Clock } from '@ubii/timing';
 import type { ResourceUsage, UsageMeasurement } from '../ports/resource-usage.ts';
 
-/** How often the master looks at itself [EX-45], milliseconds. */
+/** Interval of the master's self-monitoring, milliseconds. [EX-45] */
 export const LOOK_INTERVAL_MS = 1_000;
 
 const NOTHING: UsageMeasurement = { cpuPercent: 0, busyPercent: 0, delayMs: 0 };

@@ -18,7 +18,7 @@ export interface BoundedLine {
   readonly fields: LogFields;
 }
 
-/** What a log takes: lines of bounded size, and of each level so many bytes a second [EX-72]. */
+/** Limits a log: lines of bounded size, and a number of bytes per second for each level. [EX-72] */
 export class LogBudget {
   readonly #limits: Limits;
   readonly #buckets: { readonly [L in LevelName]: TokenBucket };
@@ -48,7 +48,7 @@ export class LogBudget {
     return undefined;
   }
 
-  /** How many lines were left out since this was asked last. */
+  /** Returns the number of lines omitted since the last call. */
   takeLeftOut(): number {
     const leftOut = this.#leftOut;
     this.#leftOut = 0;

@@ -1,4 +1,4 @@
-/** How long a row of mishaps counts as going on after the last of them [EX-18], milliseconds. */
+/** Time after the last failure for which a series of failures counts as ongoing, milliseconds. [EX-18] */
 const STANDS_MS = 30_000;
 
 /** Mishaps in a row: how many, and since when. Times are monotonic milliseconds. */

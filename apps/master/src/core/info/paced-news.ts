@@ -1,6 +1,6 @@
 import { TokenBucket, type Cancel, type Clock } from '@ubii/timing';
 
-/** How much one subject may have told of it, bytes. */
+/** Announcement budget of a subject, bytes. */
 export interface NewsPace {
   readonly bytesPerSecond: number;
   /** At once. What is larger is told alone, and the rest of its time is waited for afterwards. */
@@ -9,7 +9,7 @@ export interface NewsPace {
 
 interface Subject {
   readonly bucket: TokenBucket;
-  /** What is to be told when there is room again; undefined while nothing waits. */
+  /** Publishes the pending announcement when the budget allows; undefined when nothing is pending. */
   tell: (() => number) | undefined;
   cancel: Cancel | undefined;
 }

@@ -32,7 +32,7 @@ interface Read<M> {
 export class StoredMessages<T extends keyof StoredTypes & MessageType> {
   readonly store: DocumentStore;
   readonly #type: T;
-  /** What was made of a document, as long as it is the same. */
+  /** Cache of decoded documents, valid while the document is unchanged. */
   #read = new Map<string, Read<StoredTypes[T]>>();
   /** The documents that `#read` was made of. */
   #documents: ReadonlyMap<string, StoredDocument> | undefined = undefined;
@@ -87,7 +87,7 @@ export class StoredMessages<T extends keyof StoredTypes & MessageType> {
       .map(([key, { reason }]) => ({ key, where: this.store.describe(key), reason }));
   }
 
-  /** Where a message of this name is, or would be, kept. */
+  /** Returns the storage key of the message with this name, existing or not. */
   keyOf(name: string): string {
     return this.list().get(name)?.key ?? name;
   }

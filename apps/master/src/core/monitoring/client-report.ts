@@ -88,7 +88,7 @@ function activityOf(
   };
 }
 
-/** How near an address is, as it is told. */
+/** Converts the kind of an address for the wire. */
 export function wireAddressKind(kind: AddressKind | undefined): ClientActivityAddressKind {
   return kind === undefined ? ClientActivityAddressKind.UNKNOWN : ADDRESS_KINDS[kind];
 }
@@ -101,7 +101,7 @@ function subscriptionsOf(subscriber: ClientSubscriber): Init<ClientSubscription>
   return subscriptions;
 }
 
-/** What takes most of the master first. */
+/** Subscriptions in order of cost, highest first. */
 function* eachSubscription(subscriber: ClientSubscriber): Iterable<Init<ClientSubscription>> {
   const { topics, patterns, selections } = subscriber;
   for (const { source, subscribers } of patterns) {

@@ -10,7 +10,7 @@ export type LimitUseParts = Pick<Core, 'topics' | 'patternTable' | 'selectionTab
   Pick<Core, 'accounts' | 'clients' | 'devices' | 'sockets' | 'connections' | 'bodies'> &
   Pick<Core, 'access' | 'nodes' | 'sessions' | 'modules' | 'sessionLibrary'>;
 
-/** How much of each limit is used, where that is known [EX-36]. */
+/** Current usage of each limit that is measured. [EX-36] */
 type LimitUses = { readonly [L in LimitName]?: (core: LimitUseParts) => Init<LimitUse> };
 
 /** The present use of limits. Limits of one message, and times, have none. */

@@ -8,7 +8,7 @@ export type StatusParts = ProblemParts &
   Pick<Core, 'id' | 'settings' | 'counters' | 'load' | 'topics' | 'samples' | 'events'>;
 
 /**
- * How the master is [EX-16].
+ * Returns the status of the master. [EX-16]
  * @param sinceMs Samples and events after this moment are wanted; 0 for all that are kept.
  */
 export function readMasterStatus(core: StatusParts, sinceMs: number): Init<MasterStatus> {

@@ -106,7 +106,7 @@ function countSessions({ sessions }: MetricParts): [string, number][] {
   return [...counts];
 }
 
-/** What the modules of all sessions that live did since they were made, wherever they run. */
+/** Totals of all modules of live sessions since their creation, on all nodes. */
 function moduleTotals({ sessions }: MetricParts): MetricFamily[] {
   const statistics = sessions
     .list()

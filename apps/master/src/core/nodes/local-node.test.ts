@@ -18,7 +18,7 @@ const FAULT: ModuleFault = { kind: 'threw', phase: 'onCreated', message: 'no luc
 class FakeRuntime implements Partial<ModuleRuntime> {
   readonly calls: string[] = [];
   readonly hooks: RuntimeHooks;
-  /** What the next `create` waits for. */
+  /** The next `create` waits for it. */
   gate: Promise<void> = Promise.resolve();
   fault: ModuleFault | undefined = undefined;
 
@@ -71,7 +71,7 @@ function setup() {
       if (runtime === undefined) throw new Error('nothing ran');
       return runtime;
     },
-    /** What the runtime was told since it was asked last. */
+    /** Returns the calls of the runtime since the last time. */
     async take(): Promise<string[]> {
       await settle();
       return runtime?.calls.splice(0) ?? [];

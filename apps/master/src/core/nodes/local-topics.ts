@@ -147,7 +147,7 @@ export class LocalTopics implements TopicPort {
     publication.monotonicMs = clock.monotonicMs();
     publication.entry = undefined;
     const refusal = publish(this.#context, publication);
-    // What is not kept need not stay in memory until the next record.
+    // Release the frame of a record that is not retained before the next record.
     publication.frame = NO_BYTES;
     return refusal?.describe(publication, this.#context.limits);
   }
@@ -155,7 +155,7 @@ export class LocalTopics implements TopicPort {
   #ofSession(sessionId: string): SessionTopics | undefined {
     const known = this.#sessions.get(sessionId);
     if (known !== undefined) return known;
-    // What a module puts out while it ends must not bring back a session that was removed.
+    // The last outputs of an ending module must not create the topics of a removed session again.
     if (!this.#context.isSession(sessionId)) return undefined;
     const { accounts, limits } = this.#context;
     const { topicsPerSession, mappingsPerSession, retainedBytesPerClient } = limits;

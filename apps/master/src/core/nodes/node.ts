@@ -32,7 +32,7 @@ export function offerOf(node: Node, name: string): ProcessingModule | undefined 
 /** Why a node cannot run a module, in a few words to follow "it"; undefined when it can. */
 export function cannotRun(node: Node, module: ProcessingModule): string | undefined {
   const { extension } = node;
-  // What a client has it can run; the master has modules of all languages, and some need libraries.
+  // A client can run its own modules; the master has modules in all languages, some of which need libraries.
   if (!isMaster(node) && offerOf(node, module.name) !== undefined) return undefined;
   const hasCode = module.onProcessingStringified !== '';
   // Clients of the original run any code of their language, and need not say which modules they have.

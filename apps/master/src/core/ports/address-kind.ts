@@ -1,2 +1,2 @@
-/** How near an address is: this machine, a private or link-local network, or any other. */
+/** Kind of an address: this computer, a private or link-local network, or any other. */
 export type AddressKind = 'loopback' | 'private' | 'public';

@@ -1,4 +1,4 @@
-/** Where the audit log is kept between runs: lines of text, the oldest of which go when there are too many. */
+/** Persistent storage of the audit log: lines of text, of which the oldest are dropped above a limit. */
 export interface AuditStore {
   /** Lines that earlier runs kept, oldest first, without their ends. A line that was cut off may be among them. */
   read(): readonly string[];

@@ -13,7 +13,7 @@ export interface CallerFacts {
    * is only good here may be shown over it [AC-43].
    */
   readonly isHere: boolean;
-  /** Where wrong codes are counted for: its address, or the network that one person has [AC-17]. */
+  /** Unit by which wrong codes are counted: its address, or the network of one user. [AC-17] */
   readonly place: string;
   /** The address itself, where `place` is a network. @default `place` */
   readonly address?: string | undefined;

@@ -10,7 +10,7 @@ export type StoredDocument =
 export interface DocumentStore {
   /** Every document as it is now, by its key. Another map after each change, the same one until then. */
   documents(): ReadonlyMap<string, StoredDocument>;
-  /** Where people find the document of this key, for messages. */
+  /** Returns the location of the document with this key, for messages. */
   describe(key: string): string;
   /**
    * Writes a document as a whole or not at all. It counts when the promise is fulfilled.

@@ -10,7 +10,7 @@ export interface BatchEncoder<T> {
 export interface RecordBatch {
   /** At least one encoded `TopicDataRecord` each. Shared and kept by the master: never write to them. */
   readonly records: readonly Uint8Array[];
-  /** How many records these are. */
+  /** Number of records. */
   readonly count: number;
   /** Sum of the records' lengths, bytes. */
   readonly byteLength: number;

@@ -4,7 +4,7 @@ export interface UsageMeasurement {
   readonly cpuPercent: number;
   /** Share of the time in which the thread of the master was busy, percent. At 100 everything waits. */
   readonly busyPercent: number;
-  /** How late the thread came to what was due: 99th percentile, milliseconds. */
+  /** Event-loop delay, 99th percentile, milliseconds. */
   readonly delayMs: number;
 }
 

@@ -1,7 +1,7 @@
 import { SERVICES, type RequestMember, type ServiceInfo } from '@ubii/proto';
 import type { LimitName, Limits } from '../limits/index.ts';
 
-/** How large the body of a request may be. */
+/** Limits for the body of a request. */
 export interface BodyLimits {
   readonly bytes: number;
   /** The limit that `bytes` comes from. */
@@ -14,7 +14,7 @@ export interface BodyLimits {
 /** A payload with a limit in encoded bytes may have so much more as JSON: names of members, escapes, base64. */
 const JSON_FACTOR = 1.5;
 
-/** What a payload is measured by; all others are ordinary. */
+/** Limits of large payloads; others have the ordinary limit. */
 const LARGE: { readonly [M in RequestMember]?: LimitName } = {
   session: 'sessionBytes',
   sessionList: 'sessionBytes',

@@ -7,7 +7,7 @@ export function nameOfCaller({ clients }: Parts, clientId: string): string {
   return clients.get(clientId)?.label ?? '';
 }
 
-/** Who asked for something and why, for the person it affects: `by Ada: the event is over`. */
+/** Text with the caller and its reason, for the affected user: `by Ada: the event is over`. */
 export function byCaller(core: Parts, clientId: string, reason: string): string {
   return `by ${nameOfCaller(core, clientId) || 'an admin'}${reason === '' ? '' : `: ${reason}`}`;
 }

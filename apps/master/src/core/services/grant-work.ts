@@ -10,7 +10,7 @@ import type { Grant, GrantWork } from '../access/grant.ts';
 export type GrantParts = Pick<Core, 'sessions' | 'sessionLibrary' | 'modules' | 'clients'> &
   Pick<Core, 'access' | 'kept' | 'events' | 'clock' | 'log'>;
 
-/** How often the time of grants is looked at, milliseconds. */
+/** Interval of checks for expired invitations, milliseconds. */
 const LOOK_INTERVAL_MS = 1_000;
 
 /** Sessions and modules that were created or changed with a grant [AC-90]. */

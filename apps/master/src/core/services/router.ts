@@ -165,7 +165,7 @@ class Call implements ServiceCall {
   constructor(core: Core, facts: CallerFacts, known?: Caller) {
     this.#core = core;
     this.#facts = facts;
-    // Who was admitted is looked at again: it may have been revoked while the body came.
+    // Admitted callers are identified again: their access may have been revoked while the body arrived.
     if (known?.kind === 'stranger') this.#caller = known;
     this.place = facts.place;
     this.isHere = facts.isHere;

@@ -4,7 +4,7 @@ import type { Caller } from '../access/caller.ts';
 export interface ServiceCall {
   /** The caller. The router has checked its rights. */
   readonly caller: Caller;
-  /** Where wrong codes of this caller are counted [AC-17]. */
+  /** Unit by which wrong codes of this caller are counted. [AC-17] */
   readonly place: string;
   /** True when the caller is on this machine, without a proxy in between [AC-43]. */
   readonly isHere: boolean;

@@ -27,7 +27,7 @@ export const topicSubscription = definer<keyof Parts>()('topicSubscription', {
         if (client.status === 'removed') break;
       }
     } finally {
-      // What was subscribed before something failed stands, and gets its records.
+      // Subscriptions made before a failure stay, and receive their retained records.
       replayAfterReply(core, call, client, replays);
     }
     return success('Successfully processed all subscriptions.');

@@ -12,12 +12,12 @@ import type { ModuleOffer } from '../library/module-offer.ts';
 import { errorProblem } from './problems.ts';
 import { quote } from '../texts/quote.ts';
 
-/** What completing a specification needs to know. */
+/** Dependencies for completing a specification. */
 export interface CompletionContext {
   uuid(): string;
   /** Another session has a module of this id. */
   isTaken(moduleId: string): boolean;
-  /** Where the module of this id is in the session that is to be replaced, if it is. */
+  /** Returns the node of this module in the session to be replaced, if it has one. */
   placed?(moduleId: string): { readonly nodeId: string; readonly wishedNodeId: string } | undefined;
   /** The id of the node that a text in a request means: `master` is this master [SE-30]. */
   nodeId(text: string): string;
@@ -60,7 +60,7 @@ function completeModule(
   const wishedNodeId = wishedNode(given, context);
   const stored = context.stored(given.name);
   const offered = context.offered(given.name, wishedNodeId);
-  // Who runs it knows best; without a node, what is stored is what people see in the list.
+  // A node's own description takes precedence; without a node, the stored module, which users see in the list.
   const base = wishedNodeId === '' ? (stored?.module ?? offered) : (offered ?? stored?.module);
   const spec = mergeModules(given, base);
   const isLibraryCode =
@@ -84,7 +84,7 @@ function wishedNode(given: ProcessingModule, context: CompletionContext): string
   return isSentBack && nodeId === placed.nodeId ? placed.wishedNodeId : nodeId;
 }
 
-/** What the request says, and for the rest what the base says. */
+/** Merges a module of a request with its base; members of the request take precedence. */
 function mergeModules(
   given: ProcessingModule,
   base: ProcessingModule | undefined,

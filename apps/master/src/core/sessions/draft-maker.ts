@@ -10,7 +10,7 @@ import { describeSession, type DraftModule, type SessionDraft } from './draft.ts
 import { sortProblems } from './problems.ts';
 import type { Session } from './session.ts';
 
-/** What makes drafts of requests. */
+/** Dependencies for creating drafts from requests. */
 export interface DraftContext {
   readonly limits: LimitWatch;
   readonly completion: CompletionContext;

@@ -8,9 +8,9 @@ export interface DraftModule {
   mapping: IOMapping;
   /** The node that the session names; empty when the master chooses. */
   wishedNodeId: string;
-  /** Where it stands in the request, such as `processingModules[0]`. */
+  /** Path in the request, such as `processingModules[0]`. */
   readonly path: string;
-  /** Where its mapping stands in the request; the place it would have, when there is none. */
+  /** Path of its mapping in the request; the path it would have if there is none. */
   mappingPath: string;
   /** The source is from the library, so that it needs no check [PM-64]. */
   isLibraryCode: boolean;

@@ -71,7 +71,7 @@ function ofNode(
   };
 }
 
-/** Where its modules would come to run. */
+/** Groups its modules by the nodes that would run them. */
 function byNode({ nodes, loadOf }: LifeContext, session: Session): Map<Node, SessionModule[]> {
   const list = nodes.list();
   const found = new Map<Node, SessionModule[]>();

@@ -21,7 +21,7 @@ import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';
 import type { SessionTable } from './session-table.ts';
 
-/** What node messages are for. */
+/** Dependencies for handling the reports of nodes. */
 export interface NodeReportsContext {
   readonly life: LifeContext;
   readonly limitWatch: LimitWatch;
@@ -134,7 +134,7 @@ export class NodeReports {
       }
     }
     for (const told of events) {
-      // What a node has to say counts like what it publishes.
+      // Reports of a node count against its record budget like published records.
       if (!client.recordBudget.take(1, clock.monotonicMs())) return;
       const event = cutTexts('ubii.extension.ModuleEvent', told, limits);
       this.handleEvent(client.id, event);

@@ -10,7 +10,7 @@ const SETTLE_MS = 2500;
 const MENDED_MS = 5000;
 /** The same for nodes that report no statistics. */
 const SILENT_MS = 30_000;
-/** What is known of a module whose runs fail. */
+/** State of a module whose runs fail. */
 interface Failing {
   /** Since the instance was created, when it failed last. */
   runs: number;

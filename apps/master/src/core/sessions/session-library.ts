@@ -5,7 +5,7 @@ import type { Session } from './session.ts';
 import { quote } from '../texts/quote.ts';
 import type { StoredMessages } from '../library/stored-messages.ts';
 
-/** What a node id in a document says of the master, whose own id changes from run to run [SE-30]. */
+/** Alias of the master as a node in documents, because its own id changes with each start. [SE-30] */
 export const MASTER_ALIAS = 'master';
 
 /** Stored sessions, and those that come back with the next master. */
@@ -15,7 +15,7 @@ export class SessionLibrary {
   readonly #masterId: string;
   readonly #log: Log;
   readonly #ids: Pick<IdSource, 'named'>;
-  /** What `list` made of the documents, as long as they are the same. */
+  /** Cache of `list`, valid while the documents are unchanged. */
   #listed: { readonly documents: unknown; readonly byId: ReadonlyMap<string, SessionMessage> } = {
     documents: undefined,
     byId: new Map(),
@@ -140,7 +140,7 @@ export class SessionLibrary {
       });
   }
 
-  /** What `remember` was told of a session last is on the disk. @throws ServiceError when it could not be written */
+  /** Resolves when the last state passed to `remember` is on disk. @throws ServiceError when it could not be written */
   async remembered(sessionId: string): Promise<void> {
     try {
       await this.#remembering.get(sessionId);

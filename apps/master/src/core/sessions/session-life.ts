@@ -118,7 +118,7 @@ export function evaluate(context: LifeContext, session: Session): void {
     if (isMissing) moveAndTell(context, session, 'some run');
     return;
   }
-  // What is late counts as failed, but may still come.
+  // Overdue modules count as failed, but may still start.
   const isHopeless = count('failed') === modules.length || isOverdue(context, session);
   const isNothingThere = count('running') === 0 && count('away') === 0;
   if (isHopeless && isNothingThere && !session.isRestored) stopSession(context, session);

@@ -7,7 +7,7 @@ import {
   type SessionProblem,
 } from '@ubii/proto';
 
-/** How far one module of a session is. */
+/** Phase of a module of a session. */
 export type ModulePhase =
   /** Its session does not run. */
   | 'idle'

@@ -16,7 +16,7 @@ import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { Session } from './session.ts';
 
-/** What news of sessions are published with. */
+/** Dependencies for announcing sessions. */
 export interface NewsContext {
   readonly publisher: MasterPublisher;
   readonly topics: TopicTable;
@@ -111,7 +111,7 @@ export class SessionNews {
 
   #publish(topic: string, session: Session): void {
     const bytes = this.#context.publisher.publish(topic, { session: session.toMessage() });
-    // What tells nodes to start and stop never waits; changes wait the longer for it.
+    // Commands to start and stop are never delayed; they use up the budget of change announcements.
     if (topic !== INFO_TOPICS.deleteSession) this.#changes.spend(session.id, bytes);
   }
 }

@@ -1,6 +1,6 @@
 import { SessionState, SessionStatus } from '@ubii/proto';
 
-/** Where a session is in its life [SE-10]. */
+/** Life cycle state of a session. [SE-10] */
 export type SessionLife =
   'created' | 'starting' | 'running' | 'degraded' | 'paused' | 'stopping' | 'stopped';
 

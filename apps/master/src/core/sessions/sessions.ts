@@ -202,7 +202,10 @@ export class Sessions {
     this.#context.life.onModules.emit(session);
   }
 
-  /** Whose code it has: that of who changes it, and of who stored the modules that it takes [AC-90]. */
+  /**
+   * Records the invitations behind the session's code: that of the client that changes it, and those of the clients
+   * that stored its modules. [AC-90]
+   */
   #noteMakers(session: Session, { modules }: SessionDraft, maker: string): void {
     if (maker !== '') session.grantIds.add(maker);
     const { stored } = this.#context.drafts.completion;
@@ -328,7 +331,7 @@ export class Sessions {
     return opening;
   }
 
-  /** What is stored belongs to who stored it. */
+  /** A stored session keeps the invitations of the clients that stored it. */
   async #addStored(stored: SessionMessage, id: string): Promise<Session> {
     const { grantIds = [], revision = 0 } = stored.extension ?? {};
     return this.#make(stored, { id, isStored: true, grantIds, revision });

@@ -9,7 +9,10 @@ const BURST_SECONDS = 32;
 /** Invitations that are remembered; those of the longest ago are forgotten first. */
 const MOST = 1_024;
 
-/** How fast the callers of each invitation may start sessions, which are announced whole [EX-77]. */
+/**
+ * Limits the rate at which callers of each invitation start sessions, which are announced with their full content.
+ * [EX-77]
+ */
 export class StartPace {
   readonly #clock: Clock;
   readonly #limits: LimitWatch;

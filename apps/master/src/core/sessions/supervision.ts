@@ -7,7 +7,7 @@ import type { Session } from './session.ts';
 import { evaluate } from './session-life.ts';
 import { wireState } from './session-states.ts';
 
-/** How often sessions that live are looked at and reported on [SE-50], milliseconds. */
+/** Interval of checks and reports of live sessions, milliseconds. [SE-50] */
 export const STATISTICS_INTERVAL_MS = 250;
 /** Every so many looks, what is doubtful about a specification is looked for again. */
 const LOOKS_PER_CHECK = 4;

@@ -5,7 +5,7 @@ import { warningProblem } from './problems.ts';
 import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';
 
-/** What a module was found to be when it was looked at last. */
+/** State of a module at the last check. */
 interface Look {
   /** Elements refused until then, since the module was created. */
   refused: number;
@@ -54,7 +54,7 @@ export class TopicTroubles {
     const { topicsRefused: refused } = statistics;
     const look = this.#looks.get(module);
     if (look === undefined) {
-      // What was refused before, perhaps long ago, has no rate.
+      // Earlier refusals, perhaps long ago, have no rate.
       this.#looks.set(module, { refused, atMs: nowMs, streak: new Streak() });
       return false;
     }
@@ -94,7 +94,7 @@ function describe(
   { topics, refusedOutput }: ModuleStatistics,
   perSecond: number,
 ): string {
-  // What a node says is shown to people.
+  // Bound the text, which comes from a node and is shown to users.
   const output = quote(refusedOutput.slice(0, 64));
   return `The demuxer of the output ${output} of the module ${quote(module.name)} in the session ${quote(session.label)} makes too many topics: it has ${topics}, and ${Math.round(perSecond)} more a second are refused`;
 }

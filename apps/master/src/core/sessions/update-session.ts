@@ -20,7 +20,7 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
     );
   }
   const before = session.modules;
-  // What is stored has the name of before.
+  // Sessions are stored by name: a renamed one is not stored yet.
   session.isStored &&= description.name === session.description.name;
   session.description = description;
   session.revision++;
@@ -31,7 +31,7 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
     const old = before.find(({ id }) => id === module.id);
     if (!session.isLive) {
       assignNode(context, module);
-      // Who was told to end it is waited for still.
+      // Still wait for a node that was told to end the module.
       if (old?.phase === 'ending') module.phase = 'ending';
     } else if (old !== undefined && staysPut(module, old))
       takeOver(context, session, module, old, unheard);
@@ -39,7 +39,7 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
       if (old !== undefined && old.isPlaced && isForeign(context, old.nodeId))
         unheard.add(old.nodeId);
       placeModule(context, module);
-      // Who may place it again may well leave it where it is.
+      // The master may place the module on the same node again.
       if (old?.isPlaced === true && old.nodeId === module.nodeId && !isForeign(context, old.nodeId))
         takeOver(context, session, module, old, unheard);
       else started.push(module);

@@ -14,7 +14,7 @@ export interface AccountParts {
   readonly parent?: Account | undefined;
   /** The most of each resource, in the order of `RESOURCE`. */
   readonly max: Float64Array;
-  /** How much of each may be used in all when this account takes more. Default: as much as there is. */
+  /** Total usage up to which this account may use more, per resource. Default: the limit. */
   readonly untilFilled?: Float64Array;
 }
 
@@ -54,7 +54,7 @@ export class Account {
     return this.#max[resource]!;
   }
 
-  /** How much of it may be used in all when this account takes more; undefined: as much as there is. */
+  /** Total usage up to which this account may use more; undefined: the limit. */
   untilFilled(resource: Resource): number | undefined {
     return this.#untilFilled?.[resource];
   }

@@ -11,7 +11,7 @@ import { CLASS_SHARES, type ShareClass } from './share-classes.ts';
 /** Time until the next search for a client that could free resources, after a search without a result, milliseconds. */
 const BARREN_MS = 500;
 
-/** Who is to be given an account: how a client came in. */
+/** Class and invitation of a client, which determine its account. */
 export interface Share {
   readonly shareClass: ShareClass;
   /** Undefined for clients that came without one. */
@@ -113,8 +113,8 @@ export class Accounts {
   }
 
   /**
-   * What there is no room for, after clients that are away made room; undefined when there is. May remove
-   * clients, and what they use.
+   * Returns the shortage, if there is one, after trying to evict clients that are away. May remove clients, and their
+   * resources.
    * @param from The account that pays for it now.
    */
   shortage(

@@ -21,11 +21,11 @@ export const RESOURCES = Object.values(RESOURCE);
 
 /** The limits of one resource. */
 export interface ResourceInfo {
-  /** What there would be too many of, as it stands in messages. */
+  /** Name of the resource in messages. */
   readonly what: string;
   /** The limit of the whole master: what shares are parts of. */
   readonly all: LimitName;
-  /** What one owner may use by what it is; none: its invitation and role alone bound it. */
+  /** Limit per owner by role; default: only those of its invitation and class. */
   readonly each?: {
     /** Admins, clients without an invitation, and upper bound of the two below. */
     readonly client: LimitName;

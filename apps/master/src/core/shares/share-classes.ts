@@ -5,16 +5,16 @@ export type ShareClass = 'master' | 'admin' | 'session' | 'participant' | 'playe
 export interface ClassShare {
   /** Limit of all owners of the class together. */
   readonly ofAll: number;
-  /** How full the whole may be for an owner of the class to get more: the rest is a reserve for others. */
+  /** Total usage up to which an owner of the class may use more, as a share; the rest is reserved for others. */
   readonly untilFilled: number;
   /** Limit of all clients of one invitation of the class together. */
   readonly perInvitation: number;
 }
 
 /**
- * What each class may use of every resource [AC-82]. An eighth is a reserve for running sessions and
- * admins, half of that for admins alone. Invitations to play and to watch are shown to many people: one
- * of them leaves most to others, and all of them leave half to participants.
+ * Shares of each class in every resource. [AC-82] An eighth is a reserve for running sessions and admins, half of that
+ * for admins alone. Invitations for players and viewers are shown to many people: one of them leaves most to others,
+ * and all of them leave half to participants.
  */
 export const CLASS_SHARES: { readonly [C in ShareClass]: ClassShare } = {
   master: { ofAll: 1, untilFilled: 1, perInvitation: 1 },

@@ -7,9 +7,9 @@ import { RESOURCE_INFO, type Resource } from './resources.ts';
 export interface Shortage {
   readonly account: Account;
   readonly resource: Resource;
-  /** Where there is no room: the account itself, its invitation, its class or the whole. */
+  /** Account that is exhausted: the client's, its invitation's, its class' or the whole. */
   readonly level: Account;
-  /** What is used there, when it is not what the account says. */
+  /** Its usage, if it differs from that of the account. */
   readonly used?: number;
 }
 
@@ -23,8 +23,8 @@ export function limitOf({ account, resource, level }: Shortage, limits: Limits):
 }
 
 /**
- * What there would be too much of, whose share it is, how much is used and what to do: the rest of a
- * sentence that begins with "This would be" [AC-83].
+ * Describes the exhausted resource, its share, its usage and the remedy: the rest of a sentence that starts with "This
+ * would be". [AC-83]
  */
 export function describeShortage(shortage: Shortage, limits: Limits): string {
   const { account, resource, level } = shortage;
@@ -48,13 +48,13 @@ export function describeShortage(shortage: Shortage, limits: Limits): string {
   }
 }
 
-/** What is said of a reserve that an account may not use. */
+/** Describes a reserve that an account may not use. */
 function reserveOf({ account, resource }: Shortage, limit: number): string {
   if (fillMaxOf(account, resource) >= limit) return '';
   return `: the rest of ${limit} is kept for running sessions and admins`;
 }
 
-/** How full the whole may be for this account to get more. */
+/** Returns the total usage up to which this account may use more, as a share. */
 export function fillMaxOf(account: Account, resource: Resource): number {
   let fillMax = Number.POSITIVE_INFINITY;
   for (let level: Account | undefined = account; level !== undefined; level = level.parent) {

@@ -6,18 +6,18 @@ import { LISTED_TEXTS, TEXT_RULES, type TextRule } from './text-limits.ts';
 
 /** A text, or a list of texts, that is refused because it is too long. */
 export interface TextFault {
-  /** Where it stands, such as `session.io_mappings[3].input_mappings[0].input_name`. */
+  /** Path, such as `session.io_mappings[3].input_mappings[0].input_name`. */
   readonly member: string;
   readonly limit: LimitName;
-  /** What it has, in the unit of the limit. */
+  /** Length, in the unit of the limit. */
   readonly length: number;
 }
 
-/** What clients say: requests, and what nodes tell of their modules. */
+/** Messages of clients: requests, and reports of nodes. */
 type Root =
   'ubii.services.ServiceRequest' | 'ubii.extension.ModuleStatistics' | 'ubii.extension.ModuleEvent';
 
-/** How a walk through texts ends, and by which numbers it goes. */
+/** Limits and state of checking the texts of a message. */
 export interface TextContext {
   readonly limits: Limits;
   /** Makes the error for a text that is refused. */
@@ -33,7 +33,7 @@ interface TextPlan {
   readonly jsonName: string;
   readonly protoName: string;
   readonly rule: Extract<TextRule, { limit: LimitName }>;
-  /** What becomes of a list with too many; undefined when their number is limited elsewhere. */
+  /** Treatment of lists with too many elements; undefined when their number is limited elsewhere. */
   readonly listed: 'refuse' | 'cut' | undefined;
 }
 

@@ -7,7 +7,7 @@ const UNPRINTABLE =
 
 /** A text of others as it may stand in a line for people: without control characters, not longer than `maxLength` characters. */
 export function oneLine(text: string, maxLength: number): string {
-  // What is far too long is not read to its end.
+  // Do not read the whole of a text that is far too long.
   const start = text.slice(0, 4 * maxLength);
   return firstCharacters(start.replace(UNPRINTABLE, ' ').trim(), maxLength);
 }

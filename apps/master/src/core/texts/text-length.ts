@@ -21,6 +21,6 @@ export function hasMoreCharacters(text: string, max: number): boolean {
 /** The first `max` characters of a text. */
 export function firstCharacters(text: string, max: number): string {
   if (text.length <= max) return text;
-  // What is far too long is not read to its end.
+  // Do not read the whole of a text that is far too long.
   return [...text.slice(0, 2 * max)].slice(0, max).join('');
 }

@@ -1,6 +1,6 @@
 import type { LimitName } from '../limits/index.ts';
 
-/** What becomes of a text of a client that is too long [EX-70]. */
+/** Treatment of a client's text that is too long. [EX-70] */
 export type TextRule =
   | {
       /** Its unit says whether bytes or characters are counted. */

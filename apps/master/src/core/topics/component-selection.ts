@@ -26,7 +26,7 @@ export class ComponentSelection implements SharedSelection {
   }
 }
 
-/** What makes two profiles the same subscription. */
+/** Key of a profile: equal for equivalent profiles, which are the same subscription. */
 export function selectionKey(profile: Component): string {
   const { id, name, messageFormat, deviceId, tags, ioType } = profile;
   return JSON.stringify([id, name, messageFormat, deviceId, [...tags].sort(), ioType]);

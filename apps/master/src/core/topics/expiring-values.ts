@@ -3,7 +3,7 @@ import type { Cancel, Clock } from '@ubii/timing';
 import type { TopicEntry } from './topic-entry.ts';
 import type { TopicTable } from './topic-table.ts';
 
-/** How often topics are looked through for expired values [TD-47], milliseconds. */
+/** Interval of checks for expired values, milliseconds. [TD-47] */
 export const EXPIRY_SWEEP_MS = 250;
 
 /** Dependencies of expiring values. */

@@ -27,8 +27,8 @@ export interface OutboxContext {
 /** Everything on its way to one client: what leaves at the end of this turn, and what waits for its socket. */
 export class Outbox implements TurnTask {
   readonly #context: OutboxContext;
-  // What every record touches comes first and lies together: with many subscribers, each further cache
-  // line is a trip to slower memory.
+  // Members used for every record come first, next to each other: with many subscribers, each further cache line is an
+  // access to slower memory.
   #connection: ClientConnection | undefined = undefined;
   #batch: BatchNode | undefined = undefined;
   #isTouched = false;
@@ -140,7 +140,7 @@ export class Outbox implements TurnTask {
     if (this.hearsOfGone) this.deliver(entry, encodeRecord({ topic: entry.topic }), false);
   }
 
-  /** What waits for the socket of a value that has expired is not sent any more [TD-47]. */
+  /** Removes an expired value from the queue of the socket. [TD-47] */
   withdraw(entry: TopicEntry): void {
     const waiting = this.#waiting;
     waiting?.drop(entry);

@@ -9,9 +9,9 @@ import type { TopicMatching } from './topic-table.ts';
 const CHARGED_MS = 1;
 
 /**
- * What one test, or one look at many topics, is charged at most, milliseconds: what the worst pattern
- * within the limits takes for a topic. When the clock says more, the machine was busy with something
- * else, which no client may lose its patterns for.
+ * Largest charge for one test, or for one pass over many topics, milliseconds: the time that the worst pattern within
+ * the limits takes for a topic. More time means that the computer was busy otherwise, for which no client may lose its
+ * patterns.
  */
 const LONGEST_MS = 30;
 

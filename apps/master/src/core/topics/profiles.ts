@@ -1,6 +1,6 @@
 import { ComponentIOType } from '@ubii/proto';
 
-/** What clients, devices, components and modules have in common for the one who looks for them. */
+/** Properties of clients, devices, components and modules that profiles can match. */
 export interface Profiled {
   readonly id?: string;
   readonly name?: string;

@@ -18,7 +18,7 @@ export interface PublishingClient extends TopicOwner {
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
   readonly traffic: PublishedCounts;
-  /** What makes its budget smaller than that of others [EX-31]. */
+  /** Throttle that reduces its budget. [EX-31] */
   readonly throttle: Throttle | undefined;
   /** Undefined: it publishes everywhere [AC-24]. */
   readonly publishRights: PublishRights | undefined;
@@ -45,9 +45,9 @@ export class Publication {
   monotonicMs = 0;
   nowMs = 0;
   entry: TopicEntry | undefined = undefined;
-  /** What there was no room for, when it was refused for that. */
+  /** The shortage because of which it was refused. */
   shortage: Shortage | undefined = undefined;
-  /** Where the copy of the next small record goes. */
+  /** Buffer for the copy of the next small record. */
   #shared: ArrayBuffer | undefined = undefined;
   #sharedLength = 0;
 

@@ -69,7 +69,7 @@ function findTopic({ topics }: PublishContext, publication: Publication): void {
   publication.entry = topics.get(publication.topic);
 }
 
-/** What is known was checked when it appeared [TD-13] [TD-16]. */
+/** Existing topics were checked when they were created. [TD-13] [TD-16] */
 function checkTopic({ limits }: PublishContext, publication: Publication): Refusal | undefined {
   const { entry, topic } = publication;
   if (entry !== undefined) return entry.isMasters ? REFUSALS.mastersTopic : undefined;
@@ -133,7 +133,7 @@ function checkTopicCount(context: PublishContext, publication: Publication): Ref
   if (account.shortage(resource, 1, entry?.payer) === undefined) return undefined;
   publication.shortage = context.accounts.shortage(account, resource, 1, entry?.payer);
   if (publication.shortage !== undefined) return REFUSALS.noRoom;
-  // Who made room may have been the last to subscribe to this topic.
+  // The evicted client may have been the last subscriber of this topic.
   findTopic(context, publication);
   return undefined;
 }

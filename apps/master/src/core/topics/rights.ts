@@ -1,4 +1,4 @@
-/** Where a client may publish. In its place, undefined: everywhere [AC-24]. */
+/** Topics on which a client may publish; undefined instead of it: all. [AC-24] */
 export interface PublishRights {
   mayPublish(topic: string): boolean;
   /** Whether it may say besides, on the topic for that, that it is gone itself. */

@@ -8,7 +8,7 @@ import type { ClientSubscriber } from './subscriber.ts';
 import type { TopicTable } from './topic-table.ts';
 import type { TurnBatches } from './turn-batches.ts';
 
-/** What subscribers have in common. */
+/** Dependencies common to subscribers. */
 export interface SubscriberParts {
   readonly clock: Clock;
   readonly limits: Limits;

@@ -99,7 +99,7 @@ export class SubscriptionTable {
     return replays;
   }
 
-  // What is not subscribed is unsubscribed already [TD-23].
+  // Unsubscribing without a subscription has no effect. [TD-23]
 
   unsubscribeTopic(subscriber: Subscriber, topic: string): void {
     const entry = this.#context.topics.get(topic);
@@ -199,7 +199,7 @@ export class SubscriptionTable {
     }
   }
 
-  /** What a client may receive is something else now [AC-25]. */
+  /** Handles a change of the topics that a client may receive. [AC-25] */
   handleRightsChanged(subscriber: Subscriber): void {
     for (const entry of this.#context.topics.values()) {
       if (!this.#reaches(subscriber, entry)) subscriber.outbox.cancelReplay(entry);
@@ -260,7 +260,7 @@ export class SubscriptionTable {
   }
 }
 
-/** Who subscribed to it longest ago pays for it [AC-80]. */
+/** Charges the earliest subscriber. [AC-80] */
 function settle(
   subscribed: Pattern | ComponentSelection,
   resource: typeof RESOURCE.patterns | typeof RESOURCE.profiles,

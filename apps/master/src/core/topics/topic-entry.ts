@@ -72,7 +72,7 @@ export class TopicEntry {
   }
 }
 
-/** What several subscribers share: a pattern or a component profile, and the topics that it means. */
+/** Subscription shared by several subscribers: a pattern or a component profile, and its topics. */
 export interface SharedSubscription {
   /** Subscribers with their rates in Hz (0: every record). */
   readonly subscribers: Map<Subscriber, number>;

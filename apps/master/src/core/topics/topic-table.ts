@@ -4,7 +4,7 @@ import { RESOURCE } from '../shares/resources.ts';
 import { computeTargets, ratesBySubscriber } from './targets.ts';
 import { TopicEntry, type Subscriber, type Targets, type TopicOwner } from './topic-entry.ts';
 
-/** What has to be found for a topic when it appears, and undone when it is forgotten. */
+/** Matching that runs when a topic is created, and is undone when it is removed. */
 export interface TopicMatching {
   attach(entry: TopicEntry): void;
   detach(entry: TopicEntry): void;
@@ -216,7 +216,7 @@ export class TopicTable {
     for (let i = this.#removals.length - 1; i >= 0 && !isReset; i--) {
       const removal = this.#removals[i]!;
       if (removal.epoch <= epoch) break;
-      // What is there again is in the list above.
+      // Topics that exist again are in the list above.
       if (!this.#entries.has(removal.topic)) removed.add(removal.topic);
     }
     return { entries, removed: [...removed], isReset, epoch: this.#epoch++ };

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import type { AccessSecrets } from '../../core/ports/access-secrets.ts';
 
-/** What the core relies on. @param create twice the same key, when `key` is the same */
+/** Properties that the core relies on. @param create returns the same secrets for the same `key` */
 export function accessSecretsSuite(create: (key: number) => AccessSecrets): void {
   it('creates unique tokens that cannot be guessed', () => {
     const secrets = create(1);

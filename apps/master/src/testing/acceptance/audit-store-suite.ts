@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { AuditStore } from '../../core/ports/audit-store.ts';
 
 /**
- * What every audit store does.
+ * Acceptance tests of audit stores.
  * @param open A store; called again, one of the next run with what the run before kept.
  */
 export function auditStoreSuite(name: string, open: () => AuditStore): void {

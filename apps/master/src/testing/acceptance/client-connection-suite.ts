@@ -6,7 +6,7 @@ import { TopicEntry } from '../../core/topics/topic-entry.ts';
 import type { ClientConnection } from '../../core/ports/client-connection.ts';
 import type { RecordBatch } from '../../core/ports/record-batch.ts';
 
-/** What the other end of a connection sees, one message each. */
+/** Message received at the other end of a connection. */
 export type Seen =
   | { readonly kind: 'record'; readonly record: Uint8Array }
   | { readonly kind: 'list'; readonly records: readonly Uint8Array[] }
@@ -24,7 +24,7 @@ export interface ConnectionPair {
   readonly dispose: () => Promise<void> | void;
 }
 
-/** What every connection to a client does. */
+/** Acceptance tests of client connections. */
 export function clientConnectionSuite(
   name: string,
   openPair: () => Promise<ConnectionPair> | ConnectionPair,

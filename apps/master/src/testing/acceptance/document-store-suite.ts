@@ -10,7 +10,7 @@ export interface StoreParts {
   readonly reopen: () => DocumentStore;
 }
 
-/** What every document store does [SE-20] [SE-23]. */
+/** Acceptance tests of document stores. [SE-20] [SE-23] */
 export function documentStoreSuite(name: string, open: () => StoreParts): void {
   describe(`${name}, a DocumentStore`, () => {
     let parts: StoreParts;

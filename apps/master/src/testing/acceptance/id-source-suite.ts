@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { IdSource } from '../../core/ports/id-source.ts';
 
-/** What every source of ids does. */
+/** Acceptance tests of sources of ids. */
 export function idSourceSuite(name: string, createIds: () => IdSource): void {
   describe(`${name}, an IdSource`, () => {
     it('gives version 4 UUIDs in lower-case letters', () => {

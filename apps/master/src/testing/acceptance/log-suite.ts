@@ -9,7 +9,7 @@ export interface WrittenLine {
 }
 
 /**
- * What every log does.
+ * Acceptance tests of logs.
  * @param createLog A log that writes every level, and a way to read what it wrote.
  */
 export function logSuite(

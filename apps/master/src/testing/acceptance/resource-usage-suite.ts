@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { ResourceUsage } from '../../core/ports/resource-usage.ts';
 
-/** What every measure of resources does. */
+/** Acceptance tests of resource measurement. */
 export function resourceUsageSuite(name: string, createUsage: () => ResourceUsage): void {
   describe(`${name}, a ResourceUsage`, () => {
     it('tells plausible numbers, call after call', () => {

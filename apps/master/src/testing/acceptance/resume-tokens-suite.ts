@@ -5,7 +5,7 @@ const ADA = '4f5b2c1e-0d5a-4c36-9a51-2d4f0f1f0a01';
 const BEN = '4f5b2c1e-0d5a-4c36-9a51-2d4f0f1f0a02';
 
 /**
- * What all resume tokens do.
+ * Acceptance tests of resume tokens.
  * @param createTokens Called twice, gives the tokens of two runs of one master.
  */
 export function resumeTokensSuite(name: string, createTokens: () => ResumeTokens): void {

@@ -14,11 +14,11 @@ import type { DecodeAnswer, DecodeJob, DecodeWorkerData } from './decode-job.ts'
 import { JoinedMessage, type MessagePiece } from './message-pieces.ts';
 import type { ReceivedBody } from './receive-body.ts';
 
-/** What is decoded on this thread: it takes some milliseconds at worst. Bytes and values. */
+/** Largest body that is decoded on this thread, bytes and values: some milliseconds at worst. */
 const SMALL_BYTES = 64 * 1024;
 const SMALL_VALUES = 2_048;
 
-/** How long pieces of a request are taken before others have a turn, milliseconds. */
+/** Time for which pieces of a request are added before yielding to the event loop, milliseconds. */
 const TURN_MS = 4;
 /** The largest body takes a tenth of it. */
 const JOB_TIMEOUT_MS = 5_000;

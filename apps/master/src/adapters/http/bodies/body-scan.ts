@@ -3,13 +3,13 @@ import { scanServiceRequest } from '@ubii/proto/wire';
 
 import type { BodyLimits } from '../../../core/services/body-limits.ts';
 
-/** What is known of a body before it is decoded. */
+/** Properties of a body that are known before decoding. */
 export interface BodyScan {
   /** Topic of the request; undefined while it was not found. */
   readonly topic: string | undefined;
   /** Values found so far, never less than decoding makes of them. */
   readonly values: number;
-  /** How far it came, bytes. */
+  /** Number of bytes scanned. */
   readonly pos: number;
   /**
    * Looks at what has come.

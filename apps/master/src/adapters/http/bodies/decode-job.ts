@@ -2,9 +2,9 @@ import type { MessagePort } from 'node:worker_threads';
 
 import type { FormatName } from '../service-format.ts';
 
-/** What the decoding thread starts with. */
+/** Initial data of the decoding thread. */
 export interface DecodeWorkerData {
-  /** Where it puts the `MessagePiece`s of a request. */
+  /** Receives the `MessagePiece`s of a request. */
   readonly pieces: MessagePort;
 }
 

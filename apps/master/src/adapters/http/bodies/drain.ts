@@ -1,7 +1,7 @@
 import type { IncomingMessage } from 'node:http';
 import type { Clock } from '@ubii/timing';
 
-/** What is still read of a refused body, so that its sender hears why, bytes. */
+/** Most bytes of a refused body that are still read, so that its sender receives the reply. */
 const MAX_DRAINED_BYTES = 1024 * 1024;
 /** For how long. */
 const DRAIN_DEADLINE_MS = 2_000;

@@ -66,7 +66,7 @@ export class JoinedMessage {
   }
 }
 
-/** What a value costs to take; remembers the containers that are too large for a piece. */
+/** Returns the cost of adding a value; records containers that are too large for a piece. */
 function weigh(value: unknown, large: Map<object, number>): number {
   if (typeof value === 'string') return 1 + value.length / TEXT_PER_WEIGHT;
   if (typeof value !== 'object' || value === null) return 1;

@@ -17,7 +17,7 @@ const SMALL_BYTES = 64 * 1024;
 /** So much of one body is scanned before others get their turn, bytes. */
 const TURN_BYTES = 256 * 1024;
 
-/** What bodies have to keep to [SV-47]. */
+/** Minimum transfer rate of bodies. [SV-47] */
 export interface BodyPace {
   readonly clock: Clock;
   readonly bodyGraceMs: number;

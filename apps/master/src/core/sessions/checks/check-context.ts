@@ -1,7 +1,7 @@
 import type { Component, DataFormat, SessionProblem } from '@ubii/proto';
 import type { DraftModule } from '../draft.ts';
 
-/** What the checks need to know of the master around a session. All of it may be asked often. */
+/** State of the master that the checks of a session need. All members are cheap. */
 export interface CheckContext {
   /** Why the text is no regular expression of RE2, in a few words; undefined when it is one. */
   patternFault(source: string): string | undefined;
@@ -14,7 +14,7 @@ export interface CheckContext {
   hasRecord(topic: string): boolean;
   /** A topic in a message: in quotes, and with the name of the client whose id it begins with instead of that. */
   nameTopic(topic: string): string;
-  /** What stands against running this module on this node; undefined when nothing does. */
+  /** Problem of running this module on this node; undefined when there is none. */
   nodeProblem(draft: DraftModule): Omit<SessionProblem, 'path'> | undefined;
   /** True when a node or the library has code for a module of this name. */
   isOffered(name: string): boolean;
@@ -27,7 +27,7 @@ export type Check = (
   context: CheckContext,
 ) => Iterable<SessionProblem>;
 
-/** What a problem of a module says of it. */
+/** Members of a problem that identify its module. */
 export function about({ spec }: DraftModule): { moduleId: string; moduleName: string } {
   return { moduleId: spec.id, moduleName: spec.name };
 }

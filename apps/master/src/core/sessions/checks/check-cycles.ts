@@ -85,7 +85,7 @@ function link(nodes: readonly Node[], context: CheckContext): void {
   }
 }
 
-/** What a muxer selects, as an expression; a profile selects components, which no module is. */
+/** Topics of a muxer as a regular expression; undefined for profiles, which select components instead of modules. */
 function sourceOf({ component, topicGlob, topicSelector }: TopicMux): string | undefined {
   if (component !== undefined) return undefined;
   const source = topicGlob === '' ? topicSelector : globToRegExpSource(topicGlob);

@@ -6,7 +6,9 @@ import { errorProblem, warningProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';
 import { ioOf } from './check-modules.ts';
 
-/** What flows into an input against what it takes: other modules, components, the value there is [SE-4] [SE-5]. */
+/**
+ * Compares the data format of each input with its sources: other modules, components, the current value. [SE-4] [SE-5]
+ */
 export const checkFormats: Check = function* (modules, context) {
   for (const draft of modules) {
     for (const [index, { inputName, topic }] of draft.mapping.inputMappings.entries()) {
@@ -49,7 +51,7 @@ function* checkTopic(
     });
   }
   if (!context.hasRecord(topic)) {
-    // What another module of the session writes will be there.
+    // The topic will have a value, because another module of the session writes it.
     if (writers.length > 0) return;
     yield warningProblem({
       ...found,

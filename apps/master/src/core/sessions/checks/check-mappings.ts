@@ -233,7 +233,7 @@ function* checkIoName(
   const declared = kind === 'input' ? spec.inputs : spec.outputs;
   if (ioOf(declared, name) !== undefined) return;
   const names = declared.map(({ internalName }) => internalName).join(', ');
-  // What a node has of its own and does not describe cannot be known here. [SE-6]
+  // The inputs and outputs of a node's own module are unknown if the node does not describe them. [SE-6]
   const isUnknown = !hasCode(draft) && spec.inputs.length === 0 && spec.outputs.length === 0;
   const problem = isUnknown ? warningProblem : errorProblem;
   yield problem({

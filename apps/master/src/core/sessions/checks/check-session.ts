@@ -24,7 +24,7 @@ export const SURROUNDINGS: ReadonlySet<string> = new Set<ProblemCode>([
   'node_unavailable',
 ]);
 
-/** What is doubtful today and may not be tomorrow: it depends on topics, components and nodes. */
+/** Returns warnings that depend on current topics, components and nodes. */
 export function checkSurroundings(
   modules: readonly DraftModule[],
   context: CheckContext,

@@ -8,7 +8,7 @@ import { errorProblem, warningProblem } from '../problems.ts';
 import { about } from './check-context.ts';
 import { hasCode } from './check-modules.ts';
 
-/** What the check of sources works on. */
+/** Dependencies of the check of sources. */
 export interface SourceCheckContext {
   readonly sandboxes: SandboxFactory;
   readonly clock: Clock;

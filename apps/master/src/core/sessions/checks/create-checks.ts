@@ -13,7 +13,7 @@ import { nodeProblem } from './node-problem.ts';
 /** Names of clients leave with them, and the ids of clients tell people nothing. */
 const GONE_CLIENT = 'a client that has left';
 
-/** What the checks see of the master. */
+/** State of the master for the checks. */
 export interface ChecksParts {
   readonly patterns: PatternCompiler;
   readonly devices: DeviceRegistry;

@@ -14,7 +14,7 @@ export class Durations {
     if (this.#values.length < MOST) this.#values.push(durationMs);
   }
 
-  /** What was collected since the call before. Times are monotonic milliseconds. */
+  /** Returns the statistics since the last call. Times are monotonic milliseconds. */
   take(nowMs: number): { perSecond: number; p50Ms: number; p95Ms: number } {
     const sorted = this.#values.sort((a, b) => a - b);
     const seconds = (nowMs - this.#sinceMs) / 1000;

@@ -15,7 +15,7 @@ const DEFAULT_HERTZ = 60;
 interface Share {
   readonly nodeId: string;
   readonly modules: readonly SessionModule[];
-  /** What it put out; undefined as long as it has not answered. */
+  /** Its outputs; undefined until it has replied. */
   outputs: readonly Uint8Array[] | undefined;
 }
 

@@ -11,7 +11,7 @@ import type { LockstepContext } from './lockstep-context.ts';
 
 interface Bound {
   readonly binding: InputBinding;
-  /** What it was bound for: other inputs need another binding. */
+  /** Inputs of the binding; other inputs need another binding. */
   readonly inputs: SessionModule['spec']['inputs'];
   mapping: SessionModule['mapping'];
 }
