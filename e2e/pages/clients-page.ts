@@ -6,7 +6,7 @@ export class ClientsPage {
   readonly list: Locator;
   readonly loads: Locator;
   readonly search: Locator;
-  /** What is said at the foot about who left and who came back. */
+  /** Note at the bottom about clients that left or came back. */
   readonly note: Locator;
 
   constructor({ page }: { page: Page }) {

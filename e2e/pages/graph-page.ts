@@ -16,7 +16,7 @@ export class GraphPage {
   readonly life: Locator;
   /** The name of the session in the top bar. */
   readonly title: Locator;
-  /** Who else has it open. */
+  /** Other users who have the session open. */
   readonly others: Locator;
   readonly importDialog: Locator;
   readonly menu: Locator;
@@ -128,7 +128,7 @@ export class GraphPage {
     return this.node(node).getByRole('button', { name: /^\d+ problems?: / });
   }
 
-  /** What passes where the pointer rests. */
+  /** Card with the values at the hovered wire or socket. */
   get passing(): Locator {
     return this.page.locator('[data-hover-card]');
   }
@@ -164,7 +164,7 @@ export class GraphPage {
     await this.pull(from, { x: from.x + x, y: from.y + y });
   }
 
-  /** Where a node is taken to be dragged: its head, or the title of a frame. */
+  /** Position for dragging a node: its header, or the title of a frame. */
   async grip(label: string): Promise<Place> {
     const { x, y } = await this.box(label);
     return { x: x + 40, y: y + 14 };

@@ -2,14 +2,14 @@ import type { Locator, Page } from '@playwright/test';
 import type { BrowserContextOptions } from '@playwright/test';
 
 /**
- * What makes somebody on this machine a stranger, as a proxy would that brings them from elsewhere.
- * [AC-1] Sockets carry no such header, and are admitted by who they prove to be.
+ * Headers that make a caller on this computer a stranger, as a proxy for remote callers would. [AC-1] WebSockets carry
+ * no such header, and are admitted by their credential.
  */
 export const FROM_ELSEWHERE: BrowserContextOptions = {
   extraHTTPHeaders: { 'x-forwarded-for': '203.0.113.7' },
 };
 
-/** Where somebody joins, as on a phone. */
+/** The join page, as on a phone. */
 export class JoinPage {
   readonly page: Page;
   readonly heading: Locator;

@@ -16,7 +16,7 @@ export class MousePointerPage {
   readonly pad: Locator;
   readonly ownPointer: Locator;
   readonly otherPointers: Locator;
-  /** What the session made of one's own. */
+  /** The own pointer as mirrored by the session. */
   readonly mirroredPointer: Locator;
   readonly session: Locator;
   readonly roundTrip: Locator;
@@ -129,7 +129,7 @@ export class MousePointerPage {
     await this.session.getByRole('switch', { name: `Mirror ${axis}` }).setChecked(on);
   }
 
-  /** Where the session's module runs. */
+  /** Option for the node of the session's module. */
   place(name: 'Master' | 'This tab' | 'Node'): Locator {
     return this.session.getByRole('radio', { name, exact: true });
   }

@@ -84,7 +84,7 @@ export class PartyPhonePage {
     if (await button.isVisible()) await button.tap({ timeout: 2000 }).catch(() => undefined);
   }
 
-  /** Where the thumb is, each from -1 to 1; away from the player is positive. */
+  /** Moves the thumb, each axis from -1 to 1; positive is away from the player. */
   async steer(x: number, y: number): Promise<void> {
     const pad = this.page.getByRole('application');
     const middle = await middleOf(pad);

@@ -7,7 +7,7 @@ export class PerformancePage {
   readonly start: Locator;
   readonly stop: Locator;
   readonly progress: Locator;
-  /** What is kept, in the list of results. */
+  /** Stored results in the list. */
   readonly kept: Locator;
 
   constructor({ page }: { page: Page }) {

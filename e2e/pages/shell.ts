@@ -1,6 +1,6 @@
 import { expect, type Locator, type Page } from '@playwright/test';
 
-/** What stands around every page: navigation, connection, palette. */
+/** The shell around every page: navigation, connection, palette. */
 export class Shell {
   readonly page: Page;
   readonly navigation: Locator;

@@ -10,7 +10,7 @@ export interface Place {
 export class SpaceView {
   readonly page: Page;
   readonly frame: Locator;
-  /** What is drawn, in words. */
+  /** The canvas, whose label describes the drawing. */
   readonly canvas: Locator;
 
   constructor({ page }: { page: Page }) {
@@ -37,7 +37,7 @@ export class SpaceView {
     };
   }
 
-  /** How many pixels of the picture have the colour of a token, about. */
+  /** Approximate number of pixels with the colour of a token. */
   async pixelsOf(token: string): Promise<number> {
     const png = (await this.frame.screenshot({ animations: 'allow' })).toString('base64');
     return this.page.evaluate(

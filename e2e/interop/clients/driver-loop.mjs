@@ -1,6 +1,5 @@
-// What every JavaScript driver shares: one JSON object a line on stdin (a command with an id), one a
-// line on stdout (its reply, or an event). The clients write their own messages to stdout; those go to
-// stderr instead.
+// Common part of all JavaScript drivers: one JSON object per line on stdin (a command with an id), one per line on
+// stdout (its reply, or an event). The clients write their own messages to stdout; those are redirected to stderr.
 
 import { createInterface } from 'node:readline';
 

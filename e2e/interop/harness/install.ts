@@ -11,7 +11,7 @@ const CLIENTS = join(import.meta.dirname, '../clients');
 const CACHE = join(import.meta.dirname, '../../.cache/interop');
 const INSTALL_TIMEOUT_MS = 10 * 60_000;
 
-/** Where a client is installed, or why it is not. */
+/** Folder of an installed client, or the reason why it is not installed. */
 export type Installation = { readonly folder: string } | { readonly missing: string };
 
 /** Installs one published client, unless an earlier run has. @throws when the installer fails */

@@ -10,7 +10,7 @@ import { EventLog } from './event-log.ts';
 
 const CLIENTS = join(import.meta.dirname, '../clients');
 
-/** How often a value is published that the Python node may have lost. */
+/** Interval at which a value is published again that the Python node may have missed, milliseconds. */
 const PUBLISH_AGAIN_MS = 1_000;
 
 /** A record as the client's callback got it. The web node gives no format. */
@@ -36,7 +36,7 @@ export interface ComplaintEvent {
   readonly text: string;
 }
 
-/** What drivers report. */
+/** Event reported by a driver. */
 export type ClientEvent =
   | RecordEvent
   | FrameEvent
@@ -44,7 +44,7 @@ export type ClientEvent =
   | { readonly event: 'ready' | 'open' }
   | { readonly event: 'close'; readonly code: number; readonly reason: string };
 
-/** What a client knows once it is connected. */
+/** Data of a connected client. */
 export interface Connected {
   readonly clientId: string;
   /** The client as the master's registration reply gave it. */
@@ -56,7 +56,7 @@ export interface Connected {
   readonly servicesUrl?: string;
 }
 
-/** Where a client connects to. */
+/** Addresses for a legacy client. */
 export interface LegacyAddresses {
   readonly services: string;
   readonly topicData: string;
@@ -196,7 +196,7 @@ export class LegacyClient {
     return this.events.all.filter((event) => event.event === 'frame' && event.kind === kind).length;
   }
 
-  /** What the client warned of or failed at so far. */
+  /** Warnings and errors of the client so far. */
   get complaints(): readonly string[] {
     return this.events.all.flatMap((event) => (event.event === 'complaint' ? [event.text] : []));
   }

@@ -9,7 +9,7 @@ import { LegacyClient, type LegacyAddresses } from './legacy-client.ts';
 /** A master with both old ports, and the clients that joined it. */
 export interface Room {
   readonly master: MasterProcess;
-  /** Where existing clients look: the old ports, on loopback. */
+  /** Addresses for existing clients: the legacy ports on loopback. */
   readonly legacy: LegacyAddresses;
   /** A published client, connected over the old ports. */
   joins(kind: ClientKind, name?: string): Promise<Guest>;

@@ -5,7 +5,7 @@ import { suiteName, useRoom, whyMissing } from '../harness/room.ts';
 
 const room = useRoom();
 
-/** How often a value is published that a node may not have been ready for. */
+/** Interval at which a value is published again that a node may have missed, milliseconds. */
 const PUBLISH_AGAIN_MS = 200;
 
 async function statusOf(ours: UbiiClient, id: string): Promise<SessionStatus> {

@@ -50,7 +50,7 @@ const PAGES = [
 /** They have a header of their own, with the connection in it. */
 const DEVICE_PAGES = ['smart-device', 'controller', 'camera', 'gamepad', 'keyboard-mouse'] as const;
 
-/** What a pointer or the focus rests on is told in a layer of its own, at the end of the document. */
+/** Layer of the tooltip, at the end of the document. */
 const TOOLTIP = '.tooltip';
 
 const SCREENS = ['desktop', 'phone'] as const;
@@ -87,7 +87,7 @@ async function expectNoViolation(
   except: readonly string[],
 ): Promise<void> {
   for (const selector of except) builder.exclude(selector);
-  // What is drawn by the next frame has the colours of the theme.
+  // Wait for a frame, so that everything is drawn in the colours of the theme.
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
   const { violations } = await builder.analyze();
   const found = violations.flatMap(({ id, help, nodes }) =>

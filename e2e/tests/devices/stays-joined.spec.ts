@@ -9,7 +9,7 @@ import { Shell } from '../../pages/shell.ts';
 import { makeGrant } from '../connect/make-grant.ts';
 
 const DEVICE = 'web-interface-smart-device';
-/** What the browser itself writes on the console while nothing passes, or nobody answers. */
+/** Console messages of the browser itself while the network is cut. */
 const CUT_OFF = [/net::ERR_/, /WebSocket connection to .* failed/];
 
 /** Phones as smart devices, in the eyes of a program. */

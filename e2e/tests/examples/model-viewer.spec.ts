@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import { expect, test } from '../../fixtures/test.ts';
 import { TouchedPhone } from '../../pages/gatherer-page.ts';
 
-/** How the scene has the model, as it was drawn: x, y, z, w. */
+/** Rotation of the model as drawn by the scene: x, y, z, w. */
 async function drawnTurn(page: Page): Promise<number[]> {
   const text = await page.locator('canvas').getAttribute('data-turn');
   return (text ?? '').split(' ').map(Number);

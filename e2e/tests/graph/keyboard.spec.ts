@@ -102,7 +102,7 @@ test('a session is built, wired, started and saved with the keyboard alone', asy
   });
 
   await test.step('it is started and saved, and its values are seen', async () => {
-    // Where the focus is after wiring: Enter alone would take up a wire there.
+    // The focused socket after wiring: Enter alone would start a wire there.
     await graph.socket('Module low-pass', 'Output smoothed').focus();
     await keyboard.press('Control+Enter');
     await expect(graph.life).toContainText('Running');

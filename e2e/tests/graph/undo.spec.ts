@@ -408,7 +408,7 @@ for (const [about, deeds] of Object.entries({
         await expect
           .poll(async () => (await undo.getAttribute('aria-label'))?.slice(6))
           .toMatch(label);
-        // What is typed belongs to its field: undo is of the canvas.
+        // Undo in a field affects its text: focus the canvas.
         await graph.canvas.focus();
         await expect.poll(async () => settled(graph)).toBe(true);
         const done = await pictureOf(graph);

@@ -214,7 +214,7 @@ test.describe('while somebody hostile is in the room, others do not notice', () 
 
     await test.step('a body that is too large', async () => {
       const body = new Uint8Array(FRAME_LIMIT_BYTES + 1);
-      // Who goes on sending after the answer is cut off, and may lose it. [SV-45]
+      // A client that continues to send after the reply is cut off, and may lose the reply. [SV-45]
       const answer = await hostile.post(body, 'application/json').catch(() => undefined);
       if (answer !== undefined) expect(answer.error?.message).toMatch(/bytes/);
       await othersDoNotNotice(master);

@@ -6,10 +6,10 @@ import { GathererPage, TouchedPhone } from '../../pages/gatherer-page.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 import { JoinPage } from '../../pages/join-page.ts';
 
-/** Who has not joined is told so, which browsers log. */
+/** Status of requests before joining, which browsers log. */
 const REFUSED = /status of (401|403)/;
 
-/** How the topics end that the graph is to show. */
+/** Ends of the topics that the graph must show. */
 const TOPICS = ['/touch_events', '/orientation', 'smart-device/acceleration'];
 
 /** Calls a service from a page of the master's own machine: programs of a test are in no network. */
@@ -22,7 +22,7 @@ async function askMaster({ page }: Person, request: object): Promise<ServiceRepl
   return fromJson('ubii.services.ServiceReply', reply);
 }
 
-/** What somebody does who scans the code of the terminal. */
+/** Actions of a user who scans the code of the terminal. */
 async function scanAndTap(lan: Lan, phone: Person): Promise<TouchedPhone> {
   phone.watch.expect(REFUSED);
   const join = new JoinPage(phone);
@@ -108,7 +108,7 @@ test('a phone that trusts the certificate scans and taps once, and the graph sho
     await expect(topicNode('/orientation')).toContainText('10');
   });
 
-  /** What is sensed before the master knows the device is let go. */
+  /** Wait for the registration: sensor values before it are dropped. */
   async function untilDevice(): Promise<void> {
     const topic = '/services/device/get_list';
     await expect

@@ -3,7 +3,7 @@ import { expect, test } from '../../fixtures/test.ts';
 import { MousePointerPage } from '../../pages/mouse-pointer-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
-/** What the browser itself writes on the console while nobody answers. */
+/** Console messages of the browser itself while the master is unreachable. */
 const UNREACHABLE = [/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/];
 
 test('the master is restarted: everybody comes back as who they were, without a reload', async ({

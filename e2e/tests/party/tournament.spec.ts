@@ -29,7 +29,7 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
   ];
   await screen.expectPlayers(4);
 
-  // What the players see: who sits where, and the newest state of each game
+  // State that the players see: seats, and the newest state of each game.
   const eyes = await room.program('eyes');
   const seen = new Map<GameId, RoundState>();
   for (const game of Object.keys(GAMES) as GameId[]) {

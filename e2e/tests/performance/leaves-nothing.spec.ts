@@ -4,7 +4,7 @@ import { expect, test } from '../../fixtures/test.ts';
 import { PerformancePage } from '../../pages/performance-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
-/** What tests put on the master: names of clients and sessions, and topics. */
+/** Objects of performance tests on the master: names of clients and sessions, and topics. */
 async function leftOn(addresses: MasterAddresses): Promise<string[]> {
   const { clientList } = await callService(addresses, { topic: '/services/client/get_list' });
   const { sessionList } = await callService(addresses, {

@@ -27,7 +27,7 @@ class ModulesPage {
     );
   }
 
-  /** What a body returns, as text. */
+  /** Result of a function body, as text. */
   async textOf(body: string, isTrusted: boolean): Promise<unknown> {
     const onProcessing = `async (dt, inputs, state) => {
       const result = await (async () => { ${body} })();

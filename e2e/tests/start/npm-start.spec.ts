@@ -71,7 +71,7 @@ function isAlive(pid: number): boolean {
   } catch {
     return false;
   }
-  // What ended without its parent waits for process 1 to take note of it, in containers forever.
+  // An orphaned process stays a zombie until process 1 reaps it, in containers forever.
   return process.platform !== 'linux' || !/^\d+ \(.*\) Z/s.test(readStat(pid));
 }
 

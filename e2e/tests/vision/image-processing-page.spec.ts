@@ -8,7 +8,7 @@ test('the example sends pictures through a module, shows what comes out, and cha
   await page.goto('/examples/image-processing');
   const outputs = page.getByRole('region', { name: 'Outputs' });
   await page.getByRole('button', { name: 'Start', exact: true }).tap();
-  // What comes out differs from what goes in before anything is set
+  // The default output differs from the input.
   await expect(outputs).toContainText('480×270 GRAY8');
   await expect(page.getByRole('img', { name: 'The newest picture' })).toBeVisible();
 

@@ -1,7 +1,7 @@
 import { expect, test } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
 
-/** What the browser itself writes on the console while nobody answers. */
+/** Console messages of the browser itself while the master is unreachable. */
 const UNREACHABLE = [/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/];
 const OLD = 'Received before the connection was lost';
 
