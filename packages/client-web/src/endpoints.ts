@@ -1,6 +1,6 @@
 import type { ClientOptions } from './core/client/client-options.ts';
 
-/** Where a master is reached. */
+/** URLs of a master. */
 export interface Endpoints {
   readonly servicesUrl: string;
   readonly topicDataUrl: string;

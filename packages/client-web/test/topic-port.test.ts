@@ -75,7 +75,9 @@ describeTopicPort('a client of a real master', async () => {
   };
 });
 
-/** What one asked for and published before has arrived when the other receives this. */
+/**
+ * Ensures that everything one client requested and published before has arrived when the other receives this record.
+ */
 async function exchange(from: UbiiClient, to: UbiiClient, topic: string): Promise<void> {
   const subscription = to.subscribe(topic);
   await subscription.ready;

@@ -3,7 +3,7 @@ import type { Announcement } from './announcement.ts';
 import { openResponder } from './open-responder.ts';
 import type { MulticastOptions, ReceivedRecord, Responder } from './open-responder.ts';
 
-/** How a master is announced. */
+/** Options for announcing a master. */
 export interface AnnounceOptions extends MulticastOptions {
   readonly announcement: Announcement;
   /** Name under which the addresses of this machine are announced, such as `workshop.local`. */
@@ -20,11 +20,11 @@ export interface AnnouncedMaster {
   close(): Promise<void>;
 }
 
-/** How long others may take to say that they have the name, milliseconds. */
+/** Time for other hosts to claim the name, milliseconds. */
 const PROBE_MS = 750;
-/** How often it is looked whether the machine is in other networks, milliseconds. */
+/** Interval of checks for changed networks of the computer, milliseconds. */
 const NETWORKS_MS = 10_000;
-/** How long the farewell may take, milliseconds. */
+/** Timeout of the goodbye message, milliseconds. */
 const FAREWELL_MS = 400;
 /** More masters of one name are not distinguished by their number. */
 const MAX_ATTEMPTS = 100;

@@ -1,4 +1,4 @@
-/** What a master tells of itself in the local network. [DI-2] */
+/** Data that a master announces in the local network. [DI-2] */
 export interface Announcement {
   /** Name of the master, as people see it. */
   readonly name: string;

@@ -5,13 +5,13 @@ import type { MulticastOptions } from './open-responder.ts';
 
 /** A master that was heard. */
 export interface FoundMaster extends Announcement {
-  /** Where it answered from: an address that can be reached from here. */
+  /** Source address of the reply, which can be reached from here. */
   readonly address: string;
   /** Its address for programs: they need no certificate. */
   readonly url: string;
 }
 
-/** How masters are looked for. */
+/** Options for finding masters. */
 export interface FindOptions extends MulticastOptions {
   /** Called for each thing that goes wrong. */
   readonly onProblem: (reason: string) => void;

@@ -1,7 +1,7 @@
 import type { EventEmitter } from 'node:events';
 import Bonjour from 'bonjour-service';
 
-/** Where multicast DNS goes. */
+/** Destination of multicast DNS. */
 export interface MulticastOptions {
   /** IPv4 addresses of this machine, one for each network to speak in. */
   readonly addresses: () => readonly string[];
@@ -17,7 +17,7 @@ export interface ReceivedRecord {
   readonly ttl?: number;
 }
 
-/** What is used of the library's server, whose declaration says nothing of it. */
+/** The part of the library's server that is used and missing in its type declarations. */
 interface Mdns extends EventEmitter {
   query(name: string, type: string): void;
 }

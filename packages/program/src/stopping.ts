@@ -1,7 +1,7 @@
 /** Ignore the duplicate Ctrl-C that npm sends. */
 const SAME_SIGNAL_MS = 500;
 
-/** How a program ends. */
+/** Shutdown of a program. */
 export interface Shutdown {
   close(): Promise<void>;
   /** The process exits after this time, even if closing has not finished. */

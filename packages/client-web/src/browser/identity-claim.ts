@@ -1,9 +1,12 @@
 /**
- * How long a page waits for an identity that is neither given free nor answered for, milliseconds. A
- * busy machine takes seconds to end the page before a reload; one that is alive answers long before.
+ * Longest time to wait for an identity that is neither released nor confirmed by its page, milliseconds. A busy
+ * computer takes seconds to end the page before a reload; a live page replies much earlier.
  */
 const LONGEST_WAIT_MS = 5_000;
-/** How long others have to object where there are no locks, milliseconds. A message between pages takes one or two; every reload waits this long. */
+/**
+ * Time for other pages to object where locks are not available, milliseconds. A message between pages takes one or two;
+ * every reload waits this long.
+ */
 const OBJECTION_WAIT_MS = 250;
 /** A page that says it is there is asked once more after this, milliseconds: it may have been about to end. */
 const SECOND_QUESTION_MS = 300;

@@ -6,7 +6,7 @@ import { createTabIdentity } from './tab-identity.ts';
 
 const ADA = { clientId: 'ada-1', resumeToken: 'token' };
 
-/** What of the Storage interface is used. */
+/** The part of the Storage interface that is used. */
 class TabStorage {
   readonly #entries: Map<string, string>;
 
@@ -36,7 +36,7 @@ class Locks {
   readonly #held = new Set<string>();
   #waiting: (() => void)[] = [];
   #page: (() => void)[] = [];
-  /** What a busy machine has not come to yet. */
+  /** Pending work of a busy computer. */
   busy: Promise<void> | undefined;
 
   query(): Promise<{ pending: { name: string }[] }> {

@@ -64,7 +64,7 @@ describe('topics over a client, with their devices', () => {
     const keys = of('/pads/keys').map(({ bytes }) => (decodeRecord(bytes).value as KeyEvent).key);
     expect(keys.length).toBeGreaterThan(40);
     expect(keys).toEqual(Array.from(keys, (_, i) => String(240 - keys.length + 1 + i)));
-    // What came while it asked is one value and all events; what comes later is delivered as it comes.
+    // Records received during the request are merged to one value and all events; later ones are delivered one by one.
     expect(of('/pads/a').length).toBeLessThanOrEqual(keys.length - 19);
     expect(decodeRecord(of('/pads/a').at(-1)!.bytes).value).toBe(240);
   });

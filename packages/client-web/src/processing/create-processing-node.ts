@@ -22,7 +22,7 @@ import { SessionWatch } from './session-watch.ts';
 import { createPageClock } from './page-clock.ts';
 import { inMasterTime } from './in-master-time.ts';
 
-/** How often statistics are reported, milliseconds. [PM-80] */
+/** Interval of statistics reports, milliseconds. [PM-80] */
 export const STATISTICS_INTERVAL_MS = 250;
 
 /** A node on the given client, which may be connected or not. Does nothing before `start()`. */
@@ -277,7 +277,7 @@ class Node implements ProcessingNode {
     });
   }
 
-  /** What runs under the client's id of now, or of before, ends; what comes later is made again. */
+  /** Ends instances under the current or a previous client id; later ones are created again. */
   async #endAll(): Promise<void> {
     const instances = this.#instances;
     this.#instances = undefined;

@@ -5,13 +5,13 @@ import { InstanceKeeper } from '@ubii/pm-sandbox';
 import type { ModuleFault, ModuleRuntime, WantedInstance } from '@ubii/pm-sandbox';
 import type { NodeInstance } from './node-instance.ts';
 
-/** What a runtime tells its node. */
+/** Events of a runtime for its node. */
 export interface RuntimeEvents {
   onEvent(event: ModuleEvent): void;
   onStatus(instanceId: string, status: ProcessingModuleStatus, fault?: ModuleFault): void;
 }
 
-/** What the instances of a node need, and whom they tell. */
+/** Dependencies and callbacks of a node's instances. */
 export interface NodeInstancesOptions {
   readonly patterns: PatternSource;
   createRuntime(events: RuntimeEvents): ModuleRuntime;
@@ -21,7 +21,7 @@ export interface NodeInstancesOptions {
   handleEnded(wanted: WantedInstance): void;
   handleFailed(wanted: WantedInstance, fault: ModuleFault): void;
   handleEvent(event: ModuleEvent): void;
-  /** What people see of them changed. */
+  /** Called when their displayed state changes. */
   handleChange(): void;
 }
 
@@ -72,7 +72,7 @@ export class NodeInstances {
     return [...this.#shown.values()];
   }
 
-  /** What was reported as started and still holds. */
+  /** Instances reported as started that are still valid. */
   get started(): readonly WantedInstance[] {
     return this.#keeper.started;
   }

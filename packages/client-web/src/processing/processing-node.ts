@@ -11,9 +11,9 @@ import type { Clock } from '@ubii/timing';
 import type { Unsubscribe } from '../core/client/ubii-client.ts';
 import type { NodeInstance } from './node-instance.ts';
 
-/** How a node is set up. */
+/** Options of a node. */
 export interface ProcessingNodeOptions {
-  /** Where the code runs. The node does not close it. */
+  /** Sandboxes for the code. The node does not close them. */
   readonly sandboxes: SandboxFactory;
   /** Kind of the program. */
   readonly kind: 'browser' | 'node';
@@ -27,7 +27,7 @@ export interface ProcessingNodeOptions {
   readonly libraries?: readonly string[];
   /** Loads the asset sets of trusted modules into `state.assets`. @default none: such modules cannot run here */
   readonly assets?: AssetStore;
-  /** How many modules it likes to run at once; 0 when it does not say. @default 0 */
+  /** Number of modules that it accepts at once; 0: not specified. @default 0 */
   readonly capacity?: number;
   readonly limits?: Partial<RuntimeLimits>;
   /** @default the system's, in a page one that keeps time while the page is hidden */

@@ -3,10 +3,10 @@ import { Link } from '../core/connection/link.ts';
 import type { TopicDataHandler, TopicDataTransport } from '../core/ports/topic-data-transport.ts';
 import { MasterClock } from '../core/time/master-clock.ts';
 
-/** How long one way takes, milliseconds. @param random from 0 to below 1 */
+/** Latency of one direction, milliseconds. @param random from 0 to below 1 */
 export type WayMs = (random: () => number) => number;
 
-/** What clocks and network are like. */
+/** Properties of clocks and network. */
 export interface ClockWorldOptions {
   readonly seed: number;
   /** Parts per million that the client's timer is too fast. */
@@ -65,7 +65,7 @@ export class ClockWorld {
     );
   }
 
-  /** What the master's clock says at this moment. */
+  /** Current time of the master's clock. */
   get masterMs(): number {
     return EPOCH_MS + this.#trueMs + this.#masterAheadMs;
   }

@@ -53,13 +53,13 @@ export class FakeMaster implements MemoryMaster {
   readonly published: TopicRecord[] = [];
   /** Every node message it was sent, in order. */
   readonly nodeMessages: NodeMessage[] = [];
-  /** What clients are given to show who they are; undefined for none. [AC-13] */
+  /** Credential that clients receive; undefined for none. [AC-13] */
   credential: string | undefined;
-  /** Who closed a socket with a code of its own, in order. [EX-55] */
+  /** Clients that closed a socket with a code of their own, in order. [EX-55] */
   readonly farewells: { readonly clientId: string; readonly code: number }[] = [];
   /** Services beyond its own, by topic. */
   readonly services = new Map<string, (request: ServiceRequest) => Init<ServiceReply>>();
-  /** How many records each received frame held. */
+  /** Number of records in each received frame. */
   readonly frameSizes: number[] = [];
   /** While true, the master is down: services fail, sockets do not open. */
   isDown = false;
@@ -83,7 +83,7 @@ export class FakeMaster implements MemoryMaster {
     return [...this.#clients.keys()];
   }
 
-  /** What the master holds for a client. */
+  /** State that the master stores for a client. */
   holds(clientId: string) {
     const { client, topics, regexes, profiles, devices } = this.#clients.get(clientId)!;
     return {
@@ -291,7 +291,7 @@ export class FakeMaster implements MemoryMaster {
     return device;
   }
 
-  /** How many subscriptions of a client match a topic. */
+  /** Number of subscriptions of a client that match a topic. */
   #countMatches({ topics, regexes, profiles }: FakeClient, topic: string): number {
     const components = this.#components().filter((component) => component.topic === topic);
     const isSelected = (profile: Component): boolean =>

@@ -10,7 +10,7 @@ export interface IdentityStorageWorld {
 
 const ADA = { clientId: 'ada-1', resumeToken: 'token' };
 
-/** What every identity storage does. */
+/** Acceptance tests of identity storages. */
 export function describeIdentityStorage(name: string, setup: () => IdentityStorageWorld): void {
   describe(`${name} as an identity storage`, () => {
     let world: IdentityStorageWorld;

@@ -17,7 +17,7 @@ type Unnumbered<E> = E extends { attempt: number } ? Omit<E, 'attempt'> & { atte
 /** An event; one of an attempt is of the newest attempt unless it says of which. */
 export type RunEvent = Unnumbered<MachineEvent>;
 
-/** What the master makes of a registration. */
+/** Creates the result of a registration. */
 export function membershipOf(change: Partial<Membership> & { clientId?: string } = {}): Membership {
   const { clientId = 'client-1', ...rest } = change;
   return {

@@ -14,8 +14,8 @@ export interface ServiceTransportWorld {
 }
 
 /**
- * What every service transport does. An adapter's test calls this with a way to set up the adapter
- * and a master at its other end.
+ * Acceptance tests of service transports. An adapter's test passes a function that sets up the adapter and a master at
+ * its other end.
  */
 export function describeServiceTransport(
   name: string,

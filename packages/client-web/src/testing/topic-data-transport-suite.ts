@@ -15,7 +15,7 @@ export interface ServerSocket {
   cut(): void;
 }
 
-/** What happens at the master, in order. */
+/** Events at the master, in order. */
 export interface ServerEvents {
   handleOpen(socket: ServerSocket): void;
   handleBinary(bytes: Uint8Array): void;
@@ -33,8 +33,8 @@ export interface TopicDataTransportWorld {
 const ADA: TopicDataQuery = { clientId: 'ada-1', resumeToken: 'a+b/c=&d' };
 
 /**
- * What every topic-data transport does. An adapter's test calls this with a way to set up the adapter
- * and a master at its other end.
+ * Acceptance tests of topic-data transports. An adapter's test passes a function that sets up the adapter and a master
+ * at its other end.
  */
 export function describeTopicDataTransport(
   name: string,

@@ -3,10 +3,10 @@ import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import { ConnectionError } from '../core/connection/connection-error.ts';
 import type { ServiceTransport } from '../core/ports/service-transport.ts';
 
-/** How service requests are written. */
+/** Encoding of service requests. */
 export type ServiceEncoding = 'binary' | 'json';
 
-/** Where and how services are called. */
+/** URL and encoding of services. */
 export interface HttpServicesOptions {
   /** Full URL of the endpoint, such as `http://localhost:8080/services/binary`. */
   readonly url: string;
@@ -68,7 +68,7 @@ export function createHttpServices(options: HttpServicesOptions): ServiceTranspo
   }
 }
 
-/** How services are called at a URL of which nothing else is known. */
+/** Encoding of services at a URL, from its path. */
 function encodingOf(url: string): ServiceEncoding {
   const path = url.replace(/[?#].*$/, '').replace(/\/+$/, '');
   return path.endsWith('/json') || path.endsWith('/services') ? 'json' : 'binary';

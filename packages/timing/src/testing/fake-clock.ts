@@ -50,7 +50,7 @@ export class FakeClock implements PreciseClock {
     return this.#timers.size;
   }
 
-  /** How many callbacks wait for the end of this turn. */
+  /** Number of callbacks that wait for the end of this turn. */
   get endOfTurnCount(): number {
     return this.#endOfTurn.length;
   }

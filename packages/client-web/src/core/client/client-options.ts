@@ -7,13 +7,13 @@ import type { ServiceTransport } from '../ports/service-transport.ts';
 import type { TopicDataTransport } from '../ports/topic-data-transport.ts';
 import type { ReconnectPolicy } from '../connection/reconnect-policy.ts';
 
-/** How a client is set up. */
+/** Options of a client. */
 export interface ClientOptions {
   /** Origin of a master, such as `http://localhost:8080`. @default the page's origin; required in Node */
   readonly url?: string;
-  /** Where services are, when not under `url`; JSON when the path ends with `/json` or `/services`, else binary. */
+  /** URL of services, if not under `url`; JSON when the path ends with `/json` or `/services`, otherwise binary. */
   readonly servicesUrl?: string;
-  /** Where the topic-data WebSocket is, when not under `url`. */
+  /** URL of the topic-data WebSocket, if not under `url`. */
   readonly topicDataUrl?: string;
   /** Name for people; need not be unique. */
   readonly name: string;
@@ -30,7 +30,7 @@ export interface ClientOptions {
    * then the credential shows who it is, which is kept with the identity. [AC-13]
    */
   readonly joinToken?: string;
-  /** Where the identity is kept between runs. @default in memory */
+  /** Storage of the identity between runs. @default in memory */
   readonly identity?: IdentityStorage;
   /** Records are collected this long and sent as one frame, milliseconds; 0: until the end of the turn. @default 15 */
   readonly publishIntervalMs?: number;

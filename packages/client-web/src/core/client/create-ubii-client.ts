@@ -55,7 +55,7 @@ import type {
 
 const DEFAULT_PUBLISH_INTERVAL_MS = 15;
 const DEFAULT_SERVICE_TIMEOUT_MS = 10_000;
-/** How long `close()` waits for the master, each time it asks it something, milliseconds. */
+/** Timeout of each request to the master during `close()`, milliseconds. */
 const FAREWELL_TIMEOUT_MS = 2_000;
 
 /** A credential lives for a week; one who stays for longer gets another in time, milliseconds. [AC-13] */

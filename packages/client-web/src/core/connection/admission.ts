@@ -1,7 +1,7 @@
 import type { Client } from '@ubii/proto';
 import { joinProblemOf, sendableToken, wrongToken } from './join.ts';
 
-/** What an admission has to know of the client. */
+/** State of the client that an admission needs. */
 export interface Applicant {
   /** The credential of this client, or else that of an earlier client here. */
   credential(): string | undefined;
@@ -14,7 +14,7 @@ export interface Applicant {
 /** Registers, given a secret that shows who calls; empty for none. */
 type Register = (bearer: string) => Promise<Client>;
 
-/** Which secret a client shows to be admitted. */
+/** Chooses the secret with which a client is admitted. */
 export class Admission {
   readonly #applicant: Applicant;
   /** Token or code to join with, until the client has joined. */
@@ -73,7 +73,7 @@ export class Admission {
       client = await register(sendable);
     } catch (error) {
       if (joinProblemOf(error) === undefined) throw error;
-      // What a person typed is not tried again by itself.
+      // A typed code is not retried automatically.
       if (isAsked && this.#joinToken === joinToken && this.#applicant.isMember()) {
         this.#joinToken = undefined;
       }

@@ -13,7 +13,7 @@ function createRandom(seed: number): () => number {
   return () => (state = (state * 48_271) % 2_147_483_647) / 2_147_483_647;
 }
 
-/** What a program does and what may happen to it, in any order. */
+/** Random actions of a program and events of its environment. */
 class Story {
   readonly master: FakeMaster;
   readonly random: () => number;

@@ -79,7 +79,7 @@ function countFailure(state: LiveState, { monotonicMs, policy }: MachineContext)
   return hasHeld ? 0 : state.memory.failedAttempts + 1;
 }
 
-/** What a failure says of the registration. */
+/** Converts a failure to its meaning for the registration. */
 function toRegistration(
   state: LiveState,
   failure: LinkFailure,

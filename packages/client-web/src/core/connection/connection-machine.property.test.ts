@@ -8,7 +8,7 @@ import type { ConnectionStatus } from './connection-state.ts';
 import { isLive } from './connection-ending.ts';
 import { DEFAULT_RECONNECT_POLICY } from './reconnect-policy.ts';
 
-/** What the program may see, from one announcement to the next. */
+/** Statuses that may follow each status. */
 const MOVES: Record<ConnectionStatus, readonly ConnectionStatus[]> = {
   idle: ['connecting', 'closed'],
   connecting: ['connected', 'reconnecting', 'closed'],
@@ -20,7 +20,7 @@ const MOVES: Record<ConnectionStatus, readonly ConnectionStatus[]> = {
 /** Keeps account of what the effects open and close. */
 class Ledger {
   status: ConnectionStatus = 'idle';
-  /** What is open: `link`, `retry`, `patience`, `sleep-watch`, `waiter`. */
+  /** Open resources: `link`, `retry`, `patience`, `sleep-watch`, `waiter`. */
   readonly open = new Set<string>();
   readonly attempts: number[] = [];
 
@@ -63,7 +63,7 @@ class Ledger {
   }
 }
 
-/** What is open in each phase; `patience` may be, while there is an attempt. */
+/** Resources that are open in each phase; `patience` may be open during an attempt. */
 const OPEN = {
   idle: [],
   registering: ['waiter'],
@@ -75,7 +75,7 @@ const OPEN = {
   closed: [],
 };
 
-/** What each phase waits for, so that events lead somewhere often enough. */
+/** Event that each phase waits for, so that random events make progress often enough. */
 const DUE: Record<keyof typeof OPEN, RunEvent> = {
   idle: { type: 'connect' },
   registering: { type: 'registered', membership: membershipOf({ isExtended: false }) },
@@ -105,7 +105,7 @@ const steps = fc.record({
       .record({ clientId: fc.constantFrom('client-1', 'client-2'), isExtended: fc.boolean() })
       .map((change): RunEvent => ({ type: 'registered', membership: membershipOf(change) })),
   ),
-  /** How many attempts late the event is. */
+  /** Number of attempts by which the event is late. */
   late: fc.constantFrom(0, 0, 0, 0, 1, 2),
   passMs: fc.constantFrom(0, 10, 900, 1_100, 6_000),
   context: fc.record({

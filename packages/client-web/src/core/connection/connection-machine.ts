@@ -18,8 +18,8 @@ type In<P extends MachineState['phase']> = Extract<MachineState, { phase: P }>;
 const FRESH_ATTEMPT_MS = 1_000;
 
 /**
- * How long the first attempts to come back may take until the link is up, milliseconds. It doubles
- * with each that took too long: the network may be gone, or the machine busy. [CL-43]
+ * Timeout of the first attempts to reconnect until the connection is established, milliseconds. Doubled after each
+ * timeout: the network may be gone, or the computer busy. [CL-43]
  */
 const FIRST_PATIENCE_MS = 2_000;
 

@@ -6,13 +6,13 @@ import type { Membership } from './membership.ts';
 
 type Announced<S extends ConnectionStatus> = Extract<ConnectionState, { status: S }>;
 
-/** What later decisions depend on, in every phase. */
+/** Data that later decisions depend on, in every phase. */
 export interface ConnectionMemory {
   /** Number of the newest attempt. Events of earlier attempts are ignored. */
   readonly attemptId: number;
   /** Client id of the last connection or of an earlier run, empty when there was none; `undefined` until it is loaded. */
   readonly lastId: string | undefined;
-  /** What the back-off counts: failed attempts, and links that broke early. See `ReconnectPolicy`. */
+  /** Counter of the back-off: failed attempts, and connections that broke early. See `ReconnectPolicy`. */
   readonly failedAttempts: number;
   /** Whether this outage has had its one attempt without delay. */
   readonly hasHurried: boolean;
@@ -54,7 +54,7 @@ export type MachineState = { readonly memory: ConnectionMemory } & (
   | { readonly phase: 'closed'; readonly announced: Announced<'closed'> }
 );
 
-/** How an attempt found the client at the master. */
+/** State of the client on the master at the time of an attempt. */
 export interface Arrival {
   readonly membership: Membership;
   /** The id before this arrival; empty for the first one. */
@@ -80,7 +80,7 @@ export type AttemptEvent = { readonly attempt: number } & (
   | { readonly type: 'patience-over'; readonly patienceMs: number }
 );
 
-/** What happens to the connection. */
+/** Event of the connection. */
 export type MachineEvent =
   | AttemptEvent
   | { readonly type: 'connect' }
@@ -96,7 +96,7 @@ export type MachineEvent =
 /** Time, chance and settings at the time of an event. */
 export interface MachineContext {
   readonly policy: ReconnectPolicy;
-  /** How long opening a socket may take, milliseconds. */
+  /** Timeout for opening a socket, milliseconds. */
   readonly openTimeoutMs: number;
   /** Milliseconds since the Unix epoch. */
   readonly nowMs: number;
@@ -109,11 +109,11 @@ export interface MachineContext {
   readonly hasCredential: boolean;
 }
 
-/** What is to be done after an event, in this order. `announce` comes last: its callbacks may cause further events. */
+/** Action after an event, in this order. `announce` comes last: its callbacks may cause further events. */
 export type MachineEffect =
   | { readonly type: 'register'; readonly attempt: number }
   | { readonly type: 'cancel-registration'; readonly error: ConnectionError }
-  /** What the client knows of its registration holds, may not hold, or does not hold; or its identity is worth nothing. */
+  /** Whether the client's knowledge of its registration is valid, doubtful or invalid; or the identity is discarded. */
   | { readonly type: 'trust' | 'doubt' | 'invalidate' | 'forget' }
   | { readonly type: 'open-link'; readonly attempt: number; readonly membership: Membership }
   | { readonly type: 'close-link'; readonly farewell: Farewell }

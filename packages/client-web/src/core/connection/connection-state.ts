@@ -1,6 +1,6 @@
 import type { ConnectionError } from './connection-error.ts';
 
-/** How the client and its master stand. A terminal `closed` carries the reason. */
+/** State of the connection between client and master. A terminal `closed` has the reason. */
 export type ConnectionState =
   | { readonly status: 'idle' }
   | {

@@ -24,14 +24,14 @@ import type { Membership } from './membership.ts';
 import type { Registration } from './registration.ts';
 import { SleepWatch } from './sleep-watch.ts';
 
-/** What a connection is made of. */
+/** Dependencies of a connection. */
 export interface ConnectionOptions {
   readonly clock: Clock;
   readonly random: RandomSource;
   readonly policy: ReconnectPolicy;
   readonly registration: Registration;
   readonly transport: TopicDataTransport;
-  /** How long opening a socket may take, milliseconds. */
+  /** Timeout for opening a socket, milliseconds. */
   readonly openTimeoutMs: number;
   /** The network is another one than before, and nothing said so. */
   readonly freshenServices: () => void;

@@ -13,7 +13,7 @@ import { readClocks } from '../time/clock-reading.ts';
 import type { ClockReading } from '../time/clock-reading.ts';
 import type { TimeExchange } from '../time/time-sample.ts';
 
-/** How often the master is sent a PING. [EX-6] */
+/** Interval of PING messages to the master, milliseconds. [EX-6] */
 export const PING_INTERVAL_MS = 2_000;
 /**
  * A socket on which nothing arrived for this many PINGs in a row is dead, though it looks open: the
@@ -34,14 +34,14 @@ export interface LinkOptions {
   readonly clock: Clock;
   /** Whether the master answers PING: masters of ours do. */
   readonly canPing: boolean;
-  /** How long opening and the first answer may take, milliseconds. */
+  /** Timeout for opening and for the first reply, milliseconds. */
   readonly openTimeoutMs: number;
   /** The bytes are the callee's to keep. */
   readonly handleBinary: (bytes: Uint8Array) => void;
   /** A text frame other than PING and PONG. */
   readonly handleUnknownText: (text: string) => void;
   readonly handleRoundTrip: (roundTripMs: number) => void;
-  /** How this client tells time to a master that tells its own; undefined for one that does not. */
+  /** Measurement of the master's clock; undefined for masters that do not report their time. */
   readonly time: LinkTime | undefined;
   /** Called once, unless `close()` was called before. */
   readonly handleEnd: (failure: LinkFailure) => void;

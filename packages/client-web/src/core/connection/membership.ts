@@ -13,7 +13,7 @@ export interface ClientProfile {
   readonly isDedicatedNode: boolean;
 }
 
-/** What the master made of a registration. */
+/** Result of a registration. */
 export interface Membership {
   readonly identity: Identity;
   /** Whether the master is one of ours and speaks the extension. [EX-1] */
@@ -22,7 +22,7 @@ export interface Membership {
   readonly tellsTime: boolean;
   /** Semantic version; `undefined` for an original master. */
   readonly masterVersion: string | undefined;
-  /** What it may do; `undefined` with masters that know no roles. [AC-20] */
+  /** Role of the client; `undefined` on masters without roles. [AC-20] */
   readonly role: ClientRole | undefined;
   /** Another number after each registration with which the master may have lost what it knew of us. */
   readonly serial: number;

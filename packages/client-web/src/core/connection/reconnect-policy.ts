@@ -43,11 +43,10 @@ export const DEFAULT_RECONNECT_POLICY: ReconnectPolicy = {
 };
 
 /**
- * How long to wait before the next attempt: exponential back-off, of which the jitter takes up to
- * its share.
- * @param failedAttempts in a row; 0 when a link that held just broke
- * @param isAnswered true when the master answered, but refused the client
- * @returns milliseconds, or `undefined` when the policy says to give up
+ * Returns the delay before the next attempt: exponential back-off, reduced by a random jitter up to its share.
+ * @param failedAttempts number of consecutive failures; 0 after a stable connection broke
+ * @param isAnswered true when the master replied, but refused the client
+ * @returns milliseconds, or `undefined` when the policy gives up
  */
 export function reconnectDelayMs(
   policy: ReconnectPolicy,

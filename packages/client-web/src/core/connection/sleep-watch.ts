@@ -2,7 +2,7 @@ import type { Cancel, Clock } from '@ubii/timing';
 import type { ClockReading } from '../time/clock-reading.ts';
 import { readClocks } from '../time/clock-reading.ts';
 
-/** How often it looks at the clocks, milliseconds: so late at most a sleep is noticed. */
+/** Interval of clock checks, milliseconds: the longest delay in noticing a sleep. */
 const LOOK_INTERVAL_MS = 500;
 /** So much more than that has to have passed, milliseconds. Timers of hidden pages are a second late. */
 const SLEPT_MS = 2_000;

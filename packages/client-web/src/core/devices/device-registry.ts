@@ -36,7 +36,7 @@ export interface DeviceRegistryOptions {
   readonly handleUnknownClient: (error: ServiceError) => void;
 }
 
-/** How long to wait after a request that did not get through though the link is up, milliseconds. */
+/** Delay after a request that failed while connected, milliseconds. */
 const RETRY_MS = 1_000;
 
 /** A device of the program, registered or about to be. */

@@ -1,6 +1,6 @@
 /**
- * Where an error of the program's own code comes from: `listener`: a callback, such as that of `onRecord`
- * · `identity-storage`: the storage that keeps the identity.
+ * Source of an error in the program's own code: `listener`: a callback, such as that of `onRecord`; `identity-storage`:
+ * the storage of the identity.
  */
 export type ErrorSource = 'listener' | 'identity-storage';
 

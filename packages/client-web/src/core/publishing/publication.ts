@@ -11,9 +11,9 @@ export interface Publication {
   readonly timestampMs: number;
   /** Empty before the first connection. */
   readonly clientId: string;
-  /** How long the value outlives this client, seconds. [TD-43] */
+  /** Time for which the value outlives this client, seconds. [TD-43] */
   readonly keepSeconds?: number | undefined;
-  /** How long the value stands without a newer one, milliseconds. [TD-47] */
+  /** Expiry of the value without a newer one, milliseconds. [TD-47] */
   readonly expiryMs?: number | undefined;
 }
 

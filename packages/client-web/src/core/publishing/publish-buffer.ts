@@ -1,7 +1,7 @@
 import { encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
 import type { Cancel, Clock } from '@ubii/timing';
 
-/** How one record is published. */
+/** Options for publishing a record. */
 export interface PublishOptions {
   /** Send at once, with what is waiting before it, and not with the next flush. @default false */
   readonly immediate?: boolean;
@@ -10,18 +10,18 @@ export interface PublishOptions {
   /** Whether timestamps are in the time of the master, or in that of this machine. [TS-9] @default as `ClientOptions` say */
   readonly stampInMasterTime?: boolean;
   /**
-   * How long the master keeps the value after this client left or was lost, whole seconds; an hour at most, and
-   * shorter when its share of the memory is needed. [TD-43] @default 0, not at all
+   * Time for which the master keeps the value after this client left or was lost, whole seconds; at most one hour, and
+   * less when its share of the memory is needed. [TD-43] @default 0, not at all
    */
   readonly keepSeconds?: number;
   /**
-   * How long the value stands on the master while no newer record of the topic comes, whole milliseconds: for values
-   * that are not needed later, or of which no copy is to stay, such as pictures of a camera. [TD-47] @default 0, as long as any
+   * Expiry of the value on the master without a newer record of the topic, whole milliseconds: for values that are not
+   * needed later, or that must not stay, such as pictures of a camera. [TD-47] @default 0, no expiry
    */
   readonly expiryMs?: number;
 }
 
-/** Where frames go. */
+/** Receives frames. */
 export interface PublishSink {
   /** Whether frames can be handed over at all. */
   readonly isOpen: boolean;

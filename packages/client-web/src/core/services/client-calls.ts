@@ -23,7 +23,7 @@ const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
 export interface ClientCallsOptions {
   readonly calls: ServiceCalls;
   readonly clock: Clock;
-  /** How long a call may take, the wait for the connection included, milliseconds. */
+  /** Timeout of a call, including the wait for the connection, milliseconds. */
   readonly timeoutMs: number;
   readonly connection: () => Pick<Connection, 'state' | 'whenConnected'>;
   readonly registration: Pick<Registration, 'clientId' | 'membership' | 'isKnown'>;

@@ -20,10 +20,9 @@ export interface ComponentTopicsOptions {
 }
 
 /**
- * Which topics belong to a component profile. The master delivers by profile [TD-27] but does not say
- * with a record which profile it was for, so the client has to know. It learns from the list of
- * components, from the announcement of new devices, and, when a record comes on a topic it never heard
- * of, by asking again; the record waits for the answer.
+ * Maps component profiles to topics. The master delivers by profile [TD-27], but records do not name the profile, so
+ * the client has to know the topics. It learns them from the list of components, from announcements of new devices,
+ * and, for a record on an unknown topic, by requesting the list again; the record waits for the reply.
  */
 export class ComponentTopics {
   readonly #options: ComponentTopicsOptions;

@@ -8,7 +8,7 @@ import type { ServerPattern } from './topic-pattern.ts';
 
 /** Patterns of one request. The master takes more; a smaller request is answered sooner. */
 const PATTERNS_PER_REQUEST = 1_000;
-/** How long to wait after a request that did not get through though the link is up, milliseconds. */
+/** Delay after a request that failed while connected, milliseconds. */
 const RETRY_MS = 1_000;
 
 /** Dependencies and callbacks of the synchronization. */

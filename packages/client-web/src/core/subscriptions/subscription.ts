@@ -1,7 +1,7 @@
 import type { DataFormat, TopicRecord } from '@ubii/proto';
 import type { TopicPattern } from './topic-pattern.ts';
 
-/** How records of a subscription are wanted. */
+/** Options of a subscription. */
 export interface SubscribeOptions<F extends DataFormat = DataFormat> {
   /** Only records of this data format are delivered. @default every format */
   readonly format?: F;

@@ -13,7 +13,7 @@ export interface TopicDataInboxOptions {
   readonly takesEncoded: () => boolean;
   /** Something in a frame cannot be decoded, or the master refused something. */
   readonly handleProblem: (problem: DecodeError | ServiceError) => void;
-  /** How many subscriptions at the master match a topic. */
+  /** Returns the number of subscriptions on the master that match a topic. */
   readonly countAtMaster: (topic: string) => number;
 }
 

@@ -31,7 +31,7 @@ export interface TopicSubscriptionsOptions {
   readonly onError: ErrorHandler;
 }
 
-/** Where the records of one topic go. */
+/** Receivers of the records of a topic. */
 interface Route {
   readonly receivers: readonly Receiver[];
   /** Subscriptions at the master that match the topic, profiles left out. */
@@ -68,7 +68,7 @@ export class TopicSubscriptions {
   #doubtful = new Set<string>();
   /** Tell of devices that come and go, as long as there are component profiles. */
   #deviceNews: readonly Subscription<'device'>[] = [];
-  /** Where the master takes no profiles: subscriptions by topic in their place. */
+  /** Subscriptions by topic that replace profiles on masters that do not support them. */
   readonly #substitutes = new Map<string, Subscription>();
   #takesComponents = true;
 
@@ -153,7 +153,7 @@ export class TopicSubscriptions {
     if (isUnknown) this.#componentTopics.hold(record);
   }
 
-  /** How many subscriptions at the master match a topic, profiles left out. */
+  /** Number of subscriptions on the master that match a topic, without profiles. */
   countAtMaster(topic: string): number {
     return this.#routeOf(topic).countAtMaster;
   }

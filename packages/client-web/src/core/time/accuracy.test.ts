@@ -8,7 +8,7 @@ const about =
   (random) =>
     leastMs - meanMoreMs * Math.log(1 - random());
 
-/** What is lost comes again after the time-out of TCP. */
+/** Lost data is sent again after the timeout of TCP. */
 const lossy =
   (share: number, way: WayMs): WayMs =>
   (random) =>
@@ -25,7 +25,7 @@ const badWifi = {
   toClientMs: lossy(0.05, about(5, 15)),
 };
 
-/** What happens in a quarter of an hour, beside the network. */
+/** Events within a quarter of an hour, besides those of the network. */
 type Course = (world: ClockWorld, passedMs: number) => void;
 
 const calm: Course = () => undefined;

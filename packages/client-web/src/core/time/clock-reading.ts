@@ -23,7 +23,7 @@ export function readClocks(clock: Clock): ClockReading {
   }
 }
 
-/** How far the wall clock went beyond the monotonic one between two readings, milliseconds. */
+/** Difference between the advances of the wall clock and the monotonic clock between two readings, milliseconds. */
 export function wallAheadMs(before: ClockReading, after: ClockReading): number {
   return after.wallMs - before.wallMs - (after.monotonicMs - before.monotonicMs);
 }

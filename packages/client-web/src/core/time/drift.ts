@@ -1,6 +1,6 @@
 import type { TimeSample } from './time-sample.ts';
 
-/** How fast the master's clock runs against the monotonic clock, milliseconds per millisecond. */
+/** Rate of the master's clock relative to the monotonic clock, milliseconds per millisecond. */
 export interface Drift {
   readonly rate: number;
   /** The true rate is no further away. */

@@ -6,7 +6,7 @@ export interface MasterTimeEstimate {
   readonly offsetMs: number;
   /** Drift of the master's clock against the timer of this machine, parts per million. */
   readonly driftPpm: number;
-  /** How far `nowMs()` may be from the master's clock, milliseconds; grows with age until the next measurement. */
+  /** Bound on the error of `nowMs()`, milliseconds; grows with age until the next measurement. */
   readonly errorMs: number;
   /** When it was measured: milliseconds since the Unix epoch, master's clock. */
   readonly measuredAt: number;
