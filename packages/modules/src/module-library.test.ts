@@ -161,7 +161,7 @@ describe.each(PLAIN_MODULES.map((module) => [module.name, module] as const))(
           ...given,
           ...Object.fromEntries(defaults),
         });
-        // How long something took is never the same.
+        // Measured durations differ between runs.
         delete without['durationMs'];
         delete withDefaults['durationMs'];
         expect(withDefaults).toEqual(without);

@@ -18,11 +18,11 @@ export interface DrivenModule {
     inputs?: InputValues,
     triggers?: readonly string[],
   ): Promise<{ [name: string]: unknown }>;
-  /** What the newest run put out, as it was put out. */
+  /** Unmodified outputs of the newest run. */
   readonly outputs: { readonly [name: string]: unknown };
 }
 
-/** How an instance is run. */
+/** Runs an instance. */
 export type Drive = (
   definition: AnyModuleDefinition,
   libraries?: { readonly [name: string]: unknown },

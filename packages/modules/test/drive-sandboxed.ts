@@ -19,7 +19,7 @@ const instances = { count: 0 };
 const RECORD = 'ubii.topicData.TopicDataRecord';
 const MODULE = 'ubii.processing.ProcessingModule';
 
-/** What a driven instance tells its test. */
+/** Events of a driven instance for its test. */
 export type DrivenEvents = Partial<Pick<SandboxEvents, 'onLog' | 'onLoadAssets'>>;
 
 /**
@@ -60,7 +60,7 @@ async function drive(
       outputs,
       limits: LIMITS,
     },
-    // What is pending rejects with the same fault.
+    // Pending calls reject with the same fault.
     { onLog: () => undefined, onKilled: () => undefined, ...events },
   );
   await sandbox.create();

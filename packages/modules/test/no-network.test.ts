@@ -7,7 +7,7 @@ import { imageTools } from '../src/image-tools/image-tools.ts';
 import { objectDetection } from '../src/object-detection/object-detection.ts';
 import { driveWithVision, photoImage } from './vision-assets.ts';
 
-/** What was tried, by whatever way Node has to another machine. */
+/** Attempts to connect, through any of Node's APIs. */
 const tried: string[] = [];
 const { connect } = net.Socket.prototype;
 const { lookup } = dns;

@@ -14,7 +14,7 @@ import { HostileInputs } from './hostile-inputs.ts';
 /** Bundling the worker takes its time on a busy machine. */
 const SETUP_TIMEOUT_MS = 30_000;
 
-/** What the node fetches for its modules. */
+/** Files that the node provides for its modules. */
 const http = {
   get(url: unknown): Promise<{ status: number; text: string }> {
     if (!String(url).startsWith('http://thing.local/')) {

@@ -1,6 +1,6 @@
 import type { PatternCompiler } from './pattern-compiler.ts';
 
-/** Where a compiler comes from: some programs have it at hand, pages load it with the first need. */
+/** Provides a compiler: immediately in some programs, loaded on first use in pages. */
 export interface PatternSource {
   /** Undefined until it was loaded. */
   readonly compiler: PatternCompiler | undefined;

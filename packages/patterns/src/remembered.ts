@@ -8,7 +8,7 @@ export interface MatchBudget {
   spend(amountMs: number, nowMs: number): boolean;
 }
 
-/** How answers are remembered. */
+/** Options for caching results. */
 export interface RememberOptions {
   /** Texts whose answer is remembered, the newest ones. @default 8192 */
   readonly maxTexts?: number;

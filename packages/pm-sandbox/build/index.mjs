@@ -7,7 +7,7 @@ import { build } from 'esbuild';
 const inPackage = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 /**
- * Where browsers find the workers, and with which policies they are to be served.
+ * Paths of the workers for browsers, and the content security policies to serve them with.
  *
  * @type {{ readonly [kind in 'trusted' | 'sandboxed']: { readonly path: string; readonly csp: string } }}
  */

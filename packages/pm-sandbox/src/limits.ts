@@ -7,7 +7,10 @@ export interface RuntimeLimits {
   readonly maxFrequencyHz: number;
   /** Runs a second of a module in free mode. [PM-28] */
   readonly maxFreeHz: number;
-  /** How long a run under way may go on when its instance is halted, and onHalted and onDestroyed each. [PM-29] */
+  /**
+   * Timeout of a run in progress when its instance is halted, and of onHalted and onDestroyed each, milliseconds.
+   * [PM-29]
+   */
   readonly haltTimeoutMs: number;
   /** Topics in the list of one muxer. [PM-44] */
   readonly maxMuxElements: number;

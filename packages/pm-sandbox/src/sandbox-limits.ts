@@ -36,7 +36,7 @@ export const AWAIT_TIMEOUT_MS = 10_000;
  */
 export const WATCHDOG_GRACE_MS = 250;
 
-/** How often the watchdog looks, milliseconds, while calls are under way. */
+/** Interval of the watchdog's checks during calls, milliseconds. */
 export const WATCHDOG_INTERVAL_MS = 50;
 
 /** Log lines of one call that leave the worker; what is said beyond is counted. */

@@ -3,12 +3,12 @@ import type { ModuleFault } from '../src/index.ts';
 import { encodeRecord } from '@ubii/proto';
 import { openSandbox, valuesOf, type SandboxInit } from '../src/testing/sandbox-fixture.ts';
 
-/** What one module did in the page. */
+/** Outcome of one module in the page. */
 export interface PageOutcome {
   readonly values: Record<string, unknown>;
   readonly faults: readonly ModuleFault[];
   readonly lines: readonly string[];
-  /** What `create` or the run rejected with. */
+  /** Rejection of `create` or of the run. */
   readonly fault: ModuleFault | undefined;
 }
 
@@ -79,7 +79,7 @@ const page = {
   check: (onProcessing: string) => sandboxes.check({ onProcessing }),
 };
 
-/** What a test finds at `window.sandboxPage`. */
+/** Object at `window.sandboxPage` for tests. */
 export type SandboxPage = typeof page;
 
 Object.assign(globalThis, { sandboxPage: page });

@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { build } from 'esbuild';
 
-/** What the licences of the parts ask to be told; their files bring part of it as comments. */
+/** Notices that the licences of the parts require; their files contain some of them as comments. */
 const NOTICE = `/*! Contains TensorFlow.js and its COCO-SSD, (c) Google LLC, Apache-2.0; seedrandom, (c) David Bau, MIT; long.js, (c) Daniel Wirtz, Apache-2.0; jpeg-js, (c) Eugene Ware, BSD-3-Clause, with code (c) notmasteryet, Apache-2.0. */`;
 
 /**

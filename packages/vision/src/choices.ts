@@ -1,4 +1,4 @@
-// What inputs of modules can be set to, without OpenCV and TensorFlow.js: one list for the code and for those who choose.
+// Possible values of module inputs, independent of OpenCV and TensorFlow.js, for the code and for user interfaces.
 import { MARKER_DICTIONARIES } from './markers/dictionaries.ts';
 
 export { DETECTOR_NAMES } from './detection/detector-names.ts';

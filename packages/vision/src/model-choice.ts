@@ -13,7 +13,7 @@ const NEXT_BACKEND: Readonly<Record<BackendName, BackendName | undefined>> = {
   wasm: 'cpu',
   cpu: undefined,
 };
-/** How often the files of a model that are missing are asked for again, milliseconds. */
+/** Interval of requests for missing files of a model, milliseconds. */
 const RETRY_MS = 5_000;
 
 /** A model that can be chosen. */
@@ -106,7 +106,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     return this.#inUse.tensorflow.backend;
   }
 
-  /** Which backends failed, when one was chosen or later, why, and what replaced them; empty when none did. */
+  /** The backends that failed, initially or later, the reasons, and their replacements; empty when none did. */
   get backendFault(): string {
     const { trials, backend } = this.#inUse.tensorflow;
     return trials

@@ -15,7 +15,7 @@ beforeAll(() => {
 });
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** What a worker of modules does, with nothing that could read a file or ask a network. */
+/** Program of a module worker, without access to files or network. */
 const PROGRAM = `
   const { parentPort, workerData } = require('node:worker_threads');
   const { text, wasm, model, picture } = workerData;

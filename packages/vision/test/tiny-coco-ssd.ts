@@ -3,7 +3,7 @@ import type { Files } from '../src/tensorflow/memory-platform.ts';
 
 /** Cells in a row of the picture that the tiny model looks at. */
 export const CELLS = 16;
-/** What it finds: pure red is a person, pure green a stop sign, pure blue a toothbrush. */
+/** Detected classes: pure red is a person, pure green a stop sign, pure blue a toothbrush. */
 const FOUND = [
   { index: 0, weights: [40, -40, -40] },
   { index: 12, weights: [-40, 40, -40] },

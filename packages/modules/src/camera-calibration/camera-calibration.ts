@@ -129,7 +129,7 @@ export const cameraCalibration = defineProcessingModule({
       }
       look = await state.calibrator.look(await vision.readImage2D(image));
     } catch (thrown) {
-      // What the sender of the image or of the board has to change.
+      // Errors that the sender of the image or of the board can correct.
       if (!(thrown instanceof RangeError)) throw thrown;
       error = thrown.message;
     }

@@ -137,7 +137,7 @@ export const imageTools = defineProcessingModule({
       }
       if (format !== undefined) picture = vision.convertPicture(picture, format);
     } catch (thrown) {
-      // What the sender of the image or of a parameter has to change.
+      // Errors that the sender of the image or of a parameter can correct.
       if (!(thrown instanceof RangeError)) throw thrown;
       error = thrown.message;
       picture = undefined;

@@ -143,7 +143,7 @@ export const markerTracking = defineProcessingModule({
         sinceMs,
       });
     } catch (thrown) {
-      // What the sender of the image or of a parameter has to change.
+      // Errors that the sender of the image or of a parameter can correct.
       if (!(thrown instanceof RangeError)) throw thrown;
       error = thrown.message;
     }

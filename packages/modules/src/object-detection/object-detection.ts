@@ -132,7 +132,7 @@ export const objectDetection = defineProcessingModule({
       });
       error = choice.problem;
     } catch (thrown) {
-      // What the sender of the image, or of the classes, has to change.
+      // Errors that the sender of the image or of the classes can correct.
       if (!(thrown instanceof RangeError)) throw thrown;
       error = thrown.message;
     }

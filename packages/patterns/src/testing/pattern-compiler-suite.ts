@@ -3,7 +3,7 @@ import { DEFAULT_PATTERN_LIMITS } from '../limits.ts';
 import type { CompiledPattern, PatternCompiler } from '../pattern-compiler.ts';
 import { MATCHES, REFUSED, SLOW_ELSEWHERE, TOO_LARGE } from './pattern-table.ts';
 
-/** What every compiler of patterns does, wherever it runs, with the default limits. */
+/** Acceptance tests of pattern compilers, with the default limits. */
 export function patternCompilerSuite(
   name: string,
   createCompiler: () => PatternCompiler | Promise<PatternCompiler>,

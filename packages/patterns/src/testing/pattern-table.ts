@@ -7,7 +7,7 @@ export type MatchRow = readonly [
 
 const UUID = '01234567-89ab-cdef-0123-456789abcdef';
 
-/** What patterns find, on every kind of node. */
+/** Expected matches, on every kind of node. */
 export const MATCHES: readonly MatchRow[] = [
   // Anywhere in the text, case-sensitive
   ['touch', '/a/touch/b', ['touch']],
@@ -18,7 +18,7 @@ export const MATCHES: readonly MatchRow[] = [
   ['.*', '', ['']],
   ['^$', '', ['']],
   ['^$', '/', undefined],
-  // What sessions have
+  // Patterns used in sessions.
   ['/info/*', '/info/session/start', ['/info/']],
   ['/py/*', '/p', undefined],
   ['^/a/[^/]+/c$', '/a/b/c', ['/a/b/c']],
@@ -76,7 +76,7 @@ export const MATCHES: readonly MatchRow[] = [
   ['\\d', '٣', undefined],
 ];
 
-/** What is no regular expression, or none that takes linear time, with what the reason says. */
+/** Invalid expressions, and ones that cannot run in linear time, with a part of the reason. */
 export const REFUSED: readonly (readonly [source: string, reason: RegExp])[] = [
   ['(', /missing/],
   ['[a', /missing/],
@@ -94,7 +94,7 @@ export const REFUSED: readonly (readonly [source: string, reason: RegExp])[] = [
   ['(?<n>a)\\k<n>', /back-references/],
 ];
 
-/** What would cost too much for each character of a text. */
+/** Expressions that would cost too much per character of a text. */
 export const TOO_LARGE: readonly string[] = [
   '(?:(?:a{0,31}){0,31}b)*'.repeat(40),
   '(.*){1000}',
@@ -102,7 +102,7 @@ export const TOO_LARGE: readonly string[] = [
   '.{1000}.{1000}',
 ];
 
-/** What takes an engine that backtracks longer than the age of the universe, for a text of a thousand `a` and a `!`. */
+/** Expressions that a backtracking engine cannot finish for a text of a thousand `a` and a `!`. */
 export const SLOW_ELSEWHERE: readonly string[] = [
   '(a+)+$',
   '^(a+)+$',

@@ -1,6 +1,6 @@
 import type { AssetFile, AssetManifest } from './asset-manifest.ts';
 
-/** Where asset sets come from. All rejections are `AssetError`s, or the reason of the signal. */
+/** Source of asset sets. All rejections are `AssetError`s, or the reason of the signal. */
 export interface AssetSource {
   manifest(name: string, signal: AbortSignal): Promise<AssetManifest>;
   /**

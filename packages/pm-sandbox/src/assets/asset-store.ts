@@ -13,7 +13,7 @@ export interface LoadedAssets {
   readonly files: Readonly<Record<string, Uint8Array<ArrayBuffer>>>;
 }
 
-/** How far loading is. */
+/** Progress of loading. */
 export interface AssetProgress {
   readonly name: string;
   readonly loadedBytes: number;

@@ -4,7 +4,7 @@ import type { HostLibrary, WorkerLink, WorkerListener } from '../sandbox/worker-
 import { createPooledSandboxes } from '../sandbox/worker-pool.ts';
 import type { Progress, WorkerBatch, WorkerStart } from '../worker/protocol.ts';
 
-/** How sandboxes in a page are made. */
+/** Options for sandboxes in a page. */
 export interface BrowserSandboxOptions {
   /** Script of workers with trusted code; default: the path of `SANDBOX_WORKER_FILES`. */
   readonly trustedWorkerUrl?: string | URL;

@@ -1,6 +1,6 @@
 /**
- * What a worker's code could reach beyond computing. The policy of the script forbids the network;
- * storage and channels it cannot forbid, so they go, and the rest as a second lock.
+ * Globals with which a worker's code could do more than compute. The content security policy of the script forbids
+ * network access; storage and channels it cannot forbid, so they are removed, and the others as a second safeguard.
  */
 const REACHING = [
   'fetch',

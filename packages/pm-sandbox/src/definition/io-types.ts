@@ -1,6 +1,6 @@
 import type { DataFormat, DataFormatValues, Init, Timestamp } from '@ubii/proto';
 
-/** How an input or output is declared: its data format, or that with more. */
+/** Declaration of an input or output: its data format, alone or with further properties. */
 export type IoInit =
   | DataFormat
   | {

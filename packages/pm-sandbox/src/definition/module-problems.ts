@@ -9,7 +9,7 @@ import { MAX_CHOICE_CHARACTERS, MAX_CHOICES, MAX_IO_DESCRIPTION_CHARACTERS } fro
 
 /** Something wrong with a module. */
 export interface ModuleProblem {
-  /** Where, as in `inputs[1].internalName`; empty for the module as a whole. */
+  /** Path, such as `inputs[1].internalName`; empty for the module as a whole. */
   readonly path: string;
   /** One sentence. */
   readonly message: string;

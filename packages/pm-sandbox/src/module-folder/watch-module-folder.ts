@@ -6,7 +6,7 @@ const QUIET_MS = 100;
 
 /** A folder that is being watched. */
 export interface FolderWatch {
-  /** What it held at first. */
+  /** Initial contents. */
   readonly loaded: LoadedFolder;
   close(): void;
 }

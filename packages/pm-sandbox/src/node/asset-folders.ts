@@ -57,7 +57,7 @@ export class AssetFolders implements AssetSource {
   }
 
   /**
-   * Which of the folders has a set.
+   * Returns the folder that contains a set.
    * @throws AssetError when there is no such set
    */
   async parentOf(name: string): Promise<string> {
@@ -82,7 +82,7 @@ export class AssetFolders implements AssetSource {
   }
 
   /**
-   * Where a file of a set is.
+   * Returns the path of a file of a set.
    * @throws AssetError when the set has no such file
    */
   async pathOf(name: string, path: string): Promise<string> {

@@ -9,7 +9,7 @@ import type { NodeWorkerData } from './node-worker.ts';
 import { defaultModuleMemory, defaultSessionMemory } from './default-memory.ts';
 import { createProgressMemory, readProgress } from './shared-progress.ts';
 
-/** How sandboxes in Node are made. */
+/** Options for sandboxes in Node.js. */
 export interface NodeSandboxOptions {
   /** The worker, as `buildNodeWorker` of `@ubii/pm-sandbox/build` writes it. */
   readonly workerFile: URL | string;
@@ -79,8 +79,8 @@ function startWorker(
     argv: [],
     execArgv: [],
     stdin: false,
-    // What trusted code writes past its console goes nowhere. It is not read, either: a stream that
-    // is keeps the program alive.
+    // Discards output of trusted code that bypasses its console. Not read either: a stream that is read keeps the
+    // program alive.
     stdout: true,
     stderr: true,
     resourceLimits: { maxOldGenerationSizeMb: heapBytes / MIB, stackSizeMb: THREAD_STACK_MB },

@@ -5,7 +5,7 @@ const GIB = 1024 * MIB;
 const SHARE = 1 / 4;
 /** Some hundred modules that keep little. */
 const LEAST_BYTES = 256 * MIB;
-/** What the counts of workers can hold with room to spare, and more than modules are known to need. */
+/** Upper bound that the workers' counters can represent, and more than modules are known to need. */
 const MOST_BYTES = 64 * GIB;
 
 /** Memory that sandboxed modules of a program may have: a quarter of the machine's, or of its container's. [PM-58] */

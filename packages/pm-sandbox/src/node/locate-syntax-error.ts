@@ -4,10 +4,10 @@ import type { SourcePosition } from '../worker/v8/v8-engine.ts';
 const FILE_NAME = 'ubii-module.js';
 
 /**
- * Where a text does not parse. V8 says so only to who compiles a script with a filename: first line
- * `file:line`, then the line itself, then a mark under the place.
+ * Returns the position of a syntax error. V8 reports it only when a script with a filename is compiled: first line
+ * `file:line`, then the line itself, then a mark under the position.
  *
- * @param text begins with one character that is not the author's
+ * @param text starts with one character that is not the author's
  */
 export function locateSyntaxError(text: string): SourcePosition | undefined {
   try {

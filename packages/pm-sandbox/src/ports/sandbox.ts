@@ -135,7 +135,7 @@ export interface SandboxMemory {
   usedBytes(owner?: string): number;
 }
 
-/** Where code runs. */
+/** Creates sandboxes for code. */
 export interface SandboxFactory {
   /** Undefined when it is not counted. */
   readonly memory?: SandboxMemory | undefined;

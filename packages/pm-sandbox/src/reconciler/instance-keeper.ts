@@ -12,7 +12,7 @@ import {
 } from './reconcile.ts';
 import { takeStep } from './take-step.ts';
 
-/** What a keeper works with, and what it tells. */
+/** Dependencies and callbacks of a keeper. */
 export interface InstanceKeeperOptions {
   /** Called when the first instance is made, and from then on. */
   readonly runtime: () => ModuleRuntime;
@@ -33,7 +33,7 @@ export interface InstanceKeeperOptions {
   readonly onGone?: (instanceId: string) => void;
 }
 
-/** What is known of one instance. */
+/** State of one instance. */
 interface Entry {
   readonly id: string;
   sessionId: string;
@@ -88,7 +88,7 @@ export class InstanceKeeper {
     return entry !== undefined && entry.present?.state !== 'failed';
   }
 
-  /** What was told as started and still holds. */
+  /** Instances reported as started that are still valid. */
   get started(): readonly WantedInstance[] {
     return [...this.#entries.values()].flatMap(({ isReported, wasStopped, wanted }) =>
       isReported && !wasStopped && wanted !== undefined ? [wanted] : [],
@@ -202,7 +202,7 @@ export class InstanceKeeper {
 
   async #take(entry: Entry, plan: readonly InstanceStep[]): Promise<void> {
     for (const step of plan) {
-      // What is wanted has changed since the steps were worked out.
+      // The wanted state has changed since the steps were computed.
       if (this.#isClosed || this.#touched.has(entry)) return;
       if (step.kind === 'create') this.#options.onCreate?.(step.wanted);
       const before = entry.present;
@@ -215,7 +215,7 @@ export class InstanceKeeper {
         return;
       }
       if (before !== undefined && step.kind === 'destroy') this.#handleEnd(entry, before);
-      // What the runtime gave up meanwhile stays failed.
+      // An instance that the runtime gave up in the meantime stays failed.
       else if (entry.present?.state !== 'failed') entry.present = after;
     }
   }

@@ -2,10 +2,10 @@ import type { ModuleExtension, ProcessingModule } from '@ubii/proto';
 import type { InstanceSpec } from '../runtime/module-runtime.ts';
 import { isSameValue } from './same-value.ts';
 
-/** What an instance takes from its module also while it runs, beside its mapping: no restart. [PM-62] */
+/** Members of its module that an instance applies while it runs, besides its mapping: no restart. [PM-62] */
 type LiveField = 'processingMode';
 
-/** What no instance depends on: what people read, and what the master notes about the module. */
+/** Members that no instance depends on: descriptions, and notes of the master about the module. */
 type NoteField =
   | 'id'
   | 'nodeId'
@@ -19,8 +19,8 @@ type NoteField =
   | 'grantIds';
 
 /**
- * What an instance takes from its module once, at its start: with another value it has to be made again [SE-15].
- * A new field of the schema belongs here, unless it is listed above.
+ * Members of its module that an instance uses once, at its start: another value requires a new instance [SE-15]. New
+ * fields of the schema belong here, unless they are listed above.
  */
 export type ModuleIdentity = Readonly<
   Omit<ProcessingModule & ModuleExtension, LiveField | NoteField | 'extension'> &

@@ -14,9 +14,9 @@ export interface WantedInstance {
   readonly fault?: ModuleFault | undefined;
 }
 
-/** What there is of an instance on a node. */
+/** Existing instance on a node. */
 export interface PresentInstance {
-  /** What it was made as, with what was applied since. */
+  /** Specification that it was created from, with changes applied since. */
   readonly as: WantedInstance;
   /** `failed`: it could not be made, or was given up. `ready`: it is there and does not process. */
   readonly state: 'ready' | 'processing' | 'failed';

@@ -1,6 +1,6 @@
 import { ProcessingModuleStatus } from '@ubii/proto';
 
-/** Where an instance is in its life, finer than the wire's status. [PM-10] [PM-54] */
+/** Life cycle state of an instance, finer than the status on the wire. [PM-10] [PM-54] */
 export type InstanceStatus =
   | 'creating'
   | 'created'

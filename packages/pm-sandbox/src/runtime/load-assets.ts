@@ -5,7 +5,7 @@ import type { ModuleFault } from '../ports/module-fault.ts';
 import type { InstanceSpec } from './module-runtime.ts';
 import type { InstanceReports } from './reports/instance-reports.ts';
 
-/** How often progress is told, milliseconds. */
+/** Interval of progress reports, milliseconds. */
 const TELL_MS = 1000;
 const MEGABYTE = 1e6;
 

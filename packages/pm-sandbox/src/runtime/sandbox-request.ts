@@ -8,7 +8,7 @@ import { ASSET_CALL_TIMEOUT_MS } from '../sandbox-limits.ts';
 import type { InstanceSpec } from './module-runtime.ts';
 
 /**
- * What a sandbox has to know of an instance; or why the node cannot run it, as far as that shows
+ * Returns the request to create an instance in a sandbox; or why the node cannot run it, as far as that is visible
  * without its code. [PM-1] [PM-4]
  *
  * @param offered libraries of the node

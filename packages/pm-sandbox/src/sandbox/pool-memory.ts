@@ -19,7 +19,7 @@ export interface MemoryUse {
   leave(): void;
 }
 
-/** How the memory of a pool is bounded. */
+/** Memory limits of a pool. */
 export interface PoolMemoryOptions {
   /** Bytes of all sandboxed instances. */
   readonly limitBytes: number;

@@ -38,8 +38,8 @@ export type Verdict<C> =
 /** A worker that has not begun to run by then never will, milliseconds. */
 const START_TIMEOUT_MS = 30_000;
 /**
- * How long a worker may take no message while no instance runs, milliseconds. No instance is in a loop
- * then; on a busy machine it merely gets no turn, and ending it would cost all its instances their state.
+ * Time for which a worker may process no message while no instance runs, milliseconds. No instance is in a loop then;
+ * on a busy computer it just gets no CPU time, and ending it would cost all its instances their state.
  */
 const DEAF_TIMEOUT_MS = 5_000;
 
@@ -106,7 +106,7 @@ export class Watchdog<C extends WatchedCall> {
     }
   }
 
-  /** How long nothing has moved. */
+  /** Returns the time without progress, milliseconds. */
   #silentMs(now: Progress): number {
     const { received, running, sequence } = this.#seen;
     const isSame =

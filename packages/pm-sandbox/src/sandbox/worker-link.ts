@@ -5,7 +5,7 @@ import type { PoolMemoryOptions } from './pool-memory.ts';
 /** One worker as its host sees it. */
 export interface WorkerLink {
   post(batch: HostBatch, transfer: readonly ArrayBuffer[]): void;
-  /** How far it is, as far as is known here. */
+  /** Returns the known progress of the worker. */
   progress(): Progress;
   /** Whether something is under way that the program should stay alive for. */
   setActive(isActive: boolean): void;

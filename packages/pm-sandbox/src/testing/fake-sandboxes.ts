@@ -119,7 +119,7 @@ export class FakeSandbox implements Sandbox {
   }
 }
 
-/** What a run comes to that says nothing. */
+/** Result of a run without outputs. */
 export const EMPTY_RESULT: SandboxResult = { outputs: [], faults: [], durationMs: 1 };
 
 /** Sandboxes under the control of a test. Runs wait for `finish` unless `onRun` is replaced. */

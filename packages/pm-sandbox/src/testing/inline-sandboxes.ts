@@ -8,7 +8,7 @@ import { evaluateLibrary } from '../worker/v8/evaluate-callback.ts';
 import { createV8Engine } from '../worker/v8/v8-engine.ts';
 import { WorkerAssets } from '../worker/worker-assets.ts';
 
-/** What a test may add. */
+/** Additions of a test. */
 export interface InlineSandboxOptions {
   /** Libraries for `state.modules`, by name. */
   readonly libraries?: Readonly<Record<string, unknown>>;

@@ -11,7 +11,7 @@ import type {
 } from '../ports/sandbox.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 
-/** What a test says of a module; the rest is filled in. */
+/** Parts of a module that a test specifies; others have defaults. */
 export interface SandboxInit {
   readonly onProcessing?: string;
   readonly onCreated?: string;

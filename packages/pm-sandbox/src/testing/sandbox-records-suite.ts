@@ -8,7 +8,7 @@ import {
   type SandboxInit,
 } from './sandbox-fixture.ts';
 
-/** What goes into a sandbox and comes out of it: records. [PM-30] to [PM-35] */
+/** Acceptance tests of the records that enter and leave a sandbox. [PM-30] to [PM-35] */
 export function describeRecords(create: (init: SandboxInit) => Promise<OpenSandbox>): void {
   describe('inputs', () => {
     it('are whole records with type [PM-30]', async () => {

@@ -20,7 +20,7 @@ export interface SandboxSuite {
   readonly hasLimits: boolean;
 }
 
-/** What every implementation of the port `SandboxFactory` must do. */
+/** Acceptance tests of the port `SandboxFactory`. */
 export function describeSandboxes(name: string, suite: SandboxSuite): void {
   describe(`sandboxes: ${name}`, () => {
     let factory: SandboxFactory;

@@ -10,12 +10,12 @@ import {
 
 interface Mistake {
   readonly outputs?: Readonly<Record<string, DataFormat | undefined>>;
-  /** What onProcessing returns. */
+  /** Return value of onProcessing. */
   readonly returned: string;
   readonly message: string;
 }
 
-/** What authors write by mistake, and the sentence that tells them. [PM-33] [PM-56] */
+/** Common mistakes of authors, and the message for each. [PM-33] [PM-56] */
 const MISTAKES: Readonly<Record<string, Mistake>> = {
   'a bare number': {
     outputs: { distance: 'double' },

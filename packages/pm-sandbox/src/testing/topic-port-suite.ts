@@ -6,13 +6,13 @@ import type { EncodedRecord, TopicPort, TopicSelector } from '../ports/topic-por
 /** A port, and another client with the same topics. */
 export interface TopicPortWorld {
   readonly port: TopicPort;
-  /** Where the topics of the suite are, such as `/test-1`, when others are around. @default nowhere */
+  /** Prefix of the suite's topics, such as `/test-1`, when there are others. @default none */
   readonly root?: string;
-  /** Who publishes with `put`. */
+  /** Client id that publishes with `put`. */
   readonly publisherId: string;
   /** The other client publishes. */
   put(record: RecordInit & { readonly format: DataFormat }): void;
-  /** What is on its way has arrived, at the port and at others. */
+  /** Resolves when all records in transit have arrived, at the port and elsewhere. */
   settle(): Promise<void>;
   /** The newest record others see on a topic. */
   seenByOthers(topic: string): Uint8Array | undefined;
@@ -41,7 +41,7 @@ const STICKS: TopicSelector = {
   },
 };
 
-/** What every port to topics does. An adapter's test calls this with a way to set up the adapter. */
+/** Acceptance tests of topic ports. An adapter's test passes a function that sets up the adapter. */
 export function describeTopicPort(name: string, setup: () => Promise<TopicPortWorld>): void {
   describe(`${name} as a port to topics`, () => {
     let world: TopicPortWorld;

@@ -162,7 +162,7 @@ function elementsOf(value: unknown, format: DataFormat | undefined): unknown[] |
   return hasMember ? undefined : elements;
 }
 
-/** Where an element wants to go: `output_params` is what modules for Python write. [PM-46] [PM-48] */
+/** Returns the target of an element; Python modules write `output_params`. [PM-46] [PM-48] */
 function targetOf(element: unknown): Pick<Element, 'params' | 'identity'> {
   if (typeof element !== 'object' || element === null)
     return { params: undefined, identity: undefined };

@@ -1,6 +1,6 @@
 import type { ModuleFault } from '../ports/module-fault.ts';
 
-/** How QuickJS tells of members that are taken from undefined or null; it does not say of what. */
+/** Message of QuickJS for destructuring undefined or null, which does not name the value. */
 const NO_OBJECT = /^TypeError: cannot convert to object$/;
 /** `const { x, y } = inputs.point.vector3` */
 const DESTRUCTURING = /\b(?:const|let|var)\s+(\{[^{}=]*\})\s*=\s*([^;\n]+)/g;

@@ -5,7 +5,7 @@ import type { ModuleSource, SandboxRequest } from '../ports/sandbox.ts';
 import type { MemoryCells } from './memory-account.ts';
 import type { ResultMessage, RunMessage } from './run-wire.ts';
 
-/** Which engine a worker has. [PM-51] */
+/** Engine of a worker. [PM-51] */
 export type WorkerKind = 'trusted' | 'sandboxed';
 
 /** Methods of the libraries that the host runs, by library. */
@@ -53,7 +53,7 @@ export type HostMessage =
       readonly kind: 'libraryAnswer';
       readonly request: number;
       readonly isGood: boolean;
-      /** What can be JSON; a sentence when it is not good. */
+      /** JSON value; a sentence when it is invalid. */
       readonly value: unknown;
     };
 
@@ -98,11 +98,11 @@ export interface HostBatch {
 /** Messages of one turn travel together. */
 export interface WorkerBatch {
   readonly messages: readonly WorkerMessage[];
-  /** How far the worker is, where it cannot be seen in shared memory. */
+  /** Progress of the worker, where it is not visible in shared memory. */
   readonly progress?: Progress | undefined;
 }
 
-/** How far a worker is. */
+/** Progress of a worker. */
 export interface Progress {
   /** Batches it has begun. */
   readonly received: number;
@@ -115,7 +115,7 @@ export interface Progress {
 /** First message to a worker. */
 export interface WorkerStart {
   readonly kind: WorkerKind;
-  /** Where sandboxed instances take their memory from. */
+  /** Memory budget of sandboxed instances. */
   readonly memory: MemoryCells;
   readonly hostLibraries: HostLibraryNames;
   /** Module specifiers of libraries that trusted code gets, by name. */

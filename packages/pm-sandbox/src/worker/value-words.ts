@@ -9,7 +9,7 @@ export type Unsendable = 'a function' | 'a symbol' | 'a bigint' | 'a promise';
 /** Says that a promise was written where its value belongs. */
 export const AWAIT_ADVICE = 'Make onProcessing async and write await before the value.';
 
-/** How an output of a data format is written: `{ vector2: { x, y } }`. */
+/** Example of an output of a data format: `{ vector2: { x, y } }`. */
 export function exampleOf(format: DataFormat): string {
   const { messageType, isList } = DATA_FORMATS[format];
   if (!isMessageType(messageType)) return `{ ${format}: value }`;

@@ -37,7 +37,7 @@ export interface WorkerPlatform {
   sharedBytes?(): number;
 }
 
-/** How often shared memory is looked at, milliseconds. */
+/** Interval of reading shared memory, milliseconds. */
 const SHARED_MEMORY_MS = 1_000;
 /** Answers wait for the end of the batch, but no longer than this, milliseconds. */
 const MAX_HELD_MS = 2;

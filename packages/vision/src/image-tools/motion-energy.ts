@@ -1,7 +1,7 @@
 import type { Picture } from '../picture.ts';
 import { greyPicture } from './convert-picture.ts';
 
-/** How much changed between two pictures. */
+/** Amount of change between two pictures. */
 export interface Motion {
   /** Mean change of brightness, 0 (none) to 1 (black to white everywhere). */
   readonly energy: number;

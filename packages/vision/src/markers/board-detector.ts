@@ -39,7 +39,7 @@ export class BoardDetector {
     }));
   }
 
-  /** Where a corner is on the board, metres from its top left; x right, y up. */
+  /** Returns the position of a corner on the board, metres from its top left; x right, y up. */
   placeOf(id: number): readonly [x: number, y: number, z: number] {
     const { columns, squareMetres } = this.#board;
     const column = id % (columns - 1);

@@ -12,11 +12,11 @@ export interface CalibrationView {
 export const WANTED_VIEWS = 12;
 /** Corners that a view has at least. */
 export const MIN_CORNERS = 8;
-/** How far corners have moved in a view that is another one, as a part of the picture's diagonal, in the mean. */
+/** Mean movement of corners from which a view is a new one, as a share of the picture's diagonal. */
 const OTHER_VIEW = 0.06;
 /** Cosine of how far a board has turned in a view that is another one: 12 degrees. */
 const OTHER_TURN = 0.978;
-/** How far they may move from a picture to the next of a board that is held still. */
+/** Largest movement between two pictures of a board that is held still, as a share of the diagonal. */
 const STILL = 0.006;
 /** Sine of the tilt that counts as one: 15 degrees. */
 const TILTED = 0.26;

@@ -1,5 +1,5 @@
 /**
- * How a camera projects: a pinhole with the lens of OpenCV. Pixel (0, 0) is the centre of the first
+ * Projection of a camera: a pinhole camera with the lens model of OpenCV. Pixel (0, 0) is the centre of the first
  * pixel, x to the right, y down.
  */
 export interface CameraCalibration {
@@ -9,7 +9,7 @@ export interface CameraCalibration {
   /** Focal lengths, pixels. */
   readonly fx: number;
   readonly fy: number;
-  /** Where the optical axis meets the picture, pixels. */
+  /** Intersection of the optical axis with the picture, pixels. */
   readonly cx: number;
   readonly cy: number;
   /** k1, k2, p1, p2, k3 of OpenCV; empty for none. */

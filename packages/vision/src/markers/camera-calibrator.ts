@@ -135,7 +135,7 @@ export class CameraCalibrator {
     return isStill(corners, this.#before, this.#size) ? undefined : 'Hold the board still.';
   }
 
-  /** Which way the board faces, by a camera that is assumed: enough to tell tilts apart. */
+  /** Returns the normal of the board for an assumed camera, which suffices to distinguish tilts. */
   #normal(cv: OpenCv, keep: Keep, corners: readonly BoardCorner[]): Vector3Value {
     const { width, height } = this.#size;
     const { matrix, distortion } = cameraMats(cv, keep, assumedCalibration(width, height));

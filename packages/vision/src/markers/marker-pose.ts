@@ -18,9 +18,9 @@ export interface PixelPoint {
 }
 
 /**
- * Where a marker is, in the frame of the camera: right-handed, origin in the lens, x to the right of the
- * picture, y up, z from the scene to the viewer, so that all that is seen has a negative z; metres. The
- * frame of a marker has its origin in the centre, x to the right of the print, y up, z out of the paper.
+ * Pose of a marker in the frame of the camera: right-handed, origin in the lens, x to the right of the picture, y up, z
+ * from the scene to the viewer, so that everything visible has a negative z; metres. The frame of a marker has its
+ * origin in the centre, x to the right of the print, y up, z out of the paper.
  */
 export interface MarkerPose {
   readonly position: Vector3Value;
@@ -107,7 +107,7 @@ export function orientationOf(turn: QuaternionValue): QuaternionValue {
   return withPositiveW(multiply(HALF_TURN, turn));
 }
 
-/** Where the centre of a marker and the ends of its axes are in the picture, in this order: centre, x, y, z. */
+/** Projects the centre of a marker and the ends of its axes to the picture, in this order: centre, x, y, z. */
 export function projectedAxes(
   cv: OpenCv,
   keep: Keep,

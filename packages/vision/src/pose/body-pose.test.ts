@@ -9,8 +9,8 @@ import { BODY_BONES, BODY_KEYPOINTS, type BodyKeypointName } from './body-keypoi
 import { type BodyPoseDetector, createBodyPose } from './body-pose.ts';
 
 /**
- * How far a keypoint may be from where a person puts it, in heights of the picture. Of a face, places
- * are clear; a shoulder below a space suit or a coat is a guess.
+ * Largest distance of a keypoint from its manually marked position, in heights of the picture. In a face, positions are
+ * clear; a shoulder below a space suit or a coat is a guess.
  */
 const FACE = 0.03;
 const SHOULDER = 0.08;

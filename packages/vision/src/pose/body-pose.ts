@@ -15,7 +15,7 @@ export interface Keypoint {
   readonly x: number;
   /** 0 at the top of the picture, 1 at its bottom. */
   readonly y: number;
-  /** How sure the model is that it is there, 0 to 1. */
+  /** Confidence of the keypoint, 0 to 1. */
   readonly score: number;
 }
 

@@ -31,9 +31,9 @@ export interface HandKeypoint {
 
 /** A hand in a picture. */
 export interface HandPose {
-  /** How sure the model is that it is a hand, 0 to 1. Single keypoints have no score. */
+  /** Confidence of the hand, 0 to 1. Single keypoints have no score. */
   readonly score: number;
-  /** Which hand it is when the picture is not mirrored. */
+  /** Side of the hand, if the picture is not mirrored. */
   readonly side: 'left' | 'right';
   /** In the order of `HAND_KEYPOINTS`. */
   readonly keypoints: readonly HandKeypoint[];

@@ -1,4 +1,4 @@
-/** Where TensorFlow.js computes: on the graphics card (two interfaces), in WebAssembly, in plain JavaScript. */
+/** Backends of TensorFlow.js: graphics card (two APIs), WebAssembly, plain JavaScript. */
 export const BACKEND_NAMES = ['webgpu', 'webgl', 'wasm', 'cpu'] as const;
 
 export type BackendName = (typeof BACKEND_NAMES)[number];

@@ -3,9 +3,9 @@ import type { TopicMux } from '@ubii/proto';
 import type { TopicSelector } from '../../ports/topic-port.ts';
 
 /**
- * Which topics a muxer selects: a profile wins over a glob, a glob over an expression. [PM-41]
+ * Returns the selector of a muxer: a profile takes precedence over a glob, a glob over an expression. [PM-41]
  *
- * @returns undefined when it has none of them
+ * @returns undefined without any of them
  */
 export function muxSelector(
   mux: Pick<TopicMux, 'component' | 'topicGlob' | 'topicSelector'>,

@@ -98,7 +98,7 @@ export class MuxSlot implements InputSlot, TopicListener {
   }
 
   listen(isListening: boolean): void {
-    // Which topics the components have, nothing else tells.
+    // Only the component subscription provides the topics of components.
     if (!isListening && this.#selector.kind === 'component' && this.#cancel !== undefined) return;
     this.close();
     this.#selects ??= selectorMatch(this.#selector, this.#context.patterns);

@@ -15,7 +15,9 @@ export function isPicture(valueField: number): boolean {
   return PICTURES.has(valueField);
 }
 
-/** How long pictures stand that were made of these inputs, as encoded fields: as long as the longest of those that expire. [PM-37] */
+/**
+ * Expiry of pictures that were computed from these inputs, as encoded fields: the longest of those that expire. [PM-37]
+ */
 export function expiryOf(inputs: readonly SandboxInput[]): Uint8Array {
   let longestMs = 0;
   for (const input of inputs) {

@@ -9,7 +9,7 @@ import type { ModeDriver, RunHost } from './mode-driver.ts';
 export class FrequencyDriver implements ModeDriver, TurnTask {
   readonly #host: RunHost;
   readonly #intervalMs: number;
-  /** Which multiple of the interval the timer waits for. */
+  /** Multiple of the interval that the timer waits for. */
   #next = 0;
   #cancel: Cancel | undefined;
   /** Waits for the end of a run that is late. */

@@ -1,6 +1,6 @@
 /** So many runs make a rate; fewer would jump between 0 and 1 for a module that runs less than once a second. */
 const ENOUGH_RUNS = 5;
-/** How far back is looked for them, milliseconds. */
+/** Longest window, milliseconds. */
 const LONGEST_MS = 5000;
 
 interface Taken {

@@ -19,7 +19,7 @@ export interface EngineCopy {
   release(): void;
 }
 
-/** Where a copy takes its memory from. */
+/** Memory budget of an engine. */
 export interface EngineMemory {
   /** @returns whose memory does not suffice */
   take(pages: number): MemoryShortage | undefined;

@@ -11,12 +11,12 @@ interface Loop {
 }
 
 /**
- * Where a function that was interrupted loops. QuickJS knows the last call or member that was looked up
- * in a function, and where there was none yet, only where the function begins: when there is one loop
- * in it, or one after that place, that is it.
+ * Returns the position of the loop in an interrupted function. QuickJS only reports the last call or member access in a
+ * function, or without any, the start of the function: if there is a single loop in it, or one after that position,
+ * that is the loop.
  *
- * @param at where the engine says it was
- * @returns the loop, or `at` when there is none, or several
+ * @param at position reported by the engine
+ * @returns the position of the loop, or `at` when there is none, or several
  */
 export function loopPosition(source: string, at: Position): Position {
   const text = blank(source);

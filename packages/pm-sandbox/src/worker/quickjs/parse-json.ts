@@ -35,7 +35,7 @@ function revive(value: unknown, blobOf: (index: number) => Uint8Array | undefine
   return object;
 }
 
-/** What cannot cross is a symbol here: no member takes one. [PM-56] */
+/** Values that cannot be transferred are represented by a symbol, which no member accepts. [PM-56] */
 function unmark(mark: unknown, blobOf: (index: number) => Uint8Array | undefined): unknown {
   if (typeof mark === 'number') return blobOf(mark);
   if (typeof mark !== 'string' || mark === 'undefined') return undefined;

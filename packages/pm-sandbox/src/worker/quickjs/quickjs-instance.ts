@@ -210,7 +210,7 @@ export class QuickJsInstance implements EngineInstance {
   #settle(id: number, isGood: boolean, value: unknown): void {
     const context = this.#context;
     const waiting = this.#waiting;
-    // What no call waits for any more has a call's time of its own.
+    // Work that no call waits for has the time budget of one call.
     if (waiting === undefined) this.#budget.begin(this.#request.limits.callTimeoutMs);
     try {
       this.#hooks.onResume();

@@ -28,7 +28,7 @@ export interface SourcePosition {
 
 /** Functions that a platform adds to the engine. */
 export interface V8EngineOptions {
-  /** Where a text does not parse; engines do not say it by themselves. */
+  /** Returns the position of a syntax error, which engines do not report by themselves. */
   readonly locateSyntaxError?: (text: string) => SourcePosition | undefined;
 }
 
