@@ -29,7 +29,7 @@ interface List<T> {
   })[];
 }
 
-/** What an instance of the module keeps. */
+/** State of one module instance. */
 export interface Playing {
   plan?: RoundPlan;
   /** The text that `plan` was read from. */
@@ -43,11 +43,11 @@ export interface Playing {
   /** When each seat pressed last, and answered last. */
   presses?: Record<Seat, JudgedTime>;
   answers?: Record<Seat, JudgedTime>;
-  /** What each client was told last, with the step. */
+  /** The last feedback sent to each client, with the step of its last hit. */
   told?: Record<string, { readonly text: string; readonly hitAt: number }>;
 }
 
-/** What the module puts out. */
+/** The outputs of the module. */
 export interface RoundOutputs {
   readonly outputs: {
     readonly state?: { readonly string: string };
@@ -211,7 +211,7 @@ function describe(game: Game<unknown>, playing: Playing): string {
   return JSON.stringify({ id: plan!.id, step, state, places, isOver } as RoundState);
 }
 
-/** What phones are told: when it is time, when they were hit, and at the end. */
+/** Feedback for the phones: at its interval, after a hit and at the end. */
 function tell(game: Game<unknown>, playing: Playing): RoundOutputs['outputs'] {
   const isTime = playing.step! % STEPS_BETWEEN_FEEDBACK === 0 || playing.isOver;
   const elements: { string: string; outputTopicParams: string[] }[] = [];

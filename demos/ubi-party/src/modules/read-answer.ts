@@ -18,7 +18,7 @@ const OLDEST_MS = 10_000;
 const MOST_AHEAD_MS = 2000;
 
 /**
- * What a phone answers; undefined when the record is none. Texts are lower-case words, as names of classes are.
+ * Parses the answer of a phone; undefined for a record that is not one. Texts are lower-case words, like class names.
  *
  * @param nowMs milliseconds since the Unix epoch
  * @param startsAtMs of the round, on the same clock

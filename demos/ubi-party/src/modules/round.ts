@@ -1,6 +1,6 @@
 import type { Seat } from '../sim/index.ts';
 
-/** What a module is told to play: JSON at its input `round`. */
+/** The round that a module is to play: JSON at its input `round`. */
 export interface RoundPlan {
   /** Another id is another round. */
   readonly id: string;
@@ -16,22 +16,24 @@ export interface RoundPlan {
   readonly resume?: { readonly step: number; readonly state: unknown };
 }
 
-/** Who plays on which seat: JSON at the input `seats`. Seats without a client that are no bots' are at rest. */
+/**
+ * Assignment of clients to seats: JSON at the input `seats`. A seat without a client that is not a bot's is at rest.
+ */
 export interface RoundSeats {
   /** Client ids of those who are present, by seat. */
   readonly clients: Readonly<Record<Seat, string>>;
   readonly bots: readonly Seat[];
-  /** What the way from each phone takes, by seat; those that are missing were not measured. */
+  /** Measured delays of the phones, by seat; seats without a measurement are missing. */
   readonly delays?: Readonly<Record<Seat, PhoneDelay>>;
 }
 
-/** How much later than its phone says something may arrive, milliseconds. */
+/** How much later than its phone claims a record may arrive, milliseconds. */
 export interface PhoneDelay {
   readonly leastMs: number;
   readonly mostMs: number;
 }
 
-/** What a module says of the round: JSON at its output `state`. */
+/** State of the round: JSON at the module's output `state`. */
 export interface RoundState<State = unknown> {
   readonly id: string;
   /** Steps since the start. */

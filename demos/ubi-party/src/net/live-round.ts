@@ -8,9 +8,9 @@ export interface LiveRound {
   /** Of the round. */
   readonly id: string;
   readonly headline: string;
-  /** What counts down. */
+  /** The countdown. */
   readonly corner?: { readonly value: string; readonly label: string };
-  /** What all are asked now. */
+  /** The current question, the same for all players. */
   readonly question?: string;
   /** The best first. */
   readonly rows: readonly LiveRow[];

@@ -1,6 +1,6 @@
 import type { Pace, Seat } from '../sim/index.ts';
 
-/** What a phone may ask the host for. The leader's phone may ask for what leads the game. */
+/** A request of a phone to the host. Requests that lead the game are for the leader's phone only. */
 export type PhoneWish =
   | { readonly type: 'join' | 'watch'; readonly name: string }
   | { readonly type: 'leave' | 'away' | 'back' }

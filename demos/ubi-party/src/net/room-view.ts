@@ -16,13 +16,13 @@ export interface RoundView {
   readonly sessionId?: string;
 }
 
-/** What everybody sees of a room. */
+/** The public state of a room. */
 export interface RoomView {
   readonly room: Room;
   /** The client of the big screen. */
   readonly hostId: string;
   readonly round?: RoundView;
-  /** What the host has taken off the big screen. */
+  /** Photos that the host has removed from the big screen. */
   readonly hiddenPhotos?: HiddenPhotos;
   /** Round trips of the players, milliseconds, by seat. */
   readonly lags: Readonly<Record<Seat, number>>;

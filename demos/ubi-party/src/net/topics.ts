@@ -19,9 +19,9 @@ export const settingTopic = (game: string, setting: string): string => `/party/$
 export const WATCH_COMPONENTS = {
   /** Once a second while the page is seen: the round trip to the master, milliseconds. */
   here: { format: 'double', ioType: 'publisher' },
-  /** What the player asks the host for, JSON of a `PhoneRequest`. */
+  /** A request of the player to the host, JSON of a `PhoneRequest`. */
   request: { format: 'string', ioType: 'publisher' },
-  /** What the host answers, JSON of a `HostReply`. */
+  /** The host's reply, JSON of a `HostReply`. */
   reply: { format: 'string', ioType: 'subscriber' },
   /** A reaction for the big screen, a `CheerKind`; gone a second later. */
   cheer: { format: 'string', ioType: 'publisher' },
@@ -36,13 +36,14 @@ export const SEAT_COMPONENTS = {
   /** When it went down last, milliseconds since the Unix epoch, master's clock. */
   pressed: { format: 'double', ioType: 'publisher' },
   /**
-   * What the phone found itself: its name as `id`, where it is in the picture (0 to 1 from the top left), and in
-   * `userDataJson` `score` (0 to 1) and `atMs`, when the player acted, like `pressed`. An empty `id`: it still looks.
+   * The object detected by the phone: its name as `id`, its position in the picture (0 to 1 from the top left), and in
+   * `userDataJson` `score` (0 to 1) and `atMs`, the time of the player's action, like `pressed`. An empty `id`:
+   * detection is still running.
    */
   answer: { format: 'object2D', ioType: 'publisher' },
   /** A photo that the player shows on the big screen, a JPEG file; its time is that of its answer. */
   photo: { format: 'image2D', ioType: 'publisher' },
-  /** How the player stands, JSON of a `Feedback`. */
+  /** Feedback for the player, JSON of a `Feedback`. */
   feedback: { format: 'string', ioType: 'subscriber' },
 } as const satisfies Components;
 type Components = Readonly<

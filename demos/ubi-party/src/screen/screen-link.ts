@@ -2,7 +2,7 @@ import type { RoundState } from '../modules/index.ts';
 import type { Photo, RoomView } from '../net/index.ts';
 import type { Cheer, GameId, RoomEvent, Seat } from '../sim/index.ts';
 
-/** What the big screen follows and does; a `PartyHost` behind it. */
+/** State and actions of the big screen; implemented by a `PartyHost`. */
 export interface ScreenLink {
   /** Undefined until the party is known. */
   readonly view: RoomView | undefined;
@@ -14,7 +14,7 @@ export interface ScreenLink {
   onState(fn: (game: GameId, state: RoundState) => void): () => void;
   /** Calls for each cheer of a player or spectator. @returns ends it */
   onCheer(fn: (cheer: Cheer) => void): () => void;
-  /** How many cheers came too fast, and were not shown. */
+  /** Number of cheers dropped by the rate limit and not shown. */
   readonly droppedCheers: number;
   /** @returns why nothing changed, a sentence; undefined when it did */
   apply(event: RoomEvent): string | undefined;
@@ -29,7 +29,7 @@ export interface ScreenLink {
   hidePhotos(areHidden: boolean): void;
 }
 
-/** How people join. */
+/** Join instructions. */
 export interface Invitation {
   /** Without `https://`, as people type it. */
   readonly address: string;

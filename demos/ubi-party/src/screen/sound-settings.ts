@@ -1,6 +1,6 @@
 import { useLocalStorage } from '@vueuse/core';
 
-/** What is heard on this screen: kept in the browser, the same for all who ask in a page. */
+/** Sound settings of this screen: stored in the browser, shared by all callers in a page. */
 export function useSoundSettings() {
   return {
     isMuted: useLocalStorage('ubii.party.muted', false),

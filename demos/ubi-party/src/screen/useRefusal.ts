@@ -2,7 +2,7 @@ import { computed, shallowRef, type ComputedRef } from 'vue';
 import { nextRoom, RoomRefusal, type Room, type RoomEvent } from '../sim/index.ts';
 import type { ScreenLink } from './screen-link.ts';
 
-/** What the host asked for and the room refused. */
+/** A request of the host that the room refused. */
 export interface Refusal {
   readonly event: RoomEvent;
   /** Why, one sentence. */

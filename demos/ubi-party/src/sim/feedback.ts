@@ -1,16 +1,19 @@
-/** What one player is told of the round, for the phone. The texts are the game's, so that phones know no game. */
+/**
+ * State of the round for one player, sent to the phone. The texts come from the game, so that phones need no knowledge
+ * of it.
+ */
 export interface Feedback {
   /** In the running table, from 1. */
   readonly place: number;
-  /** How many play. */
+  /** Number of players. */
   readonly of: number;
   /** The largest words on the phone, such as `Lap 2 of 3`; at most 16 characters. */
   readonly headline: string;
   /** One sentence below it. */
   readonly sentence: string;
-  /** How far on the way to the goal, 0 to 1: the ring around the token. */
+  /** Progress to the goal, 0 to 1: the ring around the token. */
   readonly progress: number;
-  /** What the pad shows, 0 to 1: boost that is saved up, charge of a dash. */
+  /** Level of the gauge on the pad, 0 to 1: stored boost, charge of a dash. */
   readonly gauge: number;
   /** Whole seconds, where the gauge is time that is left: the pad says them. */
   readonly secondsLeft?: number;
@@ -20,11 +23,11 @@ export interface Feedback {
   readonly isOut: boolean;
   /** The step of the newest hit, 0 for none: the phone vibrates when it changes. */
   readonly hitAt: number;
-  /** What the player is asked for now, in games with answers. */
+  /** The player's current question, in games with answers. */
   readonly question?: Question;
 }
 
-/** What is asked for. Times are milliseconds since the start of the round on the master's clock. */
+/** A question to the player. Times are milliseconds since the start of the round on the master's clock. */
 export interface Question {
   /** The text of a right answer. */
   readonly text: string;
@@ -36,11 +39,11 @@ export interface Question {
   readonly endsAtMs: number;
   /** An answer before this does not count. */
   readonly opensAtMs: number;
-  /** What a right answer would bring now, such as `3rd would be +1`. */
+  /** Reward of a right answer at this moment, such as `3rd would be +1`. */
   readonly prize: string;
 }
 
-/** What the phone shows to play a game with. */
+/** Input elements that the phone shows for a game. */
 export interface Controller {
   /** wheel: left and right, by tilting or with the thumb; stick: all directions; none: only the button; camera: photos. */
   readonly steering: 'wheel' | 'stick' | 'none' | 'camera';

@@ -23,17 +23,17 @@ export interface Area {
 export interface Answer {
   /** Empty while the phone is still working on it. */
   readonly text: string;
-  /** How sure the phone is, 0 to 1. */
+  /** Confidence of the phone's detection, 0 to 1. */
   readonly score: number;
   /** When the player acted, milliseconds since the start of the round on the master's clock. It also identifies the answer. */
   readonly atMs: number;
-  /** What the phone said of that time, where its arrival contradicts it; its photo has this one. */
+  /** The time claimed by the phone, when its arrival contradicts it; the photo of the answer carries this time. */
   readonly claimedAtMs?: number;
-  /** Where it is in the picture. */
+  /** Bounding box in the picture. */
   readonly area?: Area;
 }
 
-/** What a controller says in one step. */
+/** Input of a controller in one step. */
 export interface Controls {
   /** Stick or tilt, -1 (left) to 1 (right). */
   readonly x: number;
@@ -55,7 +55,7 @@ export const AT_REST: Controls = { x: 0, y: 0, isPressed: false };
 /** The controls of a seat in this step. */
 export type ReadControls = (seat: Seat) => Controls;
 
-/** What a round begins with. The same setup and the same controls give the same round. */
+/** Parameters of a round. The same setup and the same controls give the same round. */
 export interface RoundSetup {
   readonly seats: readonly Seat[];
   /** Any 32-bit integer. */
@@ -64,7 +64,7 @@ export interface RoundSetup {
   readonly pace?: number;
 }
 
-/** What a state of a game with times to answer keeps of its setup. */
+/** Part of the setup that the state of a game with answer times keeps. */
 export interface WithPace {
   /** @default 1 */
   readonly pace?: number;
@@ -86,11 +86,11 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   /** In addresses and topics: lower case, letters and dashes. */
   readonly id: string;
   readonly title: string;
-  /** What the game is about and how it is played, for the 20 seconds before it. */
+  /** Goal and controls of the game, shown for the 20 seconds before it. */
   readonly explanation: readonly string[];
-  /** What it is played with. */
+  /** The input elements of the game. */
   readonly controller: Controller;
-  /** What can be changed while it runs, with the values it has at first. */
+  /** Settings that can be changed during the game, with their defaults. */
   readonly settings: Settings;
   /** Settings that are on (1) or off (0), with the words for people. */
   readonly switches?: Readonly<Record<string, string>>;
@@ -100,13 +100,13 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   isOver(state: State): boolean;
   /** Of the state as it is now: the running table, and the result once it is over. */
   places(state: State): Places;
-  /** How a player stands, for the phone. */
+  /** Feedback for the phone of a player. */
   feedback(state: State, seat: Seat): Feedback;
-  /** What the big screen says of the round. @param nameOf the name of a seat */
+  /** State of the round for the big screen. @param nameOf the name of a seat */
   hud(state: State, nameOf: (seat: Seat) => string): Hud;
   /** The controls of a bot on a seat. */
   bot(state: State, seat: Seat): Controls;
-  /** Where the pieces stand: the picture of a game that has no scene of its own. */
+  /** Positions of the pieces: the picture of a game without a scene of its own. */
   pieces?(state: State): readonly TablePiece[];
 }
 

@@ -10,7 +10,7 @@ const SEATS = Array.from({ length: 32 }, (_, seat) => seat);
 
 const ALL = { ...GAMES, template: templateGame };
 
-/** What every game keeps to, whatever it is about. */
+/** Rules for all games. */
 describe.each(Object.entries(ALL) as unknown as [string, AnyGame][])('%s', (id, game) => {
   it('is found by its id, and is explained', () => {
     expect(game.id).toBe(id);

@@ -1,6 +1,6 @@
 import type { Seat } from './seat.ts';
 
-/** What the big screen says of a round beside the picture. The texts are the game's. */
+/** Texts on the big screen beside the picture of a round. They come from the game. */
 export interface Hud {
   /** The largest words, such as `Lap 2 of 3`. */
   readonly headline: string;
@@ -12,9 +12,9 @@ export interface Hud {
   readonly out: readonly Seat[];
   /** A number that counts down, or counts, and what it is of. */
   readonly corner?: { readonly value: string; readonly label: string };
-  /** What just happened, for a second and a half. */
+  /** The newest event, shown for a second and a half. */
   readonly news?: { readonly seat: Seat; readonly sentence: string };
 }
 
-/** How long a piece of news is shown, steps. */
+/** Display time of a piece of news, steps. */
 export const NEWS_STEPS = 96;

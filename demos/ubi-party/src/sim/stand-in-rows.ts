@@ -3,7 +3,8 @@ import type { TablePiece } from './game.ts';
 type Standing = Omit<TablePiece, 'seat'>;
 
 /**
- * Where a piece stands on a big screen on which all stand in rows of a block that parts to both sides: no piece hides another.
+ * Position of a piece on a big screen on which all stand in rows of a block that parts to both sides: no piece hides
+ * another.
  *
  * @param x from -1 for one side to 1 for the other
  * @param index of the piece, of all that there are

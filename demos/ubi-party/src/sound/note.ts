@@ -1,4 +1,4 @@
-/** What is struck. */
+/** The struck instruments. */
 export const VOICES = [
   'marimba',
   'bass',

@@ -2,7 +2,7 @@ import { Heart, PartyPopper, Star, ThumbsUp } from '@lucide/vue';
 import type { Component } from 'vue';
 import type { CheerKind } from '../sim/index.ts';
 
-/** How a cheer looks, and its word. */
+/** Icon and word of each cheer. */
 export const CHEER_LOOKS: Readonly<
   Record<CheerKind, { readonly icon: Component; readonly word: string }>
 > = {

@@ -5,7 +5,7 @@ export interface ShapeDrawing {
   readonly path: string;
   /** A stroke of the same paint rounds the corners. */
   readonly rounding: number;
-  /** Where the middle of the letter is, and its height. */
+  /** Centre and height of the letter. */
   readonly letter: { readonly x: number; readonly y: number; readonly size: number };
 }
 

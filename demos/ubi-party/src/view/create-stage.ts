@@ -42,7 +42,7 @@ export function createStage(canvas: HTMLCanvasElement, options: StageOptions = {
 
   return {
     show(scene) {
-      // What a new scene takes to build says nothing about the device
+      // Building a new scene takes time that says nothing about the device
       if (core.show(scene, performance.now())) meter.restart();
     },
     setReducedMotion: (isReduced) => core.setReducedMotion(isReduced),

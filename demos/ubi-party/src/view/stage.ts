@@ -1,11 +1,11 @@
 import type { DuelState, HillState, Player, RaceState, Seat, TablePiece } from '../sim/index.ts';
 
-/** What the stage shows. */
+/** Scene of the stage. */
 export type Scene =
   | {
       readonly kind: 'lobby';
       readonly players: readonly Player[];
-      /** What stands beside the pieces: how to join, or how the next game is played, which is wider. */
+      /** Content of the panel beside the pieces: join instructions, or the wider explanation of the next game. */
       readonly words: 'join' | 'explanation';
     }
   | {
@@ -38,8 +38,8 @@ export interface Stage {
   /** No swaying camera, no confetti, fades instead of springs. */
   setReducedMotion(isReduced: boolean): void;
   /**
-   * Where the token of a seat stands, CSS pixels from the top left of the canvas, and how high it is above this point;
-   * undefined while it is not seen. A name goes below this point. A hop does not move it, so that names are still.
+   * Position of a seat's token, CSS pixels from the top left of the canvas, and its height above this point; undefined
+   * while it is not visible. A name goes below this point. Hops are ignored, so that names do not move.
    */
   placeOf(seat: Seat): TokenPlace | undefined;
   /** Milliseconds between the newest frames, and the level of quality that they lead to. */

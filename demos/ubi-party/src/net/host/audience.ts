@@ -32,7 +32,7 @@ export class Audience {
     this.#options = options;
   }
 
-  /** How many cheers came too fast. */
+  /** Number of cheers dropped by the rate limit. */
   get dropped(): number {
     return this.#dropped;
   }

@@ -2,7 +2,7 @@ import { EMPTY_ROOM, type Room } from '../../sim/index.ts';
 import type { RoundState } from '../../modules/index.ts';
 import type { RoundView } from '../room-view.ts';
 
-/** What the big screen needs to go on after a reload, or after a restart of the master. */
+/** State from which the big screen continues after a reload or after a restart of the master. */
 export interface HostMemory {
   readonly room: Room;
   readonly round?: RoundView;
@@ -12,7 +12,7 @@ export interface HostMemory {
   readonly state?: RoundState;
 }
 
-/** Where it is kept: the storage of the browser, or nothing. */
+/** Storage of the host's state: the browser's storage, or none. */
 export interface HostStorage {
   load(): HostMemory | undefined;
   save(memory: HostMemory): void;

@@ -3,7 +3,7 @@ import type { PhoneRequest, PhoneWish } from '../messages.ts';
 
 const MOST_CHARACTERS = 1000;
 
-/** What a phone asks for, if it is something: whoever has joined may publish any text. */
+/** Parses a request of a phone; undefined if invalid: any client that has joined may publish any text. */
 export function parseRequest(text: string): PhoneRequest | undefined {
   if (text.length > MOST_CHARACTERS) return undefined;
   let value: unknown;

@@ -5,7 +5,7 @@ import type { Photo } from '../photos/photo.ts';
 import type { RoomView } from '../room-view.ts';
 import type { HostStorage } from './host-memory.ts';
 
-/** What the big screen follows. */
+/** Callbacks for the big screen. */
 export interface PartyHostListener {
   /** The room, the round or the lags changed. */
   handleView?(view: RoomView): void;

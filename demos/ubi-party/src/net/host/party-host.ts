@@ -148,12 +148,12 @@ export class PartyHost {
     this.#tell();
   }
 
-  /** How many cheers came too fast, and were not shown. */
+  /** Number of cheers dropped by the rate limit and not shown. */
   get droppedCheers(): number {
     return this.#audience.dropped;
   }
 
-  /** What the host does by itself; what the phones of leaders do comes as wishes. @throws RoomRefusal */
+  /** Applies an event of the host itself; those of leading phones arrive as wishes. @throws RoomRefusal */
   apply(event: RoomEvent): void {
     this.#become(nextRoom(this.#room, event, this.#nowMs()));
   }

@@ -9,7 +9,7 @@ function measured(...roundTripsMs: readonly number[]): PhoneDelays {
   );
   return delays;
 }
-/** How much earlier than it arrived a press may be, milliseconds. */
+/** The longest accepted delay between a press and its arrival, milliseconds. */
 const mostMs = (...roundTripsMs: readonly number[]): number =>
   measured(...roundTripsMs).of('mara')!.mostMs;
 

@@ -29,7 +29,7 @@ interface RoundTrips {
   readonly count: number;
 }
 
-/** What the master measured of the way to each phone: what a phone says of itself is not in it. */
+/** Delays of the phones from round trips measured by the master; a phone's own claims are not used. */
 export class PhoneDelays {
   readonly #measured = new Map<string, MeasuredRoundTrip[]>();
 
@@ -51,8 +51,9 @@ export class PhoneDelays {
   }
 
   /**
-   * How much later than the phone says a press may arrive. An estimate of the master's clock is off by at most half the
-   * difference of the two ways (TS-4): by that clock, one way takes half of the round trip, whichever is longer.
+   * Bounds of the delay between the time that a phone claims for a press and its arrival. An estimate of the master's
+   * clock is off by at most half the difference between the two directions (TS-4): by that clock, one direction takes
+   * half of the round trip, whichever is longer.
    */
   of(key: string): PhoneDelay | undefined {
     const roundTrips = this.#roundTrips(key);

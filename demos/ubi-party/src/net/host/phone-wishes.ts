@@ -18,7 +18,7 @@ export interface PhoneWishesOptions {
   decide(key: string, event: RoomEvent): void;
 }
 
-/** What phones ask the host for, each at a bounded rate, and the answers. */
+/** Receives requests of phones, each at a limited rate, and sends the answers. */
 export class PhoneWishes {
   readonly #options: PhoneWishesOptions;
   readonly #offers: SeatOffers;

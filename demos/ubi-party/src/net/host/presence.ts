@@ -5,7 +5,7 @@ export const AWAY_AFTER_MS = 3000;
 /** Phones that are remembered: more than can play. */
 const MOST_PHONES = 128;
 
-/** Who was heard of when, and how far each is. */
+/** Time of the last message and round-trip time of each phone. */
 export class Presence {
   readonly #heard = new Map<string, { readonly atMs: number; readonly lagMs: number }>();
 

@@ -1,6 +1,6 @@
 const MOST_PHONES = 128;
 
-/** How much a phone may send at once, and then a second. */
+/** Rate limit of a phone: burst size and requests per second. */
 export interface Rate {
   readonly atOnce: number;
   readonly perSecond: number;

@@ -30,7 +30,7 @@ export class RoomTeller {
     return { ready: rooms.ready, close: () => void rooms.close() };
   }
 
-  /** What changed is told at once, and all of it now and then. @returns whether it was told */
+  /** Publishes the room when it has changed, and unchanged at an interval. @returns whether it was published */
   tell(view: RoomView): boolean {
     const text = JSON.stringify(view);
     const nowMs = this.#options.nowMs();
@@ -46,7 +46,7 @@ export class RoomTeller {
     const hostId = readJson<RoomView>(text)?.hostId;
     const { client, handleSuperseded } = this.#options;
     if (typeof hostId !== 'string' || hostId === client.id || text === this.#toldText) return;
-    // What an earlier screen left behind comes once, before this one has told anything
+    // The stored record of an earlier screen arrives once, before this one has published anything
     if (this.#toldText !== '') handleSuperseded(hostId);
   }
 }

@@ -196,7 +196,7 @@ export class PartyPhone implements PhoneLink {
     if (this.#ends.length === 1) this.#ends.push(() => this.#stopFollowing?.());
   }
 
-  /** What a phone sends and follows depends on whether it plays. */
+  /** Adapts publications and subscriptions to whether the phone plays or watches. */
   #handleStanding(): void {
     const { me, spectator } = this.facts;
     if (this.#devices.setSeated(me !== undefined)) {
@@ -236,7 +236,7 @@ export class PartyPhone implements PhoneLink {
   #publish(component: 'answer', value: object): void;
   #publish(component: keyof typeof PHONE_COMPONENTS, value: unknown): void {
     const { format } = PHONE_COMPONENTS[component];
-    // What people do leaves at once: 15 ms of waiting would be a frame
+    // Inputs of people are sent at once: buffering for 15 ms would cost a frame
     this.#client.publish(phoneTopic(this.#client.id, component), format, value as never, {
       immediate: true,
     });

@@ -8,7 +8,7 @@ import {
   type PhoneComponent,
 } from '../topics.ts';
 
-/** What a phone registers: little while it watches, and what a game is played with while it has a seat. */
+/** Registers the phone's devices: few components while it watches, those of the controller while it has a seat. */
 export class PhoneDevices {
   readonly #client: UbiiClient;
   #watching: RegisteredDevice | undefined;

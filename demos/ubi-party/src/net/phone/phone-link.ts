@@ -4,7 +4,7 @@ import type { PhoneWish } from '../messages.ts';
 import type { Photo } from '../photos/photo.ts';
 import type { RoomView } from '../room-view.ts';
 
-/** What a phone knows of the party, as it is now. */
+/** Current state of the party, as known to a phone. */
 export interface PhoneFacts {
   /** Undefined until the room is known. */
   readonly view: RoomView | undefined;
@@ -33,7 +33,7 @@ export interface PhoneLink {
    * @throws Error whose message is a sentence for the player
    */
   ask(wish: PhoneWish): Promise<{ readonly code?: string }>;
-  /** Where stick, wheel or tilt is, each from -1 to 1. */
+  /** Sets the position of stick, wheel or tilt, each axis from -1 to 1. */
   steer(x: number, y: number): void;
   /** The button goes down or up. */
   press(isDown: boolean): void;

@@ -12,7 +12,7 @@ export interface Photo {
 export const MAX_PHOTO_SIDE = 480;
 export const MAX_PHOTO_BYTES = 60_000;
 
-/** What the host has taken off the big screen, for everybody. */
+/** Photos that the host has removed from the big screen, for everybody. */
 export interface HiddenPhotos {
   /** All photos, also those to come. */
   readonly all: boolean;

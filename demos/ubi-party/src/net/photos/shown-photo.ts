@@ -28,7 +28,7 @@ export class ShownPhoto {
     this.#stop ??= this.#clock.every(AGAIN_MS, () => this.#publish());
   }
 
-  /** What the host has taken down now: it ends for everybody. */
+  /** Applies the host's list of removed photos: they are hidden for everybody. */
   setHidden(hidden: HiddenPhotos | undefined): void {
     this.#hidden = hidden;
     if (this.#photo && isHidden(hidden, photoId(this.#client.id, this.#photo))) this.#end();

@@ -15,18 +15,18 @@ export interface PageColours {
   readonly text: string;
   /** Shadows on the page. */
   readonly shade: string;
-  /** Where a pad or a ring lies on the page; paper and accent can be seen on it. */
+  /** Background of a pad or a ring on the page; paper and accent contrast with it. */
   readonly plate: string;
   /** The player's own piece. */
   readonly token: string;
   readonly onToken: string;
   readonly button: string;
   readonly onButton: string;
-  /** What fills up, on a plate or on a button. */
+  /** Fill of gauges, on a plate or on a button. */
   readonly accent: string;
   /** The button while it is down. */
   readonly pressed: string;
-  /** What tables stand on, with ink. */
+  /** Background of tables, with text in ink. */
   readonly card: string;
 }
 

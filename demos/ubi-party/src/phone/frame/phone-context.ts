@@ -4,7 +4,7 @@ import type { Player, Room, Spectator } from '../../sim/index.ts';
 import type { PhoneWish, RoundView } from '../../net/index.ts';
 import type { PhoneFacts, PhoneLink } from '../../net/phone/phone-link.ts';
 
-/** What every screen of the phone has at hand. */
+/** Dependencies of every screen of the phone. */
 export interface PhoneContext {
   readonly link: PhoneLink;
   readonly facts: Readonly<ShallowRef<PhoneFacts>>;

@@ -27,7 +27,7 @@ export function useSeat({ facts, me, spectator, room }: PhoneContext) {
       if (!(last ?? lastWatching) || !now || link === 'lost') return;
       // The host takes out who was away for long, also behind another page
       const wasLost = roomAtLoss !== undefined || (last ?? lastWatching)?.awaySinceMs !== undefined;
-      // Who was away for long while watching comes in again at the door
+      // A spectator who was away too long joins again at the start page
       const dismissal = wasLost ? undefined : 'dismissed';
       const reason = last ? removalOf(now, last, wasLost) : dismissal;
       removal.value = isLeaving ? undefined : reason;

@@ -1,7 +1,7 @@
 import { thingOf, type Question } from '../../sim/index.ts';
 import type { Sighting } from './detector/detector.ts';
 
-/** What the detector sees before one presses. */
+/** Sentence for the current detection, shown before the player presses. */
 export function liveSentence(question: Question, seen: Sighting | undefined): string {
   const { text, name } = question;
   if (seen === undefined) return `Looking for ${name}`;

@@ -3,7 +3,7 @@ import { MAX_PHOTO_BYTES, MAX_PHOTO_SIDE, type Photo } from '../../net/index.ts'
 /** A still picture, not larger than a photo that is shown. */
 export type Still = HTMLCanvasElement;
 
-/** What a picture is taken of. */
+/** Source of a picture. */
 export interface PictureSource {
   readonly element: CanvasImageSource;
   /** Pixels. */

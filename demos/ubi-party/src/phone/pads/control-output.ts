@@ -1,7 +1,7 @@
 import type { PhoneLink } from '../../net/phone/phone-link.ts';
 import { STRAIGHT, type Steering } from './stick.ts';
 
-/** What can steer, the strongest first. A hand on the pad always wins over what goes on by itself. */
+/** Sources of steering, the highest priority first. A hand on the pad always wins over continuous sources. */
 const STEERERS = ['thumb', 'keys', 'gamepad', 'one-button', 'tilt'] as const;
 export type Steerer = (typeof STEERERS)[number];
 export const PRESSERS = ['pad', 'keys', 'gamepad'] as const;

@@ -11,10 +11,10 @@ const STRAIGHT_SHARE = 0.14;
  * press. While the button is held the pointer waits, so that a dash that charges flies where it was aimed.
  */
 export interface OneButton {
-  /** Where the sweep is, milliseconds of its own time. */
+  /** Elapsed time of the sweep, without holds, milliseconds. */
   readonly sweptMs: number;
   readonly isHeld: boolean;
-  /** What is steered. */
+  /** The current steering. */
   readonly taken: Steering;
 }
 
@@ -22,7 +22,7 @@ export const ONE_BUTTON_AT_REST: OneButton = { sweptMs: 0, isHeld: false, taken:
 
 type Kind = Controller['steering'];
 
-/** Where the pointer is. */
+/** Direction of the sweeping pointer. */
 export function sweepOf({ sweptMs }: OneButton, kind: Kind): Steering {
   const share = (sweptMs % SWEEP_MS) / SWEEP_MS;
   if (kind === 'none') return STRAIGHT;

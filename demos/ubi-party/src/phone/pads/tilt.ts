@@ -6,8 +6,8 @@ const DEAD_ZONE = 0.06;
 const RADIANS = Math.PI / 180;
 
 /**
- * How far the right edge of what is shown is below its left edge, degrees, -90 to 90. The same for a phone that lies
- * flat and one that is held upright like a steering wheel.
+ * Angle by which the right edge of the shown page is below its left edge, degrees, -90 to 90. The same for a phone that
+ * lies flat and one that is held upright like a steering wheel.
  *
  * @param beta @param gamma of `deviceorientation`, degrees
  * @param screenAngle `screen.orientation.angle`, degrees

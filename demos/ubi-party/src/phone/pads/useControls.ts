@@ -12,12 +12,12 @@ import { ONE_BUTTON_AT_REST, pressed, sweepOf, swept } from './one-button.ts';
 import { STRAIGHT, type Steering } from './stick.ts';
 import type { Tilt } from './useTilt.ts';
 
-/** What the pads do, and what they show. */
+/** Input handlers and displayed state of the pads. */
 export interface Controls {
-  /** What is sent. */
+  /** The steering that is sent. */
   readonly steering: Readonly<ShallowRef<Steering>>;
   readonly isDown: Readonly<ShallowRef<boolean>>;
-  /** Where the pointer of one-button steering is; undefined: not used. */
+  /** Direction of the pointer of one-button steering; undefined when it is off. */
   readonly pointer: Readonly<ShallowRef<Steering | undefined>>;
   readonly hasOneButton: ComputedRef<boolean>;
   /** Grows when everything was let go: pads forget the fingers on them. */

@@ -3,7 +3,7 @@ import { capitalised } from '@ubii/words';
 import type { Controller } from '../../sim/index.ts';
 import type { Steering } from '../pads/stick.ts';
 
-/** What a phone would send now, in words: a headline of at most 16 characters, and the button. */
+/** The input that a phone would send now, in words: a headline of at most 16 characters, and the button. */
 export function sentWords(
   { steering, button }: Pick<Controller, 'steering' | 'button'>,
   { x, y }: Steering,

@@ -1,6 +1,6 @@
 import { GAMES, gameOf, type Controller, type Room } from '../../sim/index.ts';
 
-/** What a phone tells of a game. */
+/** Description of a game, as shown on a phone. */
 export interface GameTexts {
   readonly title: string;
   readonly explanation: readonly string[];

@@ -29,7 +29,7 @@ export function lastPlaceOf(room: Room, seat: number): number | undefined {
   return places?.some((seats) => seats.includes(seat)) ? placeOf(places, seat) : undefined;
 }
 
-/** How many of those who are asked are ready, such as `3 of 5 ready`. */
+/** The number of ready players among those who are asked, such as `3 of 5 ready`. */
 export function readiness(room: Room): string {
   const asked = playersOf(room).filter(({ awaySinceMs }) => awaySinceMs === undefined);
   return `${asked.filter(({ isReady }) => isReady).length} of ${asked.length} ready`;

@@ -1,11 +1,11 @@
 import { useLocalStorage } from '@vueuse/core';
 import { inject, type InjectionKey, type Ref } from 'vue';
 
-/** How this player plays: kept on the phone. */
+/** Control settings of this player, stored on the phone. */
 export interface PhoneSettings {
   /** The hand that has the button. */
   readonly hand: 'left' | 'right';
-  /** How a wheel is turned. */
+  /** The method of turning the wheel. */
   readonly wheel: 'tilt' | 'thumb';
   /** A pointer sweeps by itself, the press takes its direction. */
   readonly hasOneButton: boolean;

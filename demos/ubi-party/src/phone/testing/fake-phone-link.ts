@@ -13,7 +13,7 @@ import type { PhoneFacts, PhoneLink } from '../../net/phone/phone-link.ts';
 
 const KEY = 'this-phone';
 
-/** What a test says of the party. */
+/** State of the party, set by a test. */
 export interface FakeParty {
   readonly room: Room;
   readonly round?: RoundView;
@@ -27,11 +27,11 @@ export interface FakeParty {
 export class FakePhoneLink implements PhoneLink {
   party: FakeParty;
   readonly asked: PhoneWish[] = [];
-  /** What was sent while playing, in its order: steering or a press. */
+  /** The sent controls in their order: steering or a press. */
   readonly sent: ({ readonly x: number; readonly y: number } | boolean)[] = [];
   readonly answers: Answer[] = [];
   readonly cheers: CheerKind[] = [];
-  /** What was shown on the big screen, in its order; undefined: none any more. */
+  /** The photos shown on the big screen in their order; undefined: the photo was removed. */
   readonly photos: (Photo | undefined)[] = [];
   readonly #listeners = new Set<() => void>();
 
@@ -157,7 +157,7 @@ export function roomWith(seat: number, others: readonly string[] = ['Theo', 'Ine
   };
 }
 
-/** How a player stands in the middle of a round. */
+/** Feedback of a player in the middle of a round. */
 export const FEEDBACK: Feedback = {
   place: 2,
   of: 6,

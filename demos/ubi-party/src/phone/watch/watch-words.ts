@@ -4,14 +4,14 @@ import type { Player, Room } from '../../sim/index.ts';
 import { gameTexts, nextGame } from '../round/game-of.ts';
 import { placeTable } from '../round/place-table.ts';
 
-/** What stands behind a name before a round. */
+/** The states of a player, shown behind the name before a round. */
 export function statusOf(player: Player, { leader }: Room): string[] {
   if (player.key === undefined) return ['bot'];
   if (player.awaySinceMs !== undefined) return ['away'];
   return [...(player.seat === leader ? ['leads'] : []), ...(player.isReady ? ['ready'] : [])];
 }
 
-/** Who won the newest round; at the end of the tournament, who won that. */
+/** The winners of the newest round; at the end of the tournament, those of the tournament. */
 export function winnersOf(room: Room): string {
   const seats =
     room.phase === 'end'

@@ -19,7 +19,7 @@ export interface HuntCard {
   readonly note: string;
   /** The photo, if the player shows it. */
   readonly photo?: Photo;
-  /** What was seen in the photo, such as `cup 97`, and where. */
+  /** The detected object in the photo with its score in percent, such as `cup 97`. */
   readonly mark?: string;
   readonly area?: Area;
   readonly isBest: boolean;

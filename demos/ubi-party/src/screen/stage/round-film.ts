@@ -22,7 +22,7 @@ export class RoundFilm {
     return this.#frames.at(-1);
   }
 
-  /** How long the replay takes, milliseconds; 0 when nothing was kept. */
+  /** Duration of the replay, milliseconds; 0 when nothing was recorded. */
   get lengthMs(): number {
     const [first] = this.#frames;
     const last = this.newest;

@@ -3,7 +3,7 @@ import type { RoundView } from '../../net/index.ts';
 import { GAMES, type Game, type GameId, type Room, type Seat } from '../../sim/index.ts';
 import type { Scene } from '../../view/stage.ts';
 
-/** What the stage shows of a room. @param state of the round that is played, or of its replay */
+/** The scene for the state of a room. @param state of the round that is played, or of its replay */
 export function sceneOf(
   room: Room,
   round: RoundView | undefined,
@@ -35,7 +35,7 @@ function gameScene(game: GameId, state: unknown): Scene {
     : ({ kind: game, state } as Scene);
 }
 
-/** Where everybody stands before the first step: the rules give the same on every machine. */
+/** The initial state of a round: the rules compute the same one on every machine. */
 function startOf({ game, seed, seats }: RoundView): unknown {
   return (GAMES[game as GameId] as Game<unknown>).start({ seed, seats });
 }

@@ -17,7 +17,7 @@ import {
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
 
 export interface DuelSettings extends GameSettings {
-  /** How long one waits for the signal: 1 is 1.5 to 5 seconds. */
+  /** Factor of the wait for the signal: 1 is 1.5 to 5 seconds. */
   readonly patience: number;
 }
 

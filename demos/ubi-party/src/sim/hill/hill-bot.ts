@@ -9,7 +9,7 @@ export function hillBot(state: HillState, seat: Seat): Controls {
   const target = victim(state, own);
   const atEdge = length(own.position) > state.radius * 0.7;
   const goal = atEdge || !target ? { x: 0, y: 0 } : target.position;
-  // Where it will be soon: on ice one steers against one's own speed
+  // Predicted position: on ice one steers against one's own speed
   const ahead = {
     x: goal.x - own.position.x - own.velocity.x * 0.5,
     y: goal.y - own.position.y - own.velocity.y * 0.5,
@@ -19,7 +19,7 @@ export function hillBot(state: HillState, seat: Seat): Controls {
   return { x, y, isPressed: !atEdge && isNear && own.charge < 0.7 };
 }
 
-/** Who is nearest of those who stand further out. */
+/** The nearest piece among those further out. */
 function victim(state: HillState, own: Piece): Piece | undefined {
   return standing(state)
     .filter((piece) => piece !== own && length(piece.position) >= length(own.position))

@@ -6,7 +6,7 @@ import { standing, startHill, type HillState } from './hill-state.ts';
 import { LONGEST } from './rings.ts';
 import { stepHill, type HillSettings } from './step-hill.ts';
 
-/** What the last one who stands gets on top, in steps with the crown. */
+/** Bonus for the last one standing, in steps with the crown. */
 const LAST_STANDING = 20 * STEPS_PER_SECOND;
 
 /** King of the Hill: a slippery platform that loses its rings. The time with the crown is the score. */

@@ -2,7 +2,7 @@ import { randomState, type WithRandom } from '../random.ts';
 import type { RoundSetup, Seat } from '../game.ts';
 import type { Vector } from '../plane/vector.ts';
 
-/** What a piece can pick up. */
+/** Powers that a piece can pick up. */
 export const POWERS = ['spring', 'anchor', 'feather'] as const;
 /** spring: pushes harder; anchor: is hard to push; feather: is faster. */
 export type Power = (typeof POWERS)[number];
@@ -11,7 +11,7 @@ export interface Piece {
   readonly seat: Seat;
   readonly position: Vector;
   readonly velocity: Vector;
-  /** How far the next dash is charged, 0 to 1. */
+  /** Charge of the next dash, 0 to 1. */
   charge: number;
   /** Steps since the start; a dash before is not possible. */
   dashReadyAt: number;
@@ -20,7 +20,7 @@ export interface Piece {
   power?: { readonly kind: Power; readonly until: number };
   /** Steps with the crown. */
   crownSteps: number;
-  /** How many others it pushed off. */
+  /** Number of other pieces it pushed off. */
   pushes: number;
   lastPush?: { readonly by: Seat; readonly at: number };
   /** The step at which it fell. */
@@ -31,11 +31,11 @@ export interface HillState extends WithRandom {
   /** Steps since the start. */
   step: number;
   readonly pieces: Piece[];
-  /** What is left of the platform, units. */
+  /** Current radius of the platform, units. */
   radius: number;
-  /** Who wears the crown. */
+  /** The seat that has the crown. */
   crown?: Seat;
-  /** What lies on the platform. */
+  /** The power that lies on the platform, to be picked up. */
   offer?: { readonly kind: Power; readonly position: Vector };
   nextOfferAt: number;
   /** Votes of those who fell, for the next power. */

@@ -29,7 +29,7 @@ export function stepPowers(state: HillState, controls: ReadControls): void {
   }
 }
 
-/** Who fell points with the stick: left is the spring, away the anchor, right the feather. */
+/** Vote of a fallen player by the stick: left is the spring, away the anchor, right the feather. */
 function votedFor({ x, y }: Controls): Power | undefined {
   if (x < -0.5) return 'spring';
   if (x > 0.5) return 'feather';

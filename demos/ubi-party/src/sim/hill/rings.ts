@@ -21,7 +21,7 @@ export const RINGS: readonly Ring[] = [
 export const SUDDEN_DEATH_AT = 70 * STEPS_PER_SECOND;
 const SMALLEST_AT = 95 * STEPS_PER_SECOND;
 const SMALLEST = 1.2;
-/** Who stands now has survived. */
+/** Step at which the round ends; pieces still on the platform have survived. */
 export const LONGEST = 100 * STEPS_PER_SECOND;
 
 /** The radius of the platform at a step, units. */

@@ -11,13 +11,13 @@ import { MIDDLE_RADIUS, standing, type HillState, type Piece } from './hill-stat
 import { stepPowers } from './powers.ts';
 import { radiusAt } from './rings.ts';
 
-/** What can be changed while the game runs: 1 is as it is meant. */
+/** Settings that can be changed during the game: factors of the default values. */
 export interface HillSettings extends GameSettings {
   /** 0 is ice without end. */
   readonly friction: number;
-  /** How fast pieces get. */
+  /** Factor of the top speed of pieces. */
   readonly speed: number;
-  /** How far a piece flies that is pushed. */
+  /** Factor of the speed of a pushed piece. */
   readonly push: number;
 }
 

@@ -8,14 +8,14 @@ const OF_BEST_SCORE = 1;
 /** Points of a place, from 1, without the one of the best score. */
 export const pointsOfPlace = (place: number): number => BY_PLACE[place - 1] ?? LATER;
 
-/** Who has found the thing, the earliest shutter first. */
+/** The players who have found the thing, the earliest shutter first. */
 export function findersOf({ photos, hunters }: Hunt): readonly Seat[] {
   return hunters
     .filter((seat) => photos[seat]?.verdict === 'found')
     .sort((a, b) => photos[a]!.atMs - photos[b]!.atMs || a - b);
 }
 
-/** What the thing brings as it stands. Of equal best scores the earlier one counts. */
+/** Points that the players get for the thing in the present state. Of equal best scores the earlier one counts. */
 export function gainsOf(hunt: Hunt): Record<Seat, HuntGain> {
   const finders = findersOf(hunt);
   const scoreOf = (seat: Seat): number => hunt.photos[seat]!.score;

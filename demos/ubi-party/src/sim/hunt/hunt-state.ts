@@ -7,16 +7,16 @@ import { THINGS, type ThingId } from './things.ts';
 export interface HuntPhoto {
   /** When the shutter was pressed. */
   readonly atMs: number;
-  /** What the phone said of it, where it is another time. */
+  /** The time claimed by the phone, if another. */
   readonly claimedAtMs?: number;
-  /** What it shows; empty while the phone looks. */
+  /** Name of the detected object; empty while the phone is still detecting. */
   readonly text: string;
   readonly score: number;
   readonly verdict: 'looking' | 'found' | 'wrong';
   readonly area?: Area;
 }
 
-/** What a thing brought a player. */
+/** Points that a player got for a thing. */
 export interface HuntGain {
   /** From 1, by the time of the shutter. */
   readonly place: number;

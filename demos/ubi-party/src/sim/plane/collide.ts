@@ -7,7 +7,7 @@ export interface Disc {
   readonly velocity: Vector;
   readonly radius: number;
   readonly mass: number;
-  /** How much of the speed at which two meet is given back: 0 none, 1 all, more for springs. */
+  /** Coefficient of restitution: 0 no bounce, 1 elastic, more for springs. */
   readonly bounce: number;
 }
 

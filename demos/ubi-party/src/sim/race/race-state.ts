@@ -7,13 +7,13 @@ export interface Cart {
   readonly seat: Seat;
   readonly position: Vector;
   readonly velocity: Vector;
-  /** Where it points, length 1. */
+  /** Direction, unit vector. */
   heading: Vector;
   /** Along the middle line since the start, units; before the start line it is negative. */
   distance: number;
   /** To the left of the middle line, units. */
   toLeft: number;
-  /** What the boost has, 0 to 1; at 1 the button gives it. */
+  /** Charge of the boost, 0 to 1; at 1 the button triggers it. */
   energy: number;
   /** Whether the button was down in the step before. */
   wasPressed: boolean;

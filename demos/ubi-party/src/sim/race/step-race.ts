@@ -10,13 +10,13 @@ import { clamp, dot, length, turned } from '../plane/vector.ts';
 import { trackOf, type Cart, type RaceState } from './race-state.ts';
 import { findOnTrack, isOn, placeAt, type Track } from './track.ts';
 
-/** What can be changed while the race runs: 1 is as it is meant. */
+/** Settings that can be changed during the race: factors of the default values. */
 export interface RaceSettings extends GameSettings {
-  /** How fast carts get. */
+  /** Factor of the top speed of carts. */
   readonly speed: number;
-  /** How little they slide sideways. */
+  /** Factor of the grip against sliding sideways. */
   readonly grip: number;
-  /** How short a jump is. */
+  /** Factor of the gravity: higher makes jumps shorter. */
   readonly gravity: number;
 }
 

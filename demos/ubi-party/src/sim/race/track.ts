@@ -6,7 +6,7 @@ export interface Stretch {
   readonly to: number;
 }
 
-/** What a track is made from. */
+/** Definition of a track. */
 export interface TrackPlan {
   readonly id: string;
   readonly title: string;
@@ -103,7 +103,7 @@ export function placeAt(track: Track, distance: number): TrackPoint {
   };
 }
 
-/** How far along, and how far to the left of the middle line, a position is. */
+/** A position in track coordinates: distance along the middle line and offset to its left. */
 export interface OnTrack {
   readonly distance: number;
   readonly toLeft: number;
@@ -112,7 +112,10 @@ export interface OnTrack {
 /** Points before and after the last known one that are looked at: a cart moves less in a step, and tracks cross. */
 const WINDOW = 10;
 
-/** Where a position is, near to where it was. @param before distance of the step before, of any lap */
+/**
+ * Projects a position onto the track, near the previous projection. @param before distance of the step before, of any
+ * lap
+ */
 export function findOnTrack(track: Track, position: Readonly<Vector>, before: number): OnTrack {
   const { points } = track;
   const middle = indexAt(track, before);

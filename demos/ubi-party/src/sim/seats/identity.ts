@@ -36,7 +36,7 @@ const SHAPES = [
 /** Letters, then digits; with shape, colour and ring no two seats look alike. */
 const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ234567';
 
-/** How many can play. */
+/** The greatest number of players. */
 export const MAX_SEATS = LETTERS.length;
 
 export function identityOf(seat: Seat): Identity {

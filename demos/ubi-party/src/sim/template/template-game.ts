@@ -9,7 +9,7 @@ interface Runner {
   readonly seat: Seat;
   readonly position: Vector;
   found: number;
-  /** What is left of the breath to run, 0 to 1. */
+  /** Remaining stamina, 0 to 1. */
   breath: number;
 }
 
@@ -18,7 +18,7 @@ export interface TemplateState extends WithRandom {
   /** Steps since the start. */
   step: number;
   readonly runners: Runner[];
-  /** Where the hidden apple lies; who touches it has found it. */
+  /** Position of the hidden apple; a runner who touches it has found it. */
   readonly apple: Vector;
   /** The newest find. */
   last?: { readonly seat: Seat; readonly at: number };

@@ -96,7 +96,7 @@ function checkInLobby({ phase }: Room, what: string): void {
   if (phase !== 'lobby') throw new RoomRefusal(`${what} can be changed in the lobby only.`);
 }
 
-/** What comes after a phase, by itself or by the leader. */
+/** Enters the next phase, by timer or on the leader's request. */
 function proceed(room: Room, nowMs: number): Room {
   switch (room.phase) {
     case 'lobby':
@@ -129,7 +129,7 @@ function read(room: Room, phase: 'explanation' | 'podium', nowMs: number): Room 
   return enter(room, phase, nowMs + readingMs(phase, room.pace)!);
 }
 
-/** What is being read then takes longer or shorter, too. */
+/** Changes the pace; the end of a current reading phase moves with it. */
 function setPace(room: Room, pace: Pace): Room {
   if (!isPace(pace)) throw new RoomRefusal('The pace is normal, relaxed or long.');
   if (room.phase === 'countdown' || room.phase === 'play')

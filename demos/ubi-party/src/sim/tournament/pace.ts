@@ -1,4 +1,4 @@
-/** How much time there is to read and to answer, as a share of what a game is meant to give. */
+/** Factors of the times for reading and answering. */
 export const PACES = { normal: 1, relaxed: 1.5, long: 2 } as const;
 export type Pace = keyof typeof PACES;
 
@@ -18,7 +18,7 @@ export const EXPLANATION_MS = 20_000;
 export const COUNTDOWN_MS = 3_000;
 export const PODIUM_MS = 15_000;
 
-/** How long a phase with something to read lasts, milliseconds; undefined: it has no time. */
+/** Duration of a phase with something to read, milliseconds; undefined for phases without a fixed duration. */
 export function readingMs(phase: string, pace: Pace): number | undefined {
   if (phase === 'explanation') return EXPLANATION_MS * PACES[pace];
   return phase === 'podium' ? PODIUM_MS * PACES[pace] : undefined;

@@ -1,10 +1,10 @@
 import type { Places, Seat } from '../game.ts';
 import type { Pace } from './pace.ts';
 
-/** Who asks: the big screen, or the client of a phone by its key. */
+/** Origin of a request: the big screen, or the client of a phone by its key. */
 export type Asker = 'host' | { readonly key: string };
 
-/** What happens to a room. */
+/** An event that changes a room. */
 export type RoomEvent =
   | { readonly type: 'join'; readonly key: string; readonly name: string }
   | { readonly type: 'watch'; readonly key: string; readonly name: string }

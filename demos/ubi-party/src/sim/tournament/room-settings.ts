@@ -3,7 +3,7 @@ import type { GameSettings } from '../game.ts';
 import type { Room } from './room.ts';
 import { RoomRefusal } from './room-event.ts';
 
-/** What modules take at most. */
+/** The greatest setting that modules accept. */
 const MAX_SETTING = 5;
 
 /** Changes a setting of a game. Values as the game is meant are not kept. */

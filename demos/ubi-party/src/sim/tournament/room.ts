@@ -44,7 +44,7 @@ export interface Room {
   readonly players: readonly Player[];
   /** They do not count: neither for rounds nor for who is ready. */
   readonly spectators: readonly Spectator[];
-  /** Who leads with the phone: the first who joined, or whom the host or the leader names. */
+  /** Seat of the leading phone: the first to join, or one named by the host or the leader. */
   readonly leader?: Seat;
   readonly isLocked: boolean;
   readonly isCodeHidden: boolean;
@@ -55,7 +55,7 @@ export interface Room {
   readonly results: readonly RoundResult[];
   /** Settings that are not as their game is meant, by game and name. */
   readonly settings: Readonly<Record<string, GameSettings>>;
-  /** How much time everybody has to read and to answer. */
+  /** Pace of reading and answering, for everybody. */
   readonly pace: Pace;
 }
 

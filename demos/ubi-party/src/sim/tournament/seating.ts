@@ -8,7 +8,7 @@ import { whyNoSeat, withoutSpectators } from './watching.ts';
 /** A seat is kept so long for who is away, milliseconds. */
 export const KEPT_FOR_MS = 2 * 60_000;
 
-/** Who has a seat already gets that one; a new player gets the first free one, or that of a bot. */
+/** Assigns a seat: a known player keeps theirs; a new player gets the first free one, or that of a bot. */
 export function join(room: Room, key: string, name: string): Room {
   if (room.players.some((player) => player.key === key)) {
     return setAway(changed(room, key, { name: toName(name) }), key, undefined);

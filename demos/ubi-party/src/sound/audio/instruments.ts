@@ -1,6 +1,6 @@
 import type { Voice } from '../note.ts';
 
-/** How something sounds that is struck: tones that fade, and the noise of the stroke. */
+/** Sound of a struck instrument: decaying tones, and the noise of the stroke. */
 export interface Instrument {
   readonly gain: number;
   readonly wave?: OscillatorType;

@@ -14,7 +14,7 @@ const SPREAD_S = 0.06;
 /** More at a time would be noise. */
 const MOST_EVENTS = 12;
 
-/** What of the engine is chosen. */
+/** Settings of the sound engine. */
 export interface SoundWishes {
   readonly isMuted: boolean;
   readonly isMusicMuted: boolean;

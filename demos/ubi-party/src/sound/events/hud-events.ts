@@ -4,7 +4,7 @@ import type { SoundEvent } from './sound-event.ts';
 /** A number that appears is heard from here. */
 const COUNTED_FROM = 3;
 
-/** What is heard of any game, from what the big screen says of it. */
+/** Sound events of any game, derived from changes of the hud. */
 export function hudEvents(before: Hud | undefined, after: Hud): SoundEvent[] {
   if (!before) return [];
   const events: SoundEvent[] = after.out

@@ -6,7 +6,7 @@ export interface LaterNote extends Note {
   readonly afterS: number;
 }
 
-/** How an event sounds. */
+/** The notes of a sound event. */
 export function notesOf(event: SoundEvent): LaterNote[] {
   switch (event.kind) {
     case 'join':

@@ -3,7 +3,7 @@ import type { Room } from '../../sim/index.ts';
 import { leaderOf } from '../music/mood.ts';
 import type { SoundEvent } from './sound-event.ts';
 
-/** What is heard of a change of the room. */
+/** Sound events of a change of the room. */
 export function roomEvents(before: RoomView | undefined, after: RoomView): SoundEvent[] {
   if (!before) return [];
   const [was, is] = [before.room, after.room];

@@ -73,7 +73,7 @@ describe('the hud', () => {
   });
 });
 
-/** What is heard of a whole round of bots. */
+/** The sound events of a whole round of bots. */
 function heardOf(id: 'race' | 'hill' | 'duel' | 'quiz'): SoundEvent['kind'][] {
   const heard: SoundEvent[] = [];
   let before: { state: unknown; hud: Hud } | undefined;

@@ -7,7 +7,9 @@ import {
 } from '../../sim/index.ts';
 import type { SoundEvent } from './sound-event.ts';
 
-/** What is heard of a game's own things between two states of one round; games without an entry have what the hud tells. */
+/**
+ * Sound events of a particular game between two states of one round; games without an entry have those of the hud only.
+ */
 export function stateEvents(game: string, before: unknown, after: unknown): SoundEvent[] {
   return Object.hasOwn(EARS, game) ? EARS[game]!(before, after) : [];
 }

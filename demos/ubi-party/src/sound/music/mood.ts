@@ -8,7 +8,7 @@ import {
 } from '../../sim/index.ts';
 import type { Mood } from './tunes.ts';
 
-/** What the music follows now; undefined is silence. @param state of the round that is played */
+/** The current mood of the music; undefined is silence. @param state of the round that is played */
 export function moodOf(room: Room, state: unknown): Mood | undefined {
   switch (room.phase) {
     case 'lobby':

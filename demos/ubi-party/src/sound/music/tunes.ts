@@ -3,7 +3,7 @@ import type { Voice } from '../note.ts';
 import { pitchOf, scalePitch } from '../scale.ts';
 import type { Tune, TuneNote } from './tune.ts';
 
-/** What the music follows. */
+/** Moods that select the music. */
 export type Mood =
   | { readonly kind: 'lobby' | 'duel' | 'hunt' | 'table' }
   | { readonly kind: 'race'; readonly isLastLap: boolean }

@@ -2,7 +2,7 @@ import { PerspectiveCamera } from 'three';
 import { approach } from '../motion/ease.ts';
 import { fitCamera, type CameraPlace, type FrameRect, type Point3 } from './fit-camera.ts';
 
-/** What a scene wants to be seen. */
+/** Framing that a scene requests of the camera. */
 export interface Framing {
   readonly pitchDeg: number;
   /** Looks down as far as this where that fills a higher picture; `pitchDeg` by default. */
@@ -10,7 +10,7 @@ export interface Framing {
   readonly yawDeg?: number;
   /** All that must be in the picture. */
   readonly points: readonly Point3[];
-  /** Where in the picture: the rest is for words. */
+  /** Target rectangle in the picture: the rest is for texts. */
   readonly rect: FrameRect;
   /** The same for a picture that is higher than wide. */
   readonly tallRect: FrameRect;
@@ -67,7 +67,7 @@ export class CameraRig {
     const at = this.#at ? between(this.#at, this.#goal, approach(dtS, FOLLOW_S)) : this.#goal;
     this.#at = at;
     const { target } = at;
-    // What is at the point stays at its place in the picture
+    // The zoom keeps this point at its place in the picture
     const share = zoomAt ? 1 - 1 / zoom : 0;
     const x = target.x + ((zoomAt?.x ?? 0) - target.x) * share;
     const z = target.z + ((zoomAt?.z ?? 0) - target.z) * share;

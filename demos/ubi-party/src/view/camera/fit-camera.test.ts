@@ -10,7 +10,7 @@ const POINTS: readonly Point3[] = [
   { x: 3, y: 6, z: -9 },
 ];
 
-/** Where three.js itself draws a point, shares of the picture from the top left. */
+/** Projection of a point by three.js itself, shares of the picture from the top left. */
 function drawn(point: Point3, lens: Lens): { x: number; y: number } {
   const { target, distance, shiftX, shiftY } = fitCamera(POINTS, lens, RECT);
   const camera = new PerspectiveCamera(lens.fovDeg, lens.aspect, 1, 500);

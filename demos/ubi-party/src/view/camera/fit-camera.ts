@@ -13,11 +13,11 @@ export interface FrameRect {
   readonly bottom: number;
 }
 
-/** How a camera looks, without where it stands. */
+/** Optics and orientation of a camera, without its position. */
 export interface Lens {
   /** Vertical field of view, degrees. */
   readonly fovDeg: number;
-  /** How far it looks down, degrees. */
+  /** Downward pitch, degrees. */
   readonly pitchDeg: number;
   /** Turned to the left, seen from above, degrees. */
   readonly yawDeg: number;
@@ -25,7 +25,7 @@ export interface Lens {
   readonly aspect: number;
 }
 
-/** Where a camera stands: it looks at `target`, which the lens shifts on the picture. */
+/** Position of a camera: it looks at `target`, which the lens shifts on the picture. */
 export interface CameraPlace {
   readonly target: Point3;
   readonly distance: number;
@@ -74,7 +74,10 @@ function middleOf(points: readonly Point3[]): Point3 {
   return { x: middle('x'), y: middle('y'), z: middle('z') };
 }
 
-/** What the points cover of the picture, in halves of it from its middle; undefined when one is behind the camera. */
+/**
+ * Bounding box of the projected points, in halves of the picture from its middle; undefined when one is behind the
+ * camera.
+ */
 function boxOf(
   points: readonly Point3[],
   target: Point3,

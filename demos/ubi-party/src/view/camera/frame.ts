@@ -8,6 +8,6 @@ export interface Frame {
   readonly dtS: number;
   readonly isReduced: boolean;
   readonly quality: Quality;
-  /** Where the camera was in the frame before. */
+  /** Position of the camera in the previous frame. */
   readonly eye: Readonly<Vector3>;
 }

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import type { Hour } from './hours.ts';
 
-/** What darkens the drawn ground: the shadows that the key light throws. */
+/** Darkening of the drawn ground: the shadows of the key light. */
 export class GroundShade {
   readonly #material: ShadowMaterial;
   readonly #mesh: Mesh;

@@ -7,7 +7,7 @@ import {
   type ColorRepresentation,
 } from 'three';
 
-/** How a surface is painted. */
+/** Finish of a surface. */
 export type Finish = 'matte' | 'marble' | 'lacquer' | 'gold';
 const FINISHES = {
   matte: { roughness: 0.7, shine: 0 },
@@ -51,7 +51,7 @@ export class Paints {
 
 const [WIDTH, HEIGHT] = [64, 32];
 
-/** What shines in marbles and lacquer: a room with one large soft window at the upper left. */
+/** Environment map for marbles and lacquer: a room with one large soft window at the upper left. */
 function softRoom(): DataTexture {
   const data = new Float32Array(WIDTH * HEIGHT * 4);
   for (let index = 0; index < WIDTH * HEIGHT; index += 1) {

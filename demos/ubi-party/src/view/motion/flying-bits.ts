@@ -4,7 +4,7 @@ import { scatter } from './ease.ts';
 
 const GRAVITY = 22;
 
-/** How a bit begins. */
+/** Initial state of a bit. */
 export interface BitStart {
   readonly x: number;
   readonly y: number;

@@ -4,7 +4,7 @@ import type { Shape as ShapeName } from '../../sim/index.ts';
 /** The front of a piece: units, the piece stands with its lowest point on 0. */
 export interface Outline {
   readonly shape: Shape;
-  /** Where the letter is, and the width and height of its field. */
+  /** Position of the letter, and width and height of its field. */
   readonly letter: { readonly x: number; readonly y: number; readonly size: number };
   /** A part that lies deeper than the rest and carries the letter. */
   readonly inset?: Shape;

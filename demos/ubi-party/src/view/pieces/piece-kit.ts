@@ -6,7 +6,7 @@ import { buildCrown } from '../toys/crown.ts';
 import { GlyphSheet } from './glyph-sheet.ts';
 import { buildToken } from './token-geometry.ts';
 
-/** What all scenes share: paints, letters and the forms of the pieces. Made once, disposed with the stage. */
+/** Resources of all scenes: paints, letters and geometries of the pieces. Created once, disposed with the stage. */
 export class PieceKit {
   readonly paints = new Paints();
   /** By seat. */

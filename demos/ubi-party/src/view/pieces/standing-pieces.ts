@@ -9,7 +9,7 @@ import type { PieceKit } from './piece-kit.ts';
 import { PieceSet } from './piece-set.ts';
 import type { Piece, Stand } from './piece.ts';
 
-/** Where a piece stands, and how. Units, on the table. */
+/** Position and posture of a piece. Units, on the table. */
 export interface Standing {
   readonly seat: Seat;
   readonly x: number;
@@ -18,7 +18,7 @@ export interface Standing {
   readonly y: number;
   readonly yaw: number;
   readonly size: number;
-  /** Who is away lies down. */
+  /** The piece of an absent player lies down. */
   readonly isLying: boolean;
 }
 

@@ -6,7 +6,7 @@ import { outlineOf } from './outlines.ts';
 /** From front to back, units. */
 export const TOKEN_DEPTH = 0.56;
 const BEVEL = 0.07;
-/** How far the inset of a ring lies behind its front. */
+/** Depth of a ring's inset behind its front. */
 const INSET = 0.16;
 /** Edges that are sharper than this stay edges, radians. */
 const CREASE = 0.6;
@@ -23,7 +23,7 @@ export function buildToken(shape: ShapeName): BufferGeometry {
   return both;
 }
 
-/** How far in front of the middle of a piece its letter is. */
+/** Distance of the letter in front of the middle of a piece. */
 export function letterDepth(shape: ShapeName): number {
   return TOKEN_DEPTH / 2 - (shape === 'ring' ? INSET : 0) + 0.015;
 }

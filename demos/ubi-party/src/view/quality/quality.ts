@@ -10,12 +10,12 @@ const FAST_WINDOWS = 4;
 /** Each step down doubles the windows that a step up takes; after so many, there is no way up. */
 const MOST_FALLS = 3;
 
-/** What is known of the frames so far. */
+/** Frame statistics so far. */
 export interface QualityState {
   readonly quality: Quality;
   readonly slowWindows: number;
   readonly fastWindows: number;
-  /** How often quality went down. */
+  /** Number of steps down in quality. */
   readonly falls: number;
 }
 

@@ -12,7 +12,7 @@ export interface SceneView<S extends Scene = Scene> {
   readonly hour: keyof typeof HOURS;
   /** Units from the origin in which things have shadows. */
   readonly reach: number;
-  /** What the camera frames; the same object for as long as nothing changes. */
+  /** Framing of the camera; the same object until it changes. */
   readonly framing: Framing;
   /** Above 1 is nearer than the framing needs. */
   readonly zoom: number;
@@ -22,7 +22,7 @@ export interface SceneView<S extends Scene = Scene> {
   /** The next state. It may be the same object, changed. */
   show(scene: S, nowMs: number): void;
   update(frame: Frame): void;
-  /** Where the token of a seat stands. @returns units up to its top; 0 when it is not there */
+  /** Position of a seat's token. @returns units up to its top; 0 when it is not there */
   footOf(seat: Seat, into: Vector3): number;
   dispose(): void;
 }

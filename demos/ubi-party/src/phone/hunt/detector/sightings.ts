@@ -2,7 +2,7 @@ import type { Object2DList } from '@ubii/proto';
 import type { Question } from '../../../sim/index.ts';
 import type { Sighting } from './detector.ts';
 
-/** What a list of the module says, the highest score first. */
+/** The detections in the module's lists, the highest score first. */
 export function sightingsOf(...lists: readonly Object2DList[]): readonly Sighting[] {
   return lists
     .flatMap(({ elements }) => elements)
@@ -22,8 +22,8 @@ export function sightingsOf(...lists: readonly Object2DList[]): readonly Sightin
 const clamped = (value = 0): number => Math.min(1, Math.max(0, value));
 
 /**
- * What a picture shows in the light of a question: the wanted thing if it is in it, else what is seen most surely;
- * undefined when there is nothing.
+ * The detection that answers a question best: the wanted object if detected, else the one with the highest score;
+ * undefined without detections.
  */
 export function bestFor(
   { text, leastScore }: Pick<Question, 'text' | 'leastScore'>,

@@ -1,12 +1,12 @@
 import { isSignalled, type DuelState, type Seat } from '../../../sim/index.ts';
 
-/** What just happened in the duel. */
+/** An event of the duel. */
 export type DuelEvent =
   | { readonly type: 'signal' }
   | { readonly type: 'press'; readonly seat: Seat }
   | { readonly type: 'won'; readonly seat: Seat };
 
-/** What is remembered of a state, which the game changes in place. */
+/** Copy of the compared values of a state, which the game changes in place. */
 export interface DuelGlance {
   readonly step: number;
   readonly bouts: number;
@@ -23,7 +23,7 @@ export function glanceAtDuel(state: DuelState): DuelGlance {
   };
 }
 
-/** What happened between two states of a round; nothing when the second is of an earlier time, as in a replay. */
+/** Events between two states of a round; none when the second is of an earlier time, as in a replay. */
 export function duelEvents(before: DuelGlance, state: DuelState): DuelEvent[] {
   if (state.step < before.step) return [];
   const isNewBout = state.decided.length > before.bouts;
@@ -48,7 +48,7 @@ export function isEarly({ bout }: DuelState, seat: Seat): boolean {
 const FALL_S = 0.2;
 const RAISE_S = 0.6;
 
-/** How high the flag is, 0 to 1, after it was there. It falls as a stone does, and is raised evenly. */
+/** Height of the flag in the next frame, 0 to 1. It falls like a stone and is raised at constant speed. */
 export function nextFlag(height: number, isFallen: boolean, dtS: number): number {
   if (!isFallen) return Math.min(1, height + dtS / RAISE_S);
   const fallenS = FALL_S * Math.sqrt(Math.max(0, 1 - height)) + dtS;

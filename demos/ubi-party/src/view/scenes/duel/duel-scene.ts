@@ -125,7 +125,7 @@ export class DuelScene implements SceneView<{ kind: 'duel'; state: DuelState }> 
     }
   }
 
-  /** Who won the last bout wears the crown. */
+  /** The winner of the last bout wears the crown. */
   #placeCrown({ decided }: DuelState, { dtS, isReduced }: Frame): void {
     const winner = decided.findLast((bout) => bout.winner !== undefined)?.winner;
     const piece = winner === undefined ? undefined : this.#pieces.find(winner);

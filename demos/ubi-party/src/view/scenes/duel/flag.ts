@@ -17,7 +17,7 @@ const CLOTH = { width: 5.2, height: 3.4, columns: 6, rows: 4 } as const;
 /** Of the kerbs: no player has this red beside this white. */
 const CHECKERS = ['#e8674f', '#fff6e4'] as const;
 const LOW = 0.75;
-/** How far the loose edge of the cloth swings, units. */
+/** Amplitude of the cloth's loose edge, units. */
 const WAVE = 0.34;
 
 /** A flag on a pole: it falls at the signal. */

@@ -17,7 +17,10 @@ const ROW = 3.1;
 /** The first column at each side, and from one to the next, units from the middle. */
 const COLUMN = { first: 12.4, next: 3 } as const;
 
-/** Where who fell lies: at the left or the right of the hill, near ones first, never under it. @param order among those at that side */
+/**
+ * Position of a fallen piece: at the left or the right of the hill, near ones first, never under it. @param order among
+ * those at that side
+ */
 export function lyingSpot(isRight: boolean, order: number): Spot {
   const column = Math.floor(order / ROWS);
   const row = order % ROWS;
@@ -27,7 +30,7 @@ export function lyingSpot(isRight: boolean, order: number): Spot {
   return { x: isRight ? x : -x, z };
 }
 
-/** How a falling piece is. */
+/** Pose of a falling piece. */
 export interface FallPose {
   x: number;
   y: number;

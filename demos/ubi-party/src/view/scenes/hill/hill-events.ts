@@ -1,6 +1,6 @@
 import type { HillState, Power, Seat } from '../../../sim/index.ts';
 
-/** What just happened on the hill. */
+/** An event on the hill. */
 export type HillEvent =
   | {
       readonly type: 'push';
@@ -13,7 +13,7 @@ export type HillEvent =
   | { readonly type: 'power'; readonly seat: Seat; readonly kind: Power }
   | { readonly type: 'crown'; readonly seat: Seat };
 
-/** What is remembered of a state, which the game changes in place. */
+/** Copy of the compared values of a state, which the game changes in place. */
 export interface HillGlance {
   readonly step: number;
   readonly crown: Seat | undefined;
@@ -44,7 +44,7 @@ export function glanceAtHill(state: HillState): HillGlance {
   };
 }
 
-/** What happened between two states of a round; nothing when the second is of an earlier time, as in a replay. */
+/** Events between two states of a round; none when the second is of an earlier time, as in a replay. */
 export function hillEvents(before: HillGlance, state: HillState): HillEvent[] {
   if (state.step < before.step) return [];
   const events: HillEvent[] = [];

@@ -65,7 +65,7 @@ function layDown(
   return sinceS > 0.6 ? 0 : undefined;
 }
 
-/** How many fell to the same side before. */
+/** Number of pieces that fell to the same side before. */
 function orderOf(one: HillPiece, outAt: number, isRight: boolean, state: HillState): number {
   let order = 0;
   for (const other of state.pieces) {

@@ -112,7 +112,7 @@ export class HillScene implements SceneView<{ kind: 'hill'; state: HillState }> 
     this.#rings.update(dtS);
     this.#push *= 1 - approach(dtS, 0.12);
     this.swayDeg = this.#push * SWAY_DEG;
-    // What is left of the hill fills the picture
+    // Zooms in as the platform shrinks, so that it fills the picture
     this.zoom = 1 + (0.12 * (PLATFORM_RADIUS - state.radius)) / PLATFORM_RADIUS;
   }
 

@@ -49,7 +49,7 @@ export function buildDisc(radius: number): BufferGeometry {
   );
 }
 
-/** What the platform stands on: a drum, and a neck that is as narrow at its top as the last of the disc. */
+/** Base of the platform: a drum, and a neck that is as narrow at its top as the last of the disc. */
 export function buildDrum(): BufferGeometry {
   const radius = DRUM_RADIUS;
   return buildTurned(

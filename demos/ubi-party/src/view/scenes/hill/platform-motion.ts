@@ -17,7 +17,7 @@ const GRAVITY = 26;
 /** Rest of a block that lies on the table: height of its middle. */
 const REST_Y = 0.36;
 
-/** Where a block of a ring is, relative to its place in the platform. */
+/** Pose of a block of a ring, relative to its place in the platform. */
 export interface BlockPose {
   /** Outwards, and up, units. */
   out: number;
@@ -75,7 +75,10 @@ function restOut(ring: number): number {
   return Math.max(0, DRUM_RADIUS + 0.6 - RINGS[ring]!.inner);
 }
 
-/** How much a ring is in the colour of danger, 0 to 1. The outer one always is; the others are from when the one before them has fallen. */
+/**
+ * Share of the danger colour on a ring, 0 to 1. The outer ring always has it; the others from when the one before them
+ * has fallen.
+ */
 export function dangerOf(ring: number, step: number): number {
   if (ring === 0) return 1;
   const before = RINGS[ring - 1]!.fallsAt;

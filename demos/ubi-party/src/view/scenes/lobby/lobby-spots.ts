@@ -1,7 +1,7 @@
 import { MAX_SEATS, type Seat } from '../../../sim/index.ts';
 import { scatter } from '../../motion/ease.ts';
 
-/** How many rows a table has, and how far pieces are from each other, units. */
+/** Number of rows and distance between pieces on a table, units. */
 export interface LobbyPlan {
   readonly seats: number;
   readonly rows: number;
@@ -24,7 +24,7 @@ export function lobbyPlan(highest: Seat): LobbyPlan {
   return PLANS.find(({ seats }) => highest < seats) ?? PLANS.at(-1)!;
 }
 
-/** Where a seat stands: the front row is filled first, rows stand in the gaps of those before them. */
+/** Position of a seat: the front row is filled first, rows stand in the gaps of those before them. */
 export function lobbySpot(seat: Seat, plan: LobbyPlan): { readonly x: number; readonly z: number } {
   const row = Math.floor(seat / plan.columns);
   const column = seat % plan.columns;

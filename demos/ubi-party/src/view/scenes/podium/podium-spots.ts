@@ -17,7 +17,7 @@ export const STEPS: readonly PodiumStep[] = [
   { place: 3, x: 4.1, width: 4, height: 3.4, trim: '#d98d58' },
 ];
 
-/** How many stand in a row before the steps. */
+/** Pieces per row before the steps. */
 const ROW_OF_OTHERS = 10;
 /** The camera looks far less down than in the lobby: rows that are nearer hide letters. */
 const ROW_OF_OTHERS_Z = 5.4;

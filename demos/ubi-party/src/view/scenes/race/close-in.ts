@@ -7,7 +7,7 @@ const LAST_LAP = 1.15;
 const NEAR = 0.45;
 const FAR = 0.85;
 
-/** How near the camera is, and which point of the table keeps its place in the picture. */
+/** Zoom of the camera, and the point of the table that keeps its place in the picture. */
 export interface CloseIn {
   readonly zoom: number;
   readonly x: number;

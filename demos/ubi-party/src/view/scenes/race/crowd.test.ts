@@ -6,7 +6,7 @@ import { standInCrowd, type CrowdSpot } from './crowd.ts';
 /** Of a token of full size, units; the picture as `crowd.ts` has it. */
 const [WIDTH, HEIGHT, DEPTH_TO_HEIGHT] = [5.2, 5.4, 0.73];
 
-/** How many tokens hide the middle of another one's letter, or a corner of it. */
+/** Number of tokens that hide the middle of another one's letter, or a corner of it. */
 function hiddenLetters(spots: readonly CrowdSpot[]): number {
   const tokens = standInCrowd(spots).map(({ size, lift }, index) => {
     const { x, z } = spots[index]!;

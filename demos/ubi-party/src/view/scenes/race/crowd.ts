@@ -1,6 +1,6 @@
 import { clamp01 } from '../../motion/ease.ts';
 
-/** Where a cart is on the table, units; towards the camera z grows. */
+/** Position of a cart on the table, units; z grows towards the camera. */
 export interface CrowdSpot {
   readonly x: number;
   readonly z: number;
@@ -8,7 +8,7 @@ export interface CrowdSpot {
   readonly isCrowned?: boolean;
 }
 
-/** How a token stands above its cart, so that its letter is seen. */
+/** Position of a token above its cart that keeps its letter visible. */
 export interface CrowdStand {
   /** Share of its full size. */
   readonly size: number;
@@ -23,7 +23,7 @@ const LEAST_SIZE = 0.6;
 const MOST_LIFT = 6;
 /** The camera looks down 36 degrees: a unit towards it lowers the picture as much as this share of a unit of height. */
 const DEPTH_TO_HEIGHT = 0.73;
-/** Where the letter is on a token, and how much of its square the token fills. Shares of its size. */
+/** Extent of the letter on a token, and the part of its square that the token fills. Shares of its size. */
 const LETTER_HALF = 0.25;
 const LETTER_FOOT = 0.25;
 const TOKEN_HALF = 0.42;

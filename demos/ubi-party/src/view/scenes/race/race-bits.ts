@@ -11,7 +11,7 @@ const PUFF = '#efe6d2';
 const EVERY_S = { boost: 0.03, puff: 0.16 } as const;
 const CHIPS_OF_A_HIT = 10;
 
-/** What flies behind and off the carts: blocks of a boost, puffs of the wheels, chips of a hit. */
+/** Particles of the carts: blocks of a boost, puffs of the wheels, chips of a hit. */
 export class RaceBits {
   readonly #paint = new MeshStandardMaterial({ roughness: 0.7 });
   readonly #block = new BoxGeometry(1, 0.8, 0.6);

@@ -107,7 +107,7 @@ export class RaceCarts {
     return isReduced ? 0 : Math.abs(Math.sin(one.distance * 1.7 + one.seat)) * 0.05;
   }
 
-  /** Where it points; while it is lifted, it turns to where the track leads. */
+  /** Yaw of a cart; while it is lifted, it turns to the direction of the track. */
   #yawOf(driver: Driver, one: Cart): number {
     const heading = Math.atan2(one.heading.y, one.heading.x);
     if (one.liftSteps === 0) {

@@ -1,12 +1,12 @@
 import type { Cart, RaceState, Seat } from '../../../sim/index.ts';
 
-/** What just happened in the race. */
+/** An event of the race. */
 export type RaceEvent = {
   readonly type: 'hit' | 'boost' | 'jump' | 'lift' | 'finish';
   readonly seat: Seat;
 };
 
-/** What is remembered of a state, which the game changes in place. */
+/** Copy of the compared values of a state, which the game changes in place. */
 export interface RaceGlance {
   readonly step: number;
   readonly carts: ReadonlyMap<
@@ -27,7 +27,7 @@ export function glanceAtRace(state: RaceState): RaceGlance {
   };
 }
 
-/** What happened between two states of a round; nothing when the second is of an earlier time, as in a replay. */
+/** Events between two states of a round; none when the second is of an earlier time, as in a replay. */
 export function raceEvents(before: RaceGlance, state: RaceState): RaceEvent[] {
   if (state.step < before.step) return [];
   return state.carts.flatMap((cart) => {
@@ -46,7 +46,7 @@ export function raceEvents(before: RaceGlance, state: RaceState): RaceEvent[] {
   });
 }
 
-/** Who is first: the earliest at the finish, else who is furthest along. */
+/** The leading seat: the earliest at the finish, else the one furthest along. */
 export function leaderOf({ carts }: RaceState): Seat | undefined {
   let best: Cart | undefined;
   for (const cart of carts) if (!best || isBefore(cart, best)) best = cart;

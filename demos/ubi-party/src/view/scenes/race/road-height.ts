@@ -35,7 +35,7 @@ export function underpassOf(track: Track): number | undefined {
   return best.distance;
 }
 
-/** How much a token ducks, 0 to 1. @param underpass units along the road */
+/** Amount by which a token ducks under a bridge, 0 to 1. @param underpass units along the road */
 export function duckOf(track: Track, underpass: number | undefined, distance: number): number {
   if (underpass === undefined) return 0;
   const half = track.length / 2;

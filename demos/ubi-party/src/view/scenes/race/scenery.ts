@@ -8,7 +8,7 @@ export interface Spot {
   readonly y: number;
 }
 
-/** What a track covers, with its kerbs. */
+/** Bounds of a track with its kerbs. */
 export function boundsOf(track: Track): { minX: number; maxX: number; minY: number; maxY: number } {
   const reach = track.halfWidth + 1;
   const xs = track.points.map(({ position }) => position.x);
@@ -31,7 +31,7 @@ export function offRoad(track: Track, { x, y }: Spot): number {
   return Math.sqrt(squared) - track.halfWidth - 0.9;
 }
 
-/** How far away from the camera a toy hides the ground, for each unit of its height (camera 36 degrees down). */
+/** Length of ground that a toy hides behind it, per unit of its height (camera 36 degrees down). */
 const HIDES = 1.2;
 
 /** Whether a toy of this radius and height stands free, and hides no road behind it. */
@@ -70,7 +70,7 @@ export function freeSpots(
   return spots;
 }
 
-/** Where pillars carry the bridge: at both edges, but not on the road below. */
+/** Positions of the bridge's pillars: at both edges, but not on the road below. */
 export function pillarsOf(track: Track): (Spot & { readonly height: number })[] {
   const pillars: (Spot & { height: number })[] = [];
   const low = track.points.filter(({ distance }) => roadHeight(track, distance) < 1);
