@@ -21,7 +21,7 @@ await runScript(async () => {
       'watch',
       '--clear-screen=false',
       inRoot('apps/master/src/main.ts'),
-      // Who works on it means this machine, unless they say otherwise.
+      // Development is for this machine only, unless flags say otherwise.
       ...(isOnLan(flags) || flags.includes('--host') ? [] : ['--lan', 'off']),
       ...flags,
       ...['--port', String(port)],

@@ -2,9 +2,9 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 
 /**
- * Where the measured processes and the load generator run: together on one core, the load generator
- * on one and all others on another, or wherever the system puts them. Left to itself the system
- * sometimes does the one and sometimes the other, for seconds.
+ * CPU cores of the measured processes and the load generator: all on one core, the load generator on one and all others
+ * on another, or chosen by the system. Left to itself the system alternates between the first two, for seconds at a
+ * time.
  */
 export type Placement = 'one-core' | 'core-each' | 'anywhere';
 

@@ -8,7 +8,7 @@ export function loadAverage(): number {
   return Math.round((loadavg()[0] ?? 0) * 100) / 100;
 }
 
-/** What the figures depend on besides the code. */
+/** Properties of the machine that influence the figures. */
 export function describeMachine(loadBefore: number): RunResult['machine'] {
   const processors = cpus();
   return {

@@ -16,9 +16,9 @@ export interface RunOptions {
   readonly rounds: number;
   readonly warmUpMs: number;
   readonly measureMs: number;
-  /** How long, in all, the run may wait for other processes to be quiet. */
+  /** Total time limit for waiting until other processes are quiet. */
   readonly waitMs: number;
-  /** Where the JSON goes; undefined: `benchmarks/results/<time>.json`. */
+  /** Path of the JSON report; undefined: `benchmarks/results/<time>.json`. */
   readonly out: string | undefined;
   /** Main file of the master to measure; undefined: the one that is built here. */
   readonly master: string | undefined;

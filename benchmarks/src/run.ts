@@ -59,7 +59,7 @@ async function measureGroup(
   const most = Math.max(...members.map(({ roundCount }) => roundCount));
   for (let first = 0; first < most; first += ROUNDS_PER_START) {
     const parts = new SharedParts();
-    // What is started is to find the cores that it would find without this.
+    // Resets the own placement, so that started processes do not inherit it.
     placeProcesses('anywhere', process.pid, []);
     try {
       const setting = {
@@ -107,7 +107,7 @@ async function measureRound(
   }
 }
 
-/** What cannot be measured is a fault of this round; the others go on. */
+/** A failed measurement is a fault of this round; the others continue. */
 async function measureOrFail(subject: Subject, options: RunOptions): Promise<Measurement> {
   try {
     return await subject.measure(options);

@@ -12,7 +12,7 @@ import semver from 'semver';
  */
 
 /**
- * What is known of locked packages, and of when. It lies in the repository, so that the gate needs no network.
+ * Known advisories of locked packages, with their date. Stored in the repository, so that the gate needs no network.
  *
  * @typedef {object} AdvisoryFile
  * @property {string} updated day, such as `2026-01-31`
@@ -29,7 +29,7 @@ import semver from 'semver';
  * @property {string} reason
  */
 
-/** What fails the gate. */
+/** Severities that fail the gate. */
 const SERIOUS = ['high', 'critical'];
 
 /** From this age on the gate asks for newer advisories, days. */
@@ -91,7 +91,7 @@ function isVulnerable(version, { id, vulnerable_versions: range }) {
 }
 
 /**
- * How old the file is, in words.
+ * Age of the file, in words.
  *
  * @param {AdvisoryFile} file
  * @param {number} nowMs milliseconds since the epoch
@@ -120,7 +120,7 @@ export function versionsByName(packages) {
 }
 
 /**
- * What a registry answered, as the file has it.
+ * Converts a registry's answer to the format of the file.
  *
  * @param {Record<string, object[]>} answer
  * @returns {Record<string, Advisory[]>}

@@ -19,7 +19,7 @@ const everywhere = [
   'scripts/lib/builds.mjs',
 ];
 
-/** What is built, from what. */
+/** The builds with their outputs and inputs. */
 const builds = {
   master: {
     output: 'apps/master/dist/main.js',

@@ -3,7 +3,7 @@ import { spawn } from 'node:child_process';
 import { root } from './repository.mjs';
 import { exitCodeOf, onStop } from './stopping.mjs';
 
-/** How long a child may take to end after it was asked to. */
+/** Time limit for a child to end after a request, before it is killed. */
 const KILL_AFTER_MS = 4000;
 
 /**

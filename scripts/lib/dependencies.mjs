@@ -7,7 +7,7 @@ import { inRoot, readJson } from './repository.mjs';
 export const advisoryFile = inRoot('security/advisories.json');
 
 /**
- * What is locked against what is known and allowed, without the network.
+ * Compares locked packages with known advisories and allowed licences, without the network.
  *
  * @param {number} nowMs milliseconds since the epoch, for the age of the advisories, which fails nothing
  * @returns {{ problems: string[], notes: string[] }} what fails the gate, and what people should know

@@ -3,7 +3,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import { inRoot, readJson } from './repository.mjs';
 
 /**
- * Which licences packages that we ship may have.
+ * Allowed licences of shipped packages.
  *
  * @typedef {object} LicencePolicy
  * @property {string[]} allowed SPDX identifiers
@@ -63,7 +63,7 @@ export function isAllowed(expression, allowed) {
     }
     return result;
   };
-  // What is left, such as WITH, was not understood
+  // Remaining words, such as WITH, are not supported
   return either() && at === tokens.length;
 }
 
@@ -90,7 +90,7 @@ export function installedLicences() {
   };
 }
 
-/** What a manifest says of the licence; older ones have an object, or a list. */
+/** The licence in a manifest; older ones have an object, or a list. */
 export function licenceOf({ license, licenses }) {
   if (typeof license === 'string') return license;
   if (typeof license?.type === 'string') return license.type;

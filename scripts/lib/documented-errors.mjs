@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 
 import { inRoot } from './repository.mjs';
 
-/** Where codes are defined, and where people read about them. */
+/** Definitions of error codes, and the pages that document them. */
 const sources = [
   {
     code: 'packages/proto/src/service-error.ts',
@@ -10,7 +10,7 @@ const sources = [
     block: /SERVICE_ERROR_CODES = \[([^\]]*)\]/,
     entry: /'([a-z_]+)'/g,
     page: 'docs/errors.md',
-    /** What is above the other lists. */
+    /** The page above its other lists. */
     section: /^.*?(?=^## Why a client is not admitted)/ms,
     row: /^\| `([a-z_]+)`/gm,
   },

@@ -5,7 +5,7 @@ import { readJson } from './repository.mjs';
 
 /** @typedef {{ name: string, isFlaky: boolean, message: string }} FailedTest */
 
-/** What is said of one test: the rest stands where it failed. */
+/** Maximum lines of a failure message; the full one is in the log of the run. */
 const MAX_LINES = 25;
 
 /**

@@ -29,7 +29,10 @@ export async function runGate() {
   return step('unit tests', runUnitTests);
 }
 
-/** What only reads the sources: the two longest first, so that none is left alone at the end, then the cheapest first. */
+/**
+ * Steps that only read the sources: the two longest first, so that none is left alone at the end, then the cheapest
+ * first.
+ */
 function readingSteps() {
   return [
     { name: 'lint', work: tool('eslint', 'eslint', ['.', '--max-warnings', '0']) },

@@ -44,7 +44,7 @@ export function licencesOf(filesByPart) {
 }
 
 /**
- * What programs for Node are bundled from; they are bundled for that, and not written.
+ * Files that are bundled into a program for Node; the bundle is built for this list only, not written.
  *
  * @param {string} folder of the program, relative to the root
  * @returns {Promise<string[]>} absolute paths
@@ -70,12 +70,12 @@ export async function filesOfProgram(folder) {
   ].map((file) => inRoot(file));
 }
 
-/** What the workers of processing modules are built from, besides our own: all they depend on. */
+/** Manifests of the folders whose packages are bundled into the workers of processing modules. */
 export function filesOfSandbox() {
   return foldersBelow(inRoot('packages/pm-sandbox')).map((folder) => join(folder, 'package.json'));
 }
 
-/** What the library of vision is built from, and the packages that asset sets are from. */
+/** Manifests of the packages that the library of vision and the asset sets are built from. */
 export function filesOfVision() {
   const own = inRoot('packages/vision');
   const ofSets = ['@vladmandic/human', '@techstark/opencv-js'].map((name) =>
@@ -148,7 +148,7 @@ function foldersBelow(start) {
     for (const dependency of Object.keys({ ...dependencies, ...optionalDependencies })) {
       const next = resolveFrom(folder, dependency);
       if (next !== undefined) waiting.push(next);
-      // What is optional may be for another system
+      // A missing optional dependency may be for another system
       else if (!(dependency in optionalDependencies)) {
         throw new Error(
           `${dependency}, which ${name} needs, is not installed: run npm start again.`,

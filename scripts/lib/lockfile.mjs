@@ -14,7 +14,7 @@ import { inRoot } from './repository.mjs';
  */
 
 /**
- * What is locked.
+ * The parsed lockfile.
  *
  * @typedef {object} Lock
  * @property {Map<string, LockedPackage>} packages by `name@version`, in the order of their names

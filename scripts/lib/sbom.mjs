@@ -46,7 +46,7 @@ export function createSbom(lock, own, licenceOf) {
 
 function component(key, entry, isProduction, licenceOf) {
   const [, group, name] = /^(?:(@[^/]+)\/)?(.*)$/.exec(entry.name);
-  // What is not installed everywhere has no licence here, so that the text is the same everywhere.
+  // Packages that are not installed on every system have no licence here, so that the text is the same everywhere.
   const licence = entry.isForSomeSystems ? undefined : licenceOf(key);
   const purl = packageUrl(entry);
   return {

@@ -1,6 +1,6 @@
 import { constants } from 'node:os';
 
-/** How often a script looks whether npm, which started it, is still there. */
+/** Interval at which a script checks whether npm, which started it, still runs. */
 const PARENT_CHECK_MS = 250;
 
 /** @type {Set<(signal: NodeJS.Signals) => void>} */

@@ -7,7 +7,7 @@ import { cacheFolder, readJson } from './repository.mjs';
 /** @typedef {{ passed: number, failed: number, tests?: import('./failed-tests.mjs').FailedTest[] }} Counts */
 
 /**
- * Where a test runner shall write its JSON report; an earlier one is removed.
+ * Path for the JSON report of a test runner; an earlier report is removed.
  *
  * @param {string} name
  */

@@ -2,9 +2,9 @@ import { spawn, type ChildProcess } from 'node:child_process';
 import { createInterface } from 'node:readline';
 import type { Readable } from 'node:stream';
 
-/** How long a broker may take to say where it listens. */
+/** Time limit for a broker to report its address. */
 const START_TIMEOUT_MS = 20_000;
-/** How long it may take to end by itself before it is killed. */
+/** Time limit for an orderly stop, before the broker is killed. */
 const STOP_TIMEOUT_MS = 5_000;
 
 const MAX_LOG_CHARACTERS = 2_000;

@@ -40,7 +40,7 @@ export async function startMasterProcess(start: MasterStart): Promise<MasterProc
   }
   const dataDir = await mkdtemp(join(tmpdir(), 'ubii-bench-'));
   const flags = ['--host', '127.0.0.1', '--port', '0', '--legacy-ports', 'off'];
-  // What its admins may costs a record nothing. Earlier builds know no others.
+  // Trusted local callers are admins, so that rights checks cost nothing per record. Earlier builds lack the flag.
   if (knowsFlag(master, '--trust-loopback')) flags.push('--trust-loopback');
   if (modulesDir !== undefined) flags.push('--modules', modulesDir);
   const process = await startBrokerProcess({

@@ -6,7 +6,7 @@ export type TargetName = 'raw-ws' | 'ubii-extension' | 'ubii-legacy';
 /** The target all others are divided by. */
 export const REFERENCE: TargetName = 'raw-ws';
 
-/** What a client does. */
+/** Publications and subscriptions of a client. */
 export interface ClientRole {
   readonly publishes: boolean;
   /** Topics it receives; raw-ws knows none and sends everything. */

@@ -2,7 +2,7 @@ import { existsSync } from 'node:fs';
 import { chromium } from '@playwright/test';
 
 const SYSTEM_CHROMIUM = '/usr/bin/chromium';
-/** How browsers to measure in are started. */
+/** Start flags of measured browsers. */
 export const CHROMIUM_FLAGS = [
   // The browser's own sandbox does not start as root.
   ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),

@@ -1,7 +1,7 @@
 import { findChromium } from './chromium.ts';
 import type { Workload } from '../measuring/workload.ts';
 
-/** What workloads that open a browser have in common. */
+/** Common settings of workloads that open a browser. */
 export const IN_CHROMIUM: Pick<Workload, 'placement' | 'roundShare' | 'whyNot'> = {
   // The browser has many threads of its own.
   placement: 'anywhere',

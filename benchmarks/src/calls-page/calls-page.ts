@@ -4,11 +4,11 @@ import { CallSeries, type Callee } from '../calls/call-series.ts';
 import { bareCallee, moduleCallee, openModule } from '../calls/module-callee.ts';
 import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
 
-/** What is called. */
+/** The measured implementation. */
 export type PageSubject = 'bare worker' | 'trusted' | 'sandboxed';
-/** What it is called with. */
+/** The payload of a call. */
 export type PagePayload = 'record' | 'picture';
-/** What a series of calls in the page gave. */
+/** Result of a series of calls in the page. */
 export type PageResult = ReturnType<CallSeries<unknown, unknown>['result']>;
 
 const PAYLOADS: { readonly [P in PagePayload]: Payload } = {
@@ -59,7 +59,7 @@ async function measure(
   return series.result();
 }
 
-/** What the benchmark finds at `window.moduleCalls`. */
+/** Interface for the benchmark at `window.moduleCalls`. */
 export interface ModuleCalls {
   measure: typeof measure;
 }

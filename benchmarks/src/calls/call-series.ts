@@ -15,7 +15,7 @@ export interface Callee<Prepared, Answer> {
   isRight(answer: Answer, sequence: number): boolean;
   /** Lets the call under way reject, where it may be lost. */
   abandon?(reason: Error): void;
-  /** What else went wrong since the last look, one sentence each. */
+  /** Other faults since the last call of this function, one sentence each. */
   takeFaults?(): string[];
 }
 
@@ -80,7 +80,7 @@ export class CallSeries<Prepared, Answer> {
     const startMs = performance.now();
     const answered = callee.call(prepared);
     let heldMs = 0;
-    // What a call leaves for the end of the turn holds the thread as well.
+    // Microtasks that a call leaves for the end of the turn block the thread as well.
     queueMicrotask(() => (heldMs = performance.now() - startMs));
     const answer = await answered;
     const tookMs = performance.now() - startMs;

@@ -8,7 +8,7 @@ const RGBA_BYTES = 4;
 /** Bytes that do not occur elsewhere in the record, to find where the picture's data begins. */
 const MARKER = new TextEncoder().encode('begin of picture');
 
-/** What is called with, what is called, and what has to come out. */
+/** Module code and record of a call, and the check of its result. */
 export interface Payload {
   readonly title: string;
   /** Source text of a module with the input `in` and the output `out`. */

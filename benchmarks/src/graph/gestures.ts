@@ -1,7 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { circle, type CanvasPage, type Point } from './canvas-page.ts';
 
-/** What people do to see another part of a graph, or to move a part of it. */
+/** A gesture that shows another part of a graph or moves a part of it. */
 export interface Gesture {
   readonly key: string;
   readonly label: string;
@@ -22,7 +22,7 @@ const WHEEL_PX = 100;
 /** Turns of the wheel in one direction, before it goes back. */
 const TURNS = 8;
 const WHEEL_MS = 16;
-/** Where a node is pressed: in its head, off its sockets. */
+/** Pointer position within a node, in its header, off its sockets. */
 const GRIP = { x: 50, y: 12 };
 /** So that the values of many nodes show: the most that there is to draw. */
 const NEAR = 0.5;

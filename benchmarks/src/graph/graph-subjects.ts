@@ -20,7 +20,7 @@ export interface OpenGraph {
   readonly openMs: number;
 }
 
-/** What draws graphs: the editor, and the least that can. */
+/** An implementation that draws graphs: the editor, or a minimal baseline. */
 export interface GraphSubject {
   readonly name: string;
   readonly nodeCount: number;

@@ -6,12 +6,12 @@ const ROWS = 10;
 const INPUTS = ['a', 'b'] as const;
 /** Distances of nodes, pixels at a zoom of 1. */
 const PITCH = { x: 280, y: 140 };
-/** How often a module runs, a second; 200 of them and their sources publish 1000 records a second. */
+/** Frequency of a module, Hz; 200 of them and their sources publish 1000 records a second. */
 const MODULE_HERTZ = 4;
-/** How often each source is to be published, a second. */
+/** Publishing frequency of each source, Hz. */
 export const SOURCE_HERTZ = 20;
 
-/** What each module runs: its output changes with every run. */
+/** Code of each module: its output changes with every run. */
 export const ADDER: Init<ProcessingModule> & { name: string } = {
   name: 'benchmark-adder',
   onProcessingStringified: `(deltaTime, { a, b }, state) => {
@@ -29,7 +29,7 @@ export interface LargeSession {
   readonly session: Init<Session>;
   /** Topics that feed the first column. */
   readonly sources: readonly string[];
-  /** What its graph has. */
+  /** Size of the session's graph. */
   readonly nodeCount: number;
   readonly wireCount: number;
 }

@@ -53,7 +53,7 @@ const pageWatch = {
     frames = undefined;
     return times.slice(1).map((timeMs, index) => timeMs - times[index]!);
   },
-  /** Where a node is on the page. */
+  /** Position and scale of a node on the page. */
   place(id: string): { x: number; y: number; scale: number } {
     const element = nodeElements().find(({ dataset }) => dataset['graphNode'] === id)!;
     const { left, top, width } = element.getBoundingClientRect();
@@ -79,7 +79,7 @@ const pageWatch = {
       })
       .map((element) => ({ element, text: element.textContent }));
   },
-  /** How many of them say something else now. */
+  /** Number of these values that have changed. */
   changedValues: (): { seen: number; changed: number } => ({
     seen: noted.length,
     changed: noted.filter(({ element, text }) => element.textContent !== text).length,
@@ -95,7 +95,7 @@ const pageWatch = {
       attributes: true,
     });
   },
-  /** What was on its way when the page was hidden has arrived: changes count from now on. */
+  /** Updates that were pending when the page was hidden have arrived: changes count from now on. */
   settled(): void {
     observer.takeRecords();
     changes = 0;
@@ -111,7 +111,7 @@ const pageWatch = {
     return made;
   },
 };
-/** What the benchmark finds at `window.pageWatch`. */
+/** Interface for the benchmark at `window.pageWatch`. */
 export type PageWatch = typeof pageWatch;
 
 Object.assign(globalThis, { pageWatch });

@@ -9,12 +9,12 @@ const RECORD_LIST_TAG = 0x1a;
 const LIST_ELEMENT_TAG = 0x0a;
 const TEXT_PING = 'PING';
 
-/** What went wrong on one connection, counted in records. All zero and empty: nothing did. */
+/** Delivery faults of one connection, in records. Zero and empty without faults. */
 export interface DeliveryFaults {
   lost: number;
   altered: number;
   repeated: number;
-  /** What else arrived and should not have: one sentence each, the first few only. */
+  /** Unexpected messages: one sentence each, the first few only. */
   readonly unexpected: string[];
 }
 

@@ -1,10 +1,7 @@
 /** Opcodes of RFC 6455 §5.2 that a broker sends. */
 export const OPCODE = { text: 1, binary: 2, close: 8, ping: 9, pong: 10 } as const;
 
-/**
- * What a reader hands over for one frame. The payload is `bytes[start, end)`, borrowed: it is valid
- * only during the call.
- */
+/** Receives a frame from the reader. The payload is `bytes[start, end)`, borrowed: it is valid only during the call. */
 export type FrameSink = (opcode: number, bytes: Buffer, start: number, end: number) => void;
 
 /** Thrown for what a server must not send: masked or fragmented frames, reserved bits. */

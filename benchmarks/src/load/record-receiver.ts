@@ -7,7 +7,7 @@ const MAX_SENTENCES = 5;
 
 /** Takes the records a broker sends one by one, with what they hold. */
 export class RecordReceiver implements StreamReceiver {
-  /** What arrived and should not have: one sentence each, the first few only. */
+  /** Unexpected messages: one sentence each, the first few only. */
   readonly faults: string[] = [];
   onPing: () => void = () => {};
   /** Called for each frame of topic data, before it is read. */

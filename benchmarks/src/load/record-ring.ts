@@ -33,7 +33,7 @@ export class Tape {
     this.bytes = Buffer.concat([...steps, ...steps.slice(0, OVERLAP_RECORDS)]);
   }
 
-  /** Where record number `sequence` starts in `bytes`. */
+  /** Offset of record number `sequence` in `bytes`. */
   offsetOf(sequence: number): number {
     return (sequence % this.#size) * this.stepBytes;
   }

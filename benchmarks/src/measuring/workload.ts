@@ -31,7 +31,7 @@ export interface Measurement {
   readonly faults: string[];
 }
 
-/** What is measured: one of the things that a workload compares. */
+/** One of the implementations that a workload measures and compares. */
 export interface Subject {
   readonly name: string;
   /** Processes whose CPU time is counted, and that are placed, besides this one. */
@@ -39,9 +39,9 @@ export interface Subject {
   measure(options: MeasureOptions): Promise<Measurement>;
 }
 
-/** What all workloads get from the command line. */
+/** Settings of all workloads, from the command line. */
 export interface WorkloadSetting {
-  /** What the workloads of a group use together, until the next start. */
+  /** Parts shared by the workloads of a group, until the next start. */
   readonly parts: SharedParts;
   /** Main file of the master to measure. */
   readonly master: string;
@@ -52,7 +52,7 @@ export interface WorkloadSetting {
 /** One row group of the report. */
 export interface Workload {
   readonly name: string;
-  /** What `npm run bench -- <group>` selects. */
+  /** Name of the group in `npm run bench -- <group>`. */
   readonly group: string;
   readonly title: string;
   readonly figures: readonly FigureInfo[];

@@ -12,12 +12,12 @@ export const LOCKSTEP_MODULE = {
   processingMode: { lockstep: {} },
 } satisfies Init<ProcessingModule>;
 
-/** Where a node of the benchmark answers at once: what comes on `ping` goes back on `pong`. */
+/** Topics for round trips to a node of the benchmark: it publishes records from `ping` on `pong` at once. */
 export function echoTopics(node: string) {
   return { ping: `/benchmark/nodes/${node}/ping`, pong: `/benchmark/nodes/${node}/pong` };
 }
 
-/** Where it is asked for its passes since the question before, and where it says so. */
+/** Topics for pass durations of a node: the request, and the durations since the request before. */
 export function passTopics(node: string) {
   return { ask: `/benchmark/nodes/${node}/ask`, passes: `/benchmark/nodes/${node}/passes` };
 }

@@ -1,6 +1,6 @@
 import type { Init, ProcessingModule } from '@ubii/proto';
 
-/** How often it runs, a second. */
+/** Frequency of the ticker module, Hz. */
 export const TICKER_HERTZ = 60;
 
 /** Sines it adds up in each run: some microseconds of work. */

@@ -13,7 +13,7 @@ type Ticker = (
 ) => { outputs: { out: { vector3: { x: number; y: number; z: number } } } };
 const run = runInThisContext(`(${TICKER_MODULE.onProcessingStringified})`) as Ticker;
 
-/** What the module puts out when its runs begin at these moments. */
+/** The module's outputs for runs that begin at these times. */
 function outputsAt(topic: string, startsMs: readonly number[]): TopicRecord[] {
   const state = {};
   return startsMs.map((startMs, index) => {

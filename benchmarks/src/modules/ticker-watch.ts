@@ -5,14 +5,14 @@ import { isTickerSum, TICKER_HERTZ } from './ticker-module.ts';
 const INTERVAL_MS = 1000 / TICKER_HERTZ;
 const MAX_SENTENCES = 5;
 
-/** How regular the runs were, over all tickers. */
+/** Regularity of the runs, over all tickers. */
 export interface TickerRegularity {
   readonly runs: number;
   /** Runs that were due and left out. */
   readonly leftOut: number;
-  /** How far from its place in the middle of the ticker's rhythm a run began, as its delta times say. */
+  /** Deviation of a run's start from the middle of the ticker's rhythm, computed from its delta times. */
   readonly startP99Ms: number;
-  /** How much later than the earliest output of the ticker, compared with the rhythm, one arrived. */
+  /** Delay of an output relative to the earliest one of the ticker, compared with the rhythm. */
   readonly arrivalP99Ms: number;
 }
 
@@ -57,7 +57,7 @@ export class TickerWatch {
     ticker.arrivalsMs.push(arrivedMs);
   }
 
-  /** What comes from now on counts. */
+  /** Starts counting. */
   start(): void {
     this.#isMeasuring = true;
   }

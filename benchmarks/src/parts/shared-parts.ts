@@ -3,7 +3,7 @@ export interface Part {
   stop(): Promise<void>;
 }
 
-/** What the workloads of a group use together: brokers, nodes, workers. Each is started on first use. */
+/** Brokers, nodes and workers shared by the workloads of a group. Each is started on first use. */
 export class SharedParts {
   readonly #parts = new Map<string, Promise<Part>>();
 

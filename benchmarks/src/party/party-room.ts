@@ -45,7 +45,7 @@ export class PartyRoom implements Part {
     return room;
   }
 
-  /** Who watches, and presses nothing. */
+  /** The client of the big screen, which only receives. */
   get screen(): UbiiClient {
     return this.#clients[PLAYERS]!;
   }

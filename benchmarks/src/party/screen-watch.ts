@@ -70,7 +70,7 @@ const screenWatch = {
     return { intervalsMs, seen };
   },
 };
-/** What the benchmark finds at `window.screenWatch`. */
+/** Interface for the benchmark at `window.screenWatch`. */
 export type ScreenWatch = typeof screenWatch;
 
 Object.assign(globalThis, { screenWatch });

@@ -2,7 +2,7 @@ import { REFERENCE } from '../brokers/target.ts';
 import { median, ratiosOf } from '../statistics.ts';
 import type { FigureInfo, Measurement } from '../measuring/workload.ts';
 
-/** What one workload gave: per target one measurement a round, in the order of the rounds. */
+/** Result of one workload: per target one measurement a round, in the order of the rounds. */
 export interface WorkloadResult {
   readonly name: string;
   readonly title: string;
@@ -118,7 +118,7 @@ export function otherCpuOf(result: RunResult): { median: number; max: number } {
   return { median: median(shares), max: Math.max(...shares) };
 }
 
-/** What was lost, altered or unexpected anywhere in the run, one sentence each. */
+/** Lost, altered or unexpected records anywhere in the run, one sentence each. */
 export function faultsOf(result: RunResult): string[] {
   return result.workloads.flatMap(({ name, rounds }) =>
     Object.entries(rounds).flatMap(([target, measurements]) =>

@@ -1,6 +1,6 @@
 import type { Box } from '@ubii/vision';
 
-/** What a detector, or a person, says is in a picture. */
+/** An object in a picture, as reported by a detector or annotated by a person. */
 export interface Sighting {
   readonly class: string;
   readonly box: Box;

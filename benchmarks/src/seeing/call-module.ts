@@ -51,7 +51,7 @@ export async function openDetector(
     input('inputSize', encodeRecord({ topic: '/size', format: 'double', value: INPUT_SIZE })),
     input('backend', encodeRecord({ topic: '/backend', format: 'string', value: backend })),
   ];
-  /** What the module puts out for a picture, by output. */
+  /** The module's outputs for a picture. */
   const run = async ({ width, height, rgba }: Pixels): Promise<ReadonlyMap<string, unknown>> => {
     const data = new Uint8Array(rgba.buffer);
     const value = { width, height, dataFormat: Image2DDataFormat.RGBA8, data };

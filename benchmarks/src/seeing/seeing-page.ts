@@ -8,10 +8,10 @@ import { openDetector } from './call-module.ts';
 import type { Detect, Pixels } from './detect.ts';
 import type { DetectionBackend } from './library-messages.ts';
 
-/** What detects. */
+/** The measured detector. */
 export type SeeingSubject = '@vladmandic/human' | 'object-detection';
 
-/** What a series of detections in the page gave. */
+/** Result of a series of detections in the page. */
 export interface SeeingResult extends ReturnType<CallSeries<unknown, unknown>['result']> {
   /** From one frame of the page to the next meanwhile, ms. */
   readonly frameP95Ms: number;
@@ -42,7 +42,7 @@ async function readPixels(file: string): Promise<Pixels> {
   return { file, width, height, rgba: context.getImageData(0, 0, width, height).data };
 }
 
-/** What is seen in each of the photographs. */
+/** Detects the objects in each of the photographs. */
 async function see(
   subject: SeeingSubject,
   backend: DetectionBackend,
@@ -97,7 +97,7 @@ function watchFrames(): () => number[] {
   };
 }
 
-/** What the benchmark finds at `window.seeing`. */
+/** Interface for the benchmark at `window.seeing`. */
 export interface Seeing {
   see: typeof see;
   measure: typeof measure;

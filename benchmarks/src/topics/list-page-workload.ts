@@ -12,7 +12,7 @@ interface ListPagePlan {
   /** Of the workload; without `-page` it is also the path of the page. */
   readonly name: 'clients-page' | 'topics-page';
   readonly title: string;
-  /** What the figure of opening it is called. */
+  /** Label of the figure for opening the page. */
   readonly opened: string;
   readonly updatesHz: number;
   fill(url: string): Promise<Part & { readonly published: number }>;

@@ -11,7 +11,7 @@ const LENGTH_FACTOR = 5;
 /** Less than this share of the records: the figures would be of another load. */
 const MIN_RATE = 0.9;
 
-/** What a page with a list shows while it is measured. */
+/** Load of a page with a list while it is measured. */
 export interface ListLoad {
   /** Records published so far. */
   readonly published: number;

@@ -22,7 +22,7 @@ export interface ListPage {
   scroll(forMs: number): Promise<void>;
   /** Bytes of the heap after a collection. */
   heapBytes(): Promise<number>;
-  /** What stands in the rows that are seen. */
+  /** Text of the visible rows. */
   rows(): Promise<string>;
   close(): Promise<void>;
 }

@@ -24,7 +24,7 @@ import type {
 const MODULES = 200;
 /** A gesture takes longer than what other workloads measure at a time. */
 const LENGTH_FACTOR = 5;
-/** What is done goes at least so far, pixels of the page. */
+/** The shortest accepted movement by a gesture, pixels of the page. */
 const MIN_MOVE_PX = 20;
 const MIN_ZOOM_FACTOR = 1.2;
 /** Two frames of a screen with 60 Hz, in the steps in which browsers tell times, milliseconds. */

@@ -30,7 +30,10 @@ const save = (members: string): string =>
   `{"topic":"${SERVICES.sessionDatabaseSave.topic}","session":{${members}}}`;
 const module = (code: string): string => `{"name":"m","onProcessingStringified":"${code}"}`;
 
-/** What is sent meanwhile: the largest that is allowed in each way, and what was once enough to stop a master. */
+/**
+ * Hostile bodies that are sent meanwhile: the largest allowed of each kind, and one that was once enough to stop a
+ * master.
+ */
 const BODIES: Readonly<
   Record<string, { readonly stranger?: boolean; readonly body: () => string }>
 > = {

@@ -23,7 +23,7 @@ const REFERENCE = 'slowest node';
 /** More than can be: a pass begins when the one before is over. */
 const PASSES_PER_SECOND = 1000;
 const INPUT_TOPIC = '/benchmark/lockstep/in';
-/** What the modules find there. */
+/** Value on the input topic of the modules. */
 const INPUT = 4711;
 /** Share of the time for each closed loop that finds out what a message takes. */
 const LOOP_SHARE = 1 / 4;
@@ -185,8 +185,8 @@ async function measurePasses(
 }
 
 /**
- * What a message takes from the master to each node and back, µs: a record that the node answers,
- * without what a record takes that only passes the master. Medians of closed loops.
+ * Round-trip time of a message from the master to each node, µs: a record that the node answers, minus the time of a
+ * record that only passes the master. Medians of closed loops.
  */
 async function messageTimes(
   probe: LockstepClient,
@@ -221,7 +221,7 @@ async function loopUs(
   );
 }
 
-/** How long the shares of a node took since it was asked before, µs. */
+/** Median and 95th percentile of the durations of a node's shares since the request before, µs. */
 async function askPasses(
   probe: LockstepClient,
   name: string,

@@ -6,7 +6,7 @@ import { percentile } from '../statistics.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 
-/** How often client and truth are compared, milliseconds. */
+/** Interval at which estimated and true time are compared, milliseconds. */
 const SAMPLE_MS = 20;
 /** A comparison that took longer than this was interrupted, milliseconds. */
 const MAX_READING_MS = 0.05;
@@ -17,8 +17,8 @@ const STATED = 'stated error';
 const TRUE = 'true error';
 
 /**
- * How far `client.masterTime` is from the master's clock, beside what it says of its error. Both
- * programs run on this machine, so the truth is known: its clock.
+ * Error of `client.masterTime` against the master's clock, beside the error bound that it states. Both programs run on
+ * this machine, so the true time is known: its clock.
  */
 export const masterTime: Workload = {
   name: 'master-time',

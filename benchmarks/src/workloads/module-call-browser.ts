@@ -14,7 +14,7 @@ import type {
 
 const REFERENCE = 'bare worker';
 const SUBJECTS: readonly PageSubject[] = [REFERENCE, 'trusted', 'sandboxed'];
-/** What a call with a picture may hold up the page, µs. */
+/** The longest time that a call with a picture may block the page, µs. */
 const MAX_HELD_US = 1000;
 
 /** One call of a module in a page, trusted and sandboxed, beside a message to a worker and back. */

@@ -15,7 +15,7 @@ import type { Measurement, Subject, Workload } from '../measuring/workload.ts';
 const RECORD_BYTES = 100;
 const PLAIN = 'plain';
 const BARE_WORKER = 'bare worker';
-/** What a module may take: see the README. */
+/** Upper limit of a module's latency: see the README. */
 const REFERENCE = 'plain + 1.5 x worker';
 const WORKER_SHARE = 1.5;
 

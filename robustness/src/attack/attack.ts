@@ -5,11 +5,11 @@ export type Verdict = 'holds' | 'breaks' | 'figure';
 
 /** One figure of an attack, with what it should be. */
 export interface Finding {
-  /** What was measured. */
+  /** Name of the figure. */
   readonly what: string;
   /** With its unit. */
   readonly figure: string;
-  /** What it should be, as far as this decides. */
+  /** The required value, as far as this decides. */
   readonly aim: string;
   readonly verdict: Verdict;
 }

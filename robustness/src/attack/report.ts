@@ -1,6 +1,6 @@
 import type { Finding } from './attack.ts';
 
-/** What came of one attack. */
+/** Result of one attack. */
 export interface AttackReport {
   readonly attack: string;
   readonly about: string;

@@ -12,7 +12,7 @@ export type Ask = (request: Init<ServiceRequest>) => Promise<ServiceReply>;
 /** Sessions are stored by name; their ids are those of a run. [SE-21] */
 interface KeptSession {
   readonly name: string;
-  /** What it may say: one text when the last change was acknowledged, else both. */
+  /** Accepted contents: one text when the last change was acknowledged, else both. */
   texts: readonly string[];
   /** Whether it may be there: undefined when its deletion was not acknowledged. */
   isThere: boolean | undefined;
@@ -25,7 +25,7 @@ interface KeptGrant {
   isGood: boolean | undefined;
 }
 
-/** What a master acknowledged, and so may not lose. What was not acknowledged may be either way. */
+/** Changes that a master acknowledged and must not lose. Those without acknowledgement may be stored or not. */
 export class Ledger {
   readonly sessions = new Map<string, KeptSession>();
   readonly grants = new Map<string, KeptGrant>();

@@ -32,7 +32,7 @@ export class Pulse {
     const topic = `/${publisher.id}/pulse`;
     const pulse = new Pulse(publisher, subscriber, topic);
     const subscription = subscriber.subscribe(topic, { format: 'double' });
-    // What is retained comes once more after a reconnect: the same number is no disorder, an older one is.
+    // The retained record comes again after a reconnect: the same number is no disorder, an older one is.
     subscription.onRecord(({ value }) => {
       if (value < pulse.#received) pulse.#disorder++;
       pulse.#received = Math.max(pulse.#received, value);
@@ -55,7 +55,7 @@ export class Pulse {
     return performance.now() - begunMs;
   }
 
-  /** What is wrong, in words. */
+  /** Lost records and disorder, in words. */
   findLosses(): readonly string[] {
     const losses: string[] = [];
     if (this.#disorder > 0) losses.push(`${this.#disorder} records came after newer ones`);

@@ -1,16 +1,16 @@
 import type { Random } from '../random.ts';
 
-/** What a story has. */
+/** Parameters of a story. */
 export interface Stage {
   /** Main file of a built master, and of a built node. */
   readonly program: string;
   readonly node: string;
   readonly random: Random;
-  /** How often the fault happens: the longer the run, the more often. */
+  /** Number of faults; longer runs have more. */
   readonly times: number;
 }
 
-/** What came of it. */
+/** Result of a story. */
 export interface Outcome {
   /** Requests that the master acknowledged, and that it refused or did not answer. */
   readonly acknowledged: number;
@@ -19,7 +19,7 @@ export interface Outcome {
   readonly losses: readonly string[];
   /** Time until everything was back, for each fault, milliseconds. */
   readonly backMs: readonly number[];
-  /** What else is worth knowing. */
+  /** Further observations. */
   readonly notes: readonly string[];
 }
 

@@ -76,7 +76,7 @@ export class Theatre {
     await killed;
   }
 
-  /** What the master acknowledged and has not, in words. */
+  /** Changes that the master acknowledged and has lost, in words. */
   async findLosses(): Promise<string[]> {
     return [...(await this.ledger.findLosses(this.ask)), ...(this.#pulse?.findLosses() ?? [])];
   }

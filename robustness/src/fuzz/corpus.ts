@@ -7,11 +7,11 @@ export const CORPUS_FOLDER = join(import.meta.dirname, '../../corpus');
 /** Inputs that once did harm, in their order. The gate delivers them again. */
 export interface Find {
   readonly entrance: string;
-  /** What happened. */
+  /** The observed failure. */
   readonly reason: string;
   /** Base64. */
   readonly inputs: readonly string[];
-  /** Who is to fix it, or what stands against it: then the gate shows it and does not fail. */
+  /** Who is to fix it, or the reason not to: then the gate reports the find without failing. */
   readonly todo?: string;
 }
 

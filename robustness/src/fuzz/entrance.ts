@@ -1,7 +1,7 @@
 import type { MasterProcess } from '../master/master-process.ts';
 import type { Random } from '../random.ts';
 
-/** What a fuzz run has at hand. */
+/** Target of a fuzz run. */
 export interface FuzzTarget {
   /** Main file of the master, for those who start one of their own. */
   readonly program: string;
@@ -15,9 +15,9 @@ export interface FuzzTarget {
 /** An entrance of bytes into the master. */
 export interface Entrance {
   readonly name: string;
-  /** What enters there. */
+  /** Description of the inputs. */
   readonly about: string;
-  /** What an input meets: a running master, a start of its own, or a parser in this process. */
+  /** Receiver of an input: a running master, a master that it starts with, or a parser in this process. */
   readonly kind: 'running' | 'start' | 'parser';
   /** Good inputs, to begin with. */
   seeds(): readonly Uint8Array[];

@@ -3,11 +3,13 @@ import { Arena } from './arena.ts';
 import type { Entrance, FuzzTarget } from './entrance.ts';
 import type { Find } from './corpus.ts';
 
-/** How many inputs are delivered between two looks at the master. */
+/** Number of inputs between two checks of the master. */
 const BATCH = 24;
-/** How many of them are on their way at once; a page may open no more sockets before it joins. */
+/** Number of inputs in parallel; a page may open no more sockets before it joins. */
 const AT_ONCE = 6;
-/** What piles up by good right (clients, topics, sessions) goes with the master. */
+/**
+ * Number of inputs for one master; a new one starts without the clients, topics and sessions that inputs may create.
+ */
 const NEW_MASTER_AFTER = 4_000;
 /** Another kind of number for each case, so that cases do not depend on one another. */
 const CASE_STEP = 0x9e3779b1;
@@ -15,7 +17,7 @@ const CASE_STEP = 0x9e3779b1;
 export interface FuzzPlan {
   readonly program: string;
   readonly seed: number;
-  /** How many inputs at most. */
+  /** The greatest number of inputs. */
   readonly maxCases: number;
   /** Whether there is time for more. */
   readonly goesOn: () => boolean;

@@ -6,7 +6,7 @@ export const SEEDS_FILE = join(
   '../../seeds/session-of-the-client-library.json',
 );
 
-/** What a program with the client library sent while it was recorded; `npm run fuzz -- --record` writes it. */
+/** Recorded traffic of a program with the client library; `npm run fuzz -- --record` writes it. */
 export interface RecordedTraffic {
   /** Bodies of service requests, binary, base64. */
   readonly requests: readonly string[];

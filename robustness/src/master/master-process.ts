@@ -39,8 +39,8 @@ export interface MasterStart {
   /** Soft limit of open descriptors. */
   readonly maxDescriptors?: number;
   /**
-   * What callers of this machine are without a token, where the build knows a difference: admins, or what the master
-   * makes of them when nobody says anything. Default: admins
+   * Role of local callers without a token, if the build distinguishes: admins, or the master's default without a flag.
+   * Default: admins
    */
   readonly loopback?: 'admins' | 'unsaid';
 }

@@ -20,7 +20,7 @@ export interface Answer {
   readonly body: Buffer;
 }
 
-/** How to reach the master from a place. */
+/** Address of the master, as reached from a place in the network. */
 export interface Place {
   readonly host: string;
   readonly port: number;
@@ -107,7 +107,7 @@ export class Outsider {
     return decode('ubii.services.ServiceReply', new Uint8Array(body));
   }
 
-  /** What the caller may do. */
+  /** The role of the caller. */
   async role(bearer?: string): Promise<AccessRole> {
     const { joinCheck, error } = await this.call(
       { topic: '/services/ubii/join_check', joinCheckRequest: {} },

@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 
-/** What Linux says of a process. Every figure is undefined where there is no `/proc`. */
+/** Figures of a process from Linux. Each is undefined where there is no `/proc`. */
 export interface ProcessFigures {
   readonly residentBytes: number | undefined;
   /** The most it ever had resident. */

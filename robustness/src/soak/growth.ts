@@ -1,17 +1,17 @@
-/** How much more at the end is no growth: the larger of the two. */
+/** Tolerated increase of a quantity: the larger of the two. */
 export interface Tolerance {
   /** Share of the value after warm-up. */
   readonly relative: number;
   readonly absolute: number;
 }
 
-/** What became of a quantity from the end of the warm-up to the end of the run. */
+/** Course of a quantity from the end of the warm-up to the end of the run. */
 export interface Growth {
   /** Medians of the four quarters of the samples, in their order. */
   readonly quarters: readonly [number, number, number, number];
-  /** How much the last quarter is above the first. */
+  /** Difference between the last quarter and the first. */
   readonly more: number;
-  /** What was tolerated. */
+  /** The tolerated difference. */
   readonly tolerated: number;
   /** Every quarter is above the one before, whatever the amount. */
   readonly isRising: boolean;

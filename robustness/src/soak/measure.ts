@@ -6,8 +6,8 @@ import { pause } from '../pause.ts';
 const PATIENCE_MS = 60_000;
 
 /**
- * What is measured, and how much more of it is no growth: the larger of a share and an amount. At rest, counts have
- * the amount alone, because nobody comes and goes then.
+ * The measured quantities with their tolerated increase: the larger of a share and an amount. At rest, counts have the
+ * amount alone, because nobody comes and goes then.
  */
 export const QUANTITIES = {
   heapBytes: { title: 'heap after collection', isBytes: true, relative: 0.1, absolute: 6 << 20 },

@@ -17,7 +17,7 @@ const MEMORY = '/dev/shm';
 const SAMPLES = 120;
 /** Share of the run after which everything that is kept has been filled once. */
 const WARM_UP = 0.25;
-/** What is kept of those who left is bounded; the bounds are lower here, so that the warm-up reaches them. */
+/** Limits of data kept about former clients; lower than the defaults, so that the warm-up reaches them. */
 const LIMITS = 'unavailableRetentionMs=5000,keptRemovals=200,auditEntries=500';
 /** Time until those who went silently are forgotten: the silence of CL-11, and the retention above. */
 const QUIET_MS = 90_000;

@@ -9,7 +9,7 @@ import { lineCounter } from './lines.mjs';
 /** The table of the glossary names the words that are not used. */
 const withoutTerms = new Set(['docs/glossary.md']);
 
-/** What is looked up: no acronyms, and no names of code in the middle of a sentence. */
+/** Words for the dictionary: no acronyms, and no names of code in the middle of a sentence. */
 const words = /(?<![\p{L}\d_#/.-])\p{Lu}?\p{Ll}{2,}(?![\p{L}\d_#/]|\.\p{L})/gu;
 
 /**

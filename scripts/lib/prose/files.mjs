@@ -7,7 +7,7 @@ import { commentPassages } from './passages.mjs';
 import { typescriptPassages } from './typescript-passages.mjs';
 import { vuePassages } from './vue-passages.mjs';
 
-/** Where people meet a text; titles are those of tests, messages are errors and lines of logs. */
+/** Kinds of texts; titles are those of tests, messages are errors and lines of logs. */
 export const PLACES = /** @type {const} */ (['docs', 'comments', 'screens', 'messages', 'titles']);
 
 /** @typedef {(typeof PLACES)[number]} Place */

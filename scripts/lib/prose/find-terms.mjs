@@ -23,7 +23,7 @@ import { blank } from './passages.mjs';
 
 const kernel = new TextlintKernel();
 
-/** What textlint calls a plugin: makes a document of passages. */
+/** Plugin of textlint that turns passages into a document. */
 const plugin = {
   Processor: class {
     #passages;

@@ -9,7 +9,7 @@ import type { World } from '../world/world.ts';
 
 const CLIENTS = 5;
 
-/** What a player takes of something scarce, and whether somebody else still gets some. */
+/** Use of a scarce resource by one player, and the check that others still get a share. */
 interface Greed {
   readonly what: string;
   take(player: Outsider, member: Member, socket: WebSocket): Promise<void>;

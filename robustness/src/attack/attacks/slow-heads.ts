@@ -36,7 +36,7 @@ export const slowHeads: Attack = {
 
 const BODY = { 'Content-Type': 'application/json', 'Content-Length': '4000' };
 
-/** How long the master holds a connection. @param drop what is sent every 2 s */
+/** Time until the master closes a connection, ms. @param drop data that is sent every 2 s */
 async function held(
   caller: Outsider,
   first: string | Buffer,

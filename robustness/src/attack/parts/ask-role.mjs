@@ -1,4 +1,4 @@
-// What a program of whatever user may do: it prints the number of the role.
+// Prints the number of the role that the master gives to the user of this process.
 const response = await fetch(`http://localhost:${process.argv[2]}/services/json`, {
   method: 'POST',
   headers: { 'content-type': 'application/json' },

@@ -18,7 +18,7 @@ export const OUTSIDE_V6: readonly string[] = Array.from(
 
 /** Two network namespaces with a cable between them, and with nothing else. */
 export class AttackNetwork {
-  /** Where the master and this machine's own programs are. */
+  /** Network namespace of the master and this machine's own programs. */
   readonly inside = `ubii-in-${process.pid}`;
   readonly outside = `ubii-out-${process.pid}`;
 

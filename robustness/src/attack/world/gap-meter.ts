@@ -3,7 +3,7 @@ import { once } from 'node:events';
 import { fileURLToPath } from 'node:url';
 
 const program = fileURLToPath(new URL('gap-process.ts', import.meta.url));
-/** What was held back arrives within this. */
+/** Time in which delayed records arrive. */
 const CALM_MS = 1_500;
 
 /** Publishes at 100 Hz in a process of its own, through the master, and tells how long none came. */

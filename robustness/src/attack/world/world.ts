@@ -8,7 +8,10 @@ import { MASTER_V4, MASTER_V6, OUTSIDE_V4, OUTSIDE_V6 } from './attack-network.t
 import type { Dialer } from './dialer.ts';
 import { GapMeter } from './gap-meter.ts';
 
-/** What an attack has: a build of the master, and people at addresses. What it opens, it need not close. */
+/**
+ * Environment of an attack: a build of the master, and callers at different addresses. Closes everything that it
+ * opened.
+ */
 export class World {
   readonly program: string;
   /** There is a second network namespace; without it everybody comes through a proxy on this machine. */

@@ -9,7 +9,7 @@ const PROGRAM = fileURLToPath(new URL('link.py', import.meta.url));
 const NEAR = '10.206.0.1';
 export const FAR = '10.206.0.2';
 
-/** What the link does to packets. */
+/** Loss and delay of packets on the link. */
 export interface LinkQuality {
   /** Share of packets that are lost, 0 to 1. */
   readonly loss: number;

@@ -51,7 +51,7 @@ async function tellDiskStory(
         losses.push(`nothing can be stored afterwards: ${theatre.scribe.lastRefusal}`);
       }
       backMs.push(performance.now() - begunMs);
-      // What it said is on the disk, and not only in its memory.
+      // A restart shows whether acknowledged changes are on the disk, not only in memory.
       await theatre.master.kill();
       await theatre.startAgain();
       await pulse.beat();

@@ -23,7 +23,7 @@ const BEARERS = [
 /** As a phone behind a proxy: nobody this machine knows. */
 const STRANGER = 'X-Forwarded-For: 198.51.100.7';
 
-/** What strangers may say: who they are, and what they want to join with. */
+/** Requests of callers without a role: bearer tokens and join credentials. */
 export const join: Entrance = {
   name: 'join',
   about: 'tokens, codes and credentials of strangers: headers and join_check',

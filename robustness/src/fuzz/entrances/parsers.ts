@@ -42,7 +42,7 @@ export const codec: Entrance = {
     for (const type of TYPES) {
       allowing(() => {
         const message = decode(type, input);
-        // What was understood can be written, and is understood again.
+        // Every decoded message can be encoded, and decoded again.
         const again = encode(type, message as never);
         decode(type, again);
         fromJson(type, JSON.parse(JSON.stringify(toJson(type, message as never))));

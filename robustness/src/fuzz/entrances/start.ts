@@ -53,7 +53,7 @@ const CONFIG = {
 };
 const RUNNING = { name: 'comes back', processingModules: [{ name: 'mirror-pointer' }] };
 
-/** What lies on disk when a master starts. An input is the number of a file, a line feed, and its bytes. */
+/** Files on disk when a master starts. An input is the number of a file, a line feed, and its bytes. */
 export const start: Entrance = {
   name: 'start',
   about: 'files that a master starts with: keys, grants, certificates, config, what ran',

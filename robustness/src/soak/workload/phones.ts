@@ -10,7 +10,7 @@ import type { Tally } from './tally.ts';
 
 const RECORDS = 20;
 
-/** Where phones are in this run, and what they join with. */
+/** Master of the simulated phones, and their join token. */
 export interface PhoneWorld {
   readonly master: MasterProcess;
   readonly tally: Tally;

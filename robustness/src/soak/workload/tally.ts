@@ -1,4 +1,4 @@
-/** What was done, and what went wrong with it, by kind. */
+/** Counts of actions and of problems, by kind. */
 export class Tally {
   readonly #counts = new Map<string, number>();
   readonly #problems = new Map<string, number>();
