@@ -1,6 +1,9 @@
 import { brotliCompressSync, constants } from 'node:zlib';
 
-/** What Home may load before it works, as the master serves it: JavaScript compressed with brotli, bytes. */
+/**
+ * Maximum size of the JavaScript that Home loads before it works, compressed with brotli as the master serves it,
+ * bytes.
+ */
 export const MAX_FIRST_LOAD_BYTES = 200_000;
 
 const HOME = /\/home\/HomePage\.vue$/;

@@ -6,7 +6,7 @@ import { firstLoadPlugin } from './first-load-plugin.js';
 import { learnReferencePlugin } from './learn-reference-plugin.js';
 import { serviceWorkerPlugin } from './service-worker-plugin.js';
 
-/** Where `npm run dev` finds a master; the built frontend is served by the master itself. */
+/** URL of the master for `npm run dev`; the built frontend is served by the master itself. */
 const masterUrl = process.env.UBII_DEV_MASTER_URL ?? 'http://127.0.0.1:8080';
 
 const licences = licencesPlugins();

@@ -16,7 +16,7 @@ await build({
   platform: 'node',
   format: 'esm',
   target: 'node20',
-  // What few starts need (QR codes, Prometheus) is loaded when it is needed.
+  // Rarely needed dependencies (QR codes, Prometheus) are loaded on demand.
   splitting: true,
   chunkNames: 'chunks/[name]-[hash]',
   sourcemap: true,

@@ -22,7 +22,7 @@ declare module 'vue-router' {
   interface RouteMeta {
     /** The page's name in the document title and at the end of the path in the top bar. */
     title: string;
-    /** What stands before it in the path. */
+    /** The parent page in the path. */
     parent?: { readonly title: string; readonly to: string };
     /** A second skip link: to what the page is about. */
     skip?: { readonly title: string; readonly id: string };

@@ -135,7 +135,7 @@ describe('checking a token [AC-16]', () => {
       });
     }
     const phone = await join(master, token);
-    // Who is in with it hears so; everybody else, that it is used up.
+    // A client that joined with the grant is told so; for all others it is used up.
     for (const secret of [token, code, '']) {
       expect((await check(master, secret, phone.caller)).joinCheck).toMatchObject({
         role: ACCESS_ROLE_PLAYER,
@@ -320,7 +320,7 @@ describe('revoking [AC-15]', () => {
     for (const secret of [token, code, phone.caller.bearer!]) {
       expect(await problemOf(master, stranger(secret))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
     }
-    // Who was away hears it with the next socket.
+    // A client that was away is told on its next socket.
     expect(phone.open()).toBe(false);
     expect(phone.closed).toEqual({ code: 4011, reason: 'by ada: the class is over' });
     expect((await revoke(master, 'nothing')).error?.code).toBe('not_found');

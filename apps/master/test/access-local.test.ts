@@ -46,7 +46,7 @@ describe('callers of this machine without a token [AC-2] [AC-40]', () => {
     for (const { id } of [operator, trusted, neighbour]) {
       expect(await actFor(id)).toBe('permission_denied');
     }
-    // Whose socket it is says the resume token; that of one without is asked for here.
+    // The resume token identifies the owner of a socket; this is the check for a socket without one.
     const refuse = (clientId: string) =>
       master.master.refuseConnection({ clientId, token: undefined }, LOCAL_CALLER);
     expect(refuse(other.id)).toBeUndefined();

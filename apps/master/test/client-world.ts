@@ -35,7 +35,7 @@ export class ClientWorld implements MemoryMaster {
   readonly clock = new FakeClock();
   /** While true, the master is not available. */
   isDown = false;
-  /** Where clients are, to the transport. */
+  /** The transport's classification of the callers. */
   standing: CallerStanding = 'trusted';
   readonly #options: Omit<TestMasterOptions, 'clock'>;
   #test: TestMaster;

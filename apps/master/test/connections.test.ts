@@ -114,7 +114,7 @@ describe('connections', () => {
     all[2]!.handleCaller('stranger');
     for (const each of [...all, ...all]) each.handleClose();
     for (const limit of Object.keys(LIMITS)) expect(await hits(limit)).toMatchObject({ use: 0 });
-    // What is said of a connection that is closed counts no more.
+    // Reports about closed connections are ignored.
     for (const each of all) each.handleUpgrade();
     for (const limit of Object.keys(LIMITS)) expect(await hits(limit)).toMatchObject({ use: 0 });
   });

@@ -8,7 +8,7 @@ const guide = readFileSync(
   'utf8',
 );
 const [, first = ''] = /```json\n([\s\S]*?)^```/m.exec(guide) ?? [];
-/** What the guide says one sees. */
+/** The outputs shown in the guide. */
 const outputs = [...guide.matchAll(/```text\n(.*)\n```/g)].map(([, line]) => line);
 const changes = [...guide.matchAll(/```diff\n-(.*)\n\+(.*)\n```/g)];
 

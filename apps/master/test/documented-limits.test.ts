@@ -5,7 +5,7 @@ import { DEFAULT_LIMITS } from '../src/core/limits/index.ts';
 
 const REPOSITORY = new URL('../../../', import.meta.url);
 const SPEC = new URL('docs/spec/', REPOSITORY);
-/** Where constants of the rules are defined that are in no table of limits. */
+/** Source files of documented constants that are in no table of limits. */
 const CONSTANT_FILES = [
   'packages/pm-sandbox/src/sandbox-limits.ts',
   'packages/proto/src/binary/max-nested-messages.ts',

@@ -15,7 +15,7 @@ async function createWorld(limits: Partial<Limits> = {}) {
     const { stringList } = await master.call({ topic: '/services/topic_list' });
     return stringList!.elements.filter((topic) => !/^\/(services|info)\//.test(topic));
   };
-  /** What a client that subscribes now is sent. */
+  /** The value that a new subscriber receives. */
   const valueOf = async (topic: string): Promise<unknown> => {
     const reader = await master.legacy('reader');
     await reader.subscribe({ subscribeTopics: [topic] });

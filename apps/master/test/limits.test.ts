@@ -8,7 +8,7 @@ interface House {
   readonly ada: TestClient;
 }
 
-/** How each limit is met, with a number for it that is met soon. */
+/** For each limit a low maximum and an action that reaches it. */
 const WAYS: {
   readonly [L in LimitName]?: readonly [max: number, meet: (house: House) => unknown];
 } = {

@@ -32,7 +32,7 @@ const LIMITS: Partial<Limits> = {
   clients: 160,
 };
 
-/** How a client takes one more of something; whether it got it. */
+/** Takes one more unit of a resource for a client; resolves to whether it was granted. */
 type Take = (client: TestClient, n: number) => Promise<boolean> | boolean;
 
 function taking(subscription: (n: string) => Init<TopicSubscription>): Take {

@@ -112,7 +112,7 @@ describe('the status of the master', () => {
     const topics = await ada.call({ topic: '/services/topic_list' });
     expect(topics.stringList?.elements).not.toContain('/ben');
 
-    // Who left comes back as who it was.
+    // A returning client keeps its identity.
     const again = await master.register({
       id: ben.id,
       name: 'ben',

@@ -298,7 +298,7 @@ describe('subscriptions', () => {
     await expect(ben.subscribe({ subscribeTopicRegexp: ['(other)'] })).rejects.toThrow(
       'patternMatchMs',
     );
-    // What was there stands, and time heals.
+    // Existing subscriptions continue, and the budget recovers with time.
     ada.publish('/fast', 'bool', true);
     expect(ben.takeValues()).toHaveLength(1);
     clock.advanceSync(4_000);

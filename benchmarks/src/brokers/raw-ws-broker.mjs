@@ -2,7 +2,7 @@
  * The limit the master is measured against: what a broker on `ws` costs when it does nothing but
  * pass bytes on. Not a product: no clients, no topics, no checks, no slow consumers.
  *
- * Who takes part comes from the URL: `/?publish=1&subscribe=1`. What a publisher sends is put into
+ * The role of a client comes from the URL: `/?publish=1&subscribe=1`. A publisher's record is put into
  * one frame and the frame is written raw to every subscriber, corked until the end of the turn.
  *
  * Plain JavaScript, so that it runs in the same plain Node as the built master.

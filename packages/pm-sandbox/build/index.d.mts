@@ -1,4 +1,4 @@
-/** Where browsers find the workers, and with which policies they are to be served. */
+/** Paths of the workers for browsers, and the policies to serve them with. */
 export const SANDBOX_WORKER_FILES: {
   readonly [kind in 'trusted' | 'sandboxed']: { readonly path: string; readonly csp: string };
 };

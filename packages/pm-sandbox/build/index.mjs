@@ -56,7 +56,7 @@ export async function buildBrowserWorkers(outdir) {
 
 /**
  * Vite plugin: serves the browser workers with their policies in development, adds them to the build.
- * Who serves the build must send the policies, too.
+ * The server of the build must send the policies, too.
  *
  * @returns {{ name: string }} a Vite plugin
  */

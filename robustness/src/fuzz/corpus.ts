@@ -11,7 +11,7 @@ export interface Find {
   readonly reason: string;
   /** Base64. */
   readonly inputs: readonly string[];
-  /** Who is to fix it, or the reason not to: then the gate reports the find without failing. */
+  /** Owner of the fix, or the reason against one: then the gate reports the find without failing. */
   readonly todo?: string;
 }
 

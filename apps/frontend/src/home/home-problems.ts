@@ -28,7 +28,7 @@ export interface HomeProblem {
   readonly subject: string | undefined;
   /** The rest of the sentence. */
   readonly text: string;
-  /** What to do about it; may be empty. */
+  /** Recommended action; may be empty. */
   readonly remedy: string;
   /** Start of the problem: master's clock, epoch milliseconds; `undefined` when unknown. */
   readonly sinceMs: number | undefined;

@@ -96,13 +96,13 @@ function register(port: number, bearer: string, client: object = {}) {
   );
 }
 
-/** What people call this machine, as its mDNS name does. */
+/** Hostnames of this machine, including the mDNS name. */
 function ownNames(): string[] {
   const name = hostname().toLowerCase();
   return [name, `${name.split('.')[0]}.local`];
 }
 
-/** How an upgrade ends: `open`, a close code, or the status it was refused with. */
+/** Result of an upgrade: `open`, a close code, or the status of the refusal. */
 function upgrade(
   port: number,
   query: string,

@@ -133,7 +133,7 @@ describe('refused sockets [AC-65]', () => {
 const TIMEOUTS = ['--limits', 'headersTimeoutMs=300,slowSocketTimeoutMs=500'];
 
 describe('connections that stop [AC-63]', () => {
-  /** What makes a connection stop, and what it is. */
+  /** Behaviour of a connection that stops, with the bytes that it sends. */
   const stopped: readonly (readonly [string, (master: EdgeMaster) => string])[] = [
     ['says nothing', () => ''],
     ['sends one byte', () => 'G'],

@@ -16,7 +16,7 @@ import { startMaster } from '../../src/start-master.ts';
 export interface EdgeMaster {
   readonly port: number;
   readonly url: string;
-  /** What its terminal shows. */
+  /** Recorder of the terminal's output. */
   readonly terminal: TerminalAccess;
   /** Lines of the log. */
   readonly logged: readonly string[];

@@ -22,7 +22,7 @@ const PATHS_WITHOUT_ROW = ['/services/yaml', '/admin', '/metrics/json', '/servic
 
 interface Joined {
   readonly headers: Readonly<Record<string, string>>;
-  /** What its topic-data socket asks with. */
+  /** Query of the topic-data socket's URL. */
   readonly query: string;
 }
 

@@ -134,7 +134,7 @@ describe('topic data over WebSocket', () => {
       const socket = await new Socket(socketUrl(master, client)).opened();
       expect(await socket.nextText()).toBe('PING');
       socket.webSocket.send(pong);
-      // What follows shows that the frame before it was understood.
+      // An answer to the next frame shows that the previous one was accepted
       socket.webSocket.send('PING');
       expect(await socket.nextText()).toBe('PONG');
     }

@@ -1,4 +1,4 @@
-// What a device of the test network asks: one request or upgrade, as JSON in the first argument.
+// Client of the test network: sends one request or upgrade, given as JSON in the first argument.
 import { request as requestHttp } from 'node:http';
 import { request as requestHttps } from 'node:https';
 

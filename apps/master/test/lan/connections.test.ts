@@ -21,7 +21,7 @@ const packageFolder = fileURLToPath(new URL('../..', import.meta.url));
 const program = join(packageFolder, '.cache-lan-connections', 'main.js');
 const ask = fileURLToPath(new URL('ask.mjs', import.meta.url));
 const flood = fileURLToPath(new URL('flood.mjs', import.meta.url));
-/** What the attack was that kept everybody out: as many descriptors as some systems give. */
+/** Descriptor limit of the attack that kept everybody out, as low as on some systems. */
 const DESCRIPTORS = 700;
 
 const reason = TestNetwork.reasonAgainst();

@@ -1,5 +1,5 @@
-// What an attacker of the test network does: keeps as many connections open as it gets, from several
-// addresses, and says nothing on them. Prints a line when the first were refused, and goes on until it is killed.
+// Attacker of the test network: keeps as many idle connections open as it gets, from several addresses. Prints a line
+// when the first were refused, and goes on until it is killed.
 import { connect } from 'node:net';
 
 const { host, port, addresses, each } = JSON.parse(process.argv[2] ?? '');

@@ -286,7 +286,7 @@ describe.skipIf(reason !== undefined)('a master with --lan off in a network of i
     expect((await send('phone', '/services/client/get_list', {}, { bearer })).reply).toMatchObject({
       error: { code: 'unauthenticated' },
     });
-    // Who was there stays, and gets what the network offers now.
+    // Existing clients stay, and get the current addresses.
     const status = await send(
       'master',
       '/services/ubii/master_status',

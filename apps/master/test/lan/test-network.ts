@@ -71,7 +71,7 @@ export class TestNetwork {
     }
   }
 
-  /** What a command begins with to run on one of the machines; it becomes the program itself. */
+  /** Prefix of a command that runs on one of the machines; it is replaced by the program itself. */
   enter(where: 'master' | 'phone'): readonly string[] {
     return ['ip', 'netns', 'exec', where === 'master' ? this.#master : this.#phone];
   }

@@ -47,7 +47,7 @@ export async function buildPartyLibrary(): Promise<FakeAssets> {
   return assets;
 }
 
-/** What is special about a phone. */
+/** Options of a phone. */
 export interface PhoneOptions {
   /** Of an invitation; default: a phone that is trusted as it is. */
   readonly joinToken?: string;
@@ -60,7 +60,7 @@ export interface ScriptedPhone {
   readonly name: string;
   readonly identity: IdentityStorage;
   readonly options: PhoneOptions;
-  /** What the master refused. */
+  /** Refusals by the master. */
   problems: readonly ClientProblem[];
   client: UbiiClient;
   phone: PartyPhone;
@@ -78,7 +78,7 @@ export class PartyWorld {
   memory: HostMemory | undefined;
   host!: PartyHost;
   view!: RoomView;
-  /** What was cheered on the big screen, in its order. */
+  /** The cheers shown on the big screen, in their order. */
   readonly cheers: Cheer[] = [];
   /** Clients whose photos were on the big screen, one list a change. */
   readonly shownPhotos: (readonly string[])[] = [];
@@ -159,7 +159,7 @@ export class PartyWorld {
   async connectPhone(scripted: ScriptedPhone): Promise<void> {
     const { name, identity, options } = scripted;
     const { joinToken, clock = this.world.clock, line } = options;
-    // Who comes with an invitation comes from another machine
+    // Clients with an invitation connect from another machine
     this.world.standing = joinToken === undefined ? 'trusted' : 'other';
     const { client, problems } = await this.world.connect(name, {
       identity,

@@ -1,7 +1,7 @@
 import type { Clock } from '@ubii/client-web/node';
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
 
-/** How long the next packet takes on each of the two ways of a socket, milliseconds. */
+/** Delays of the next packet in the two directions of a socket, milliseconds. */
 export interface Line {
   toMasterMs(): number;
   toPhoneMs(): number;

@@ -17,7 +17,7 @@ import { ClientWorld } from '../client-world.ts';
 class NodeWorld {
   readonly world = new ClientWorld();
   ada!: UbiiClient;
-  /** What came on the topics below /out/, in order. */
+  /** Records of the topics below /out/, in order. */
   readonly outputs: [topic: string, value: unknown][] = [];
 
   static async create(): Promise<NodeWorld> {

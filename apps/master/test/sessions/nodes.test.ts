@@ -12,7 +12,7 @@ import { OUR_NODE, TestNode } from './test-node.ts';
 
 const { JS, PY } = ProcessingModuleLanguage;
 
-/** What a node of the original registers: a specification without code. */
+/** A module as registered by a node of the original: a specification without code. */
 const offered = {
   name: 'detector',
   inputs: [{ internalName: 'image', messageFormat: 'ubii.dataStructure.Image2D' }],

@@ -105,7 +105,7 @@ export class SessionWorld {
     });
   }
 
-  /** What happened to sessions since it was asked for last. */
+  /** Events of sessions since the last call. */
   takeWords(): string[] {
     return this.takeNews().map(([word]) => word);
   }

@@ -10,7 +10,7 @@ import {
 import type { TestClient, TestMaster } from '../../src/testing/index.ts';
 import { TOPICS } from './session-world.ts';
 
-/** What a node of ours says of itself. */
+/** Registration of a node of this project. */
 export const OUR_NODE = {
   kind: NodeExtensionKind.NODE,
   runsJavascript: true,

@@ -27,7 +27,7 @@ export interface RoundSeats {
   readonly delays?: Readonly<Record<Seat, PhoneDelay>>;
 }
 
-/** How much later than its phone claims a record may arrive, milliseconds. */
+/** Bounds of the delay between the time claimed by a phone and the arrival of its record, milliseconds. */
 export interface PhoneDelay {
   readonly leastMs: number;
   readonly mostMs: number;

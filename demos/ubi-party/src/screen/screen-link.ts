@@ -33,7 +33,7 @@ export interface ScreenLink {
 export interface Invitation {
   /** Without `https://`, as people type it. */
   readonly address: string;
-  /** What to type there; undefined when nothing is asked. */
+  /** The code to type at that address; undefined when none is asked for. */
   readonly code?: string;
   /** In the QR code. */
   readonly scanned: string;

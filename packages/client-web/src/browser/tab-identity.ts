@@ -8,7 +8,7 @@ const DEFAULT_KEY = 'ubii.identity';
 /**
  * Keeps the identity in the tab's session storage: a reload comes back as the same client. A
  * duplicated tab has a copy of that storage; it finds the identity claimed and gets one of its own.
- * Where there is no session storage the identity lasts as long as the page.
+ * Without session storage the identity lasts as long as the page.
  * The credential is kept for the whole browser as well: a further tab joins with it. [AC-23]
  * @param key name of the entry; one for each client of a page
  * @param browserKey name of the entry of the whole browser; pages that share it join with one credential

@@ -15,7 +15,7 @@ export interface Circumstance {
   readonly value: string;
 }
 
-/** How a run ended. Measurements until then count in each case. */
+/** Reason for the end of a run. Measurements until then count in each case. */
 export type TestEnd = 'complete' | 'stopped' | 'disconnected';
 
 /** Run of a test, as stored, compared and exported. */

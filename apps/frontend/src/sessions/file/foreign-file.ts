@@ -2,7 +2,7 @@
 export interface Foreign {
   /** With its article: `a Node-RED flow`. */
   readonly what: string;
-  /** What to do with it, one sentence; may be empty. */
+  /** Recommended action, one sentence; may be empty. */
   readonly advice: string;
 }
 

@@ -7,7 +7,7 @@ const LINGER_MS = 1_000;
 
 /**
  * Answers an upgrade request with an ordinary HTTP response and closes, whatever the other side does.
- * What it still sends is thrown away: a connection that is closed while bytes wait on it is reset, and
+ * Further data from the client is discarded: a connection that is closed while bytes wait on it is reset, and
  * the answer may be lost. [AC-65]
  */
 export function refuseUpgrade(

@@ -99,7 +99,7 @@ const runsOf = ({ statistics }: SessionModule): number => statistics?.runs ?? 0;
 
 /**
  * A run failed, or what it put out was refused. Nodes repeat both once a second at most. [PM-81]
- * What names no callback is no fault of a run: topics that do not fit, or are too many. [SE-61]
+ * Events without a callback are no faults of a run: mismatched topics, or too many topics. [SE-61]
  */
 const isFailure = ({ kind, phase }: ModuleEvent): boolean =>
   phase !== '' && (kind === ModuleEventKind.ERROR || kind === ModuleEventKind.REFUSED);

@@ -51,8 +51,8 @@ export class Accounts {
         kind: 'class',
         id: shareClass,
         parent: this.all,
-        // The master has to say what it has to say, however full it is.
-        // What may use everything is bounded by the whole alone.
+        // The master can always publish its own messages, however full it is.
+        // A class with a share of 1 is limited by the total only.
         max: ofAll === 1 ? unlimited() : part(ofAll),
         untilFilled: shareClass === 'master' ? unlimited() : part(untilFilled),
       });

@@ -70,7 +70,7 @@ export const PUBLISH_LIMITS = {
  * - No connection: only the newest record of each topic is kept, events too, because what happened
  *   without a connection is out of date; sent by `flush()` after the reconnect.
  *
- * What is replaced or over a limit is counted.
+ * Records that are replaced or over a limit are counted.
  */
 export class PublishBuffer {
   readonly #clock: Clock;

@@ -41,7 +41,7 @@ export class NoMemoryError extends Error {
  * Makes a function that yields new copies of the engine, each with memory of its own: what breaks
  * one, or is left behind in it, does not touch another, and it is freed as a whole. The engine is
  * compiled once; a copy takes a few milliseconds and a third of a megabyte.
- * What is made throws `NoMemoryError`.
+ * The returned function throws `NoMemoryError`.
  */
 export async function loadQuickJs(): Promise<
   (memoryBytes: number, from: EngineMemory) => Promise<EngineCopy>
