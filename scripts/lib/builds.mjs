@@ -13,6 +13,7 @@ const everywhere = [
   'packages/patterns',
   'packages/words',
   'packages/timing',
+  'packages/recording',
   'packages/pm-sandbox',
   'packages/modules',
   'demos/ubi-party',

@@ -1,0 +1,2 @@
+export { BlobSource } from './blob-source.ts';
+export { RangeSource } from './range-source.ts';

@@ -1,0 +1,37 @@
+export type { RecordedRecord } from './records/recorded-record.ts';
+export {
+  EVENT_TOPICS,
+  type ClientClock,
+  type EventKind,
+  type EventValue,
+  type Gap,
+  type Marker,
+  type RecordedClient,
+  type RecordedSession,
+  type RecordingEvent,
+} from './records/recording-event.ts';
+export type { RecordingHeader, RecordingKind } from './records/recording-header.ts';
+export type { RecordedTopic, RecordingSummary } from './records/recording-summary.ts';
+export { RecordingError } from './records/recording-error.ts';
+export { describeRecord, type RecordDescription } from './records/describe-record.ts';
+export type { RecordingFile, RecordingSink, RecordingSource } from './storage/recording-storage.ts';
+export { RecordingWriter, type WriterStatistics } from './writing/recording-writer.ts';
+export {
+  RecordingReader,
+  type RecordsQuery,
+  type RecordsReader,
+} from './reading/recording-reader.ts';
+export {
+  changeRecording,
+  repairRecording,
+  type RecordingChange,
+  type Repair,
+} from './repair/repair-recording.ts';
+export { FlightRing, type FlightRingContent, type FlightRingLimits } from './flight/flight-ring.ts';
+export {
+  Playback,
+  type PlaybackOptions,
+  type PlaybackSink,
+  type PlaybackState,
+  type Span,
+} from './playback/playback.ts';

@@ -1,0 +1,1 @@
+export { DiskFile } from './disk-file.ts';

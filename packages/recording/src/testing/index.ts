@@ -1,0 +1,1 @@
+export { MemoryFile } from './memory-file.ts';
