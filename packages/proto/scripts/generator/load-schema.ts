@@ -53,14 +53,7 @@ const GLOBAL_NAMES = new Set(['Error', 'MouseEvent', 'TouchEvent']);
  * @throws Error when the schema uses something the emitted code does not support
  */
 export function loadSchema(schemaFolder: string): SchemaModel {
-  const files = readdirSync(schemaFolder, { recursive: true, encoding: 'utf8' })
-    .filter((file) => file.endsWith('.proto'))
-    .map((file) => file.split(sep).join('/'))
-    .sort();
-  const root = new protobuf.Root();
-  root.resolvePath = (_origin, target) => join(schemaFolder, relative('/', join('/', target)));
-  root.loadSync(files, { keepCase: true, alternateCommentMode: true });
-  root.resolveAll();
+  const root = loadRoot(schemaFolder);
 
   const types: protobuf.Type[] = [];
   const enumerations: protobuf.Enum[] = [];
@@ -82,6 +75,19 @@ export function loadSchema(schemaFolder: string): SchemaModel {
   };
   refuseCycles(schema.messages);
   return schema;
+}
+
+/** Loads every .proto file below a folder, as protobufjs has them. @param schemaFolder absolute path */
+export function loadRoot(schemaFolder: string): protobuf.Root {
+  const files = readdirSync(schemaFolder, { recursive: true, encoding: 'utf8' })
+    .filter((file) => file.endsWith('.proto'))
+    .map((file) => file.split(sep).join('/'))
+    .sort();
+  const root = new protobuf.Root();
+  root.resolvePath = (_origin, target) => join(schemaFolder, relative('/', join('/', target)));
+  root.loadSync(files, { keepCase: true, alternateCommentMode: true });
+  root.resolveAll();
+  return root;
 }
 
 function collect(parent: protobuf.NamespaceBase, types: protobuf.Type[], enums: protobuf.Enum[]) {

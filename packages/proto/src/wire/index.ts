@@ -20,5 +20,6 @@ export {
   type LockstepMessage,
 } from './node-messages.ts';
 export { readRecordHead, type RecordHead } from './record-head.ts';
+export { readRecordTimestamp } from './record-timestamp.ts';
 export { recordValueField, scanTopicData, type TopicDataSink } from './scan-topic-data.ts';
 export { scanServiceRequest, type RequestScan } from './scan-service-request.ts';
