@@ -21,12 +21,8 @@ export {
   type RecordsQuery,
   type RecordsReader,
 } from './reading/recording-reader.ts';
-export {
-  changeRecording,
-  repairRecording,
-  type RecordingChange,
-  type Repair,
-} from './repair/repair-recording.ts';
+export { changeRecording, type RecordingChange } from './repair/change-recording.ts';
+export { repairRecording, type Repair } from './repair/repair-recording.ts';
 export { FlightRing, type FlightRingContent, type FlightRingLimits } from './flight/flight-ring.ts';
 export {
   Playback,

@@ -1,9 +1,51 @@
+import { RecordingError } from '../records/recording-error.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 
-/** Reads a file from a server that answers requests for ranges. */
-export declare class RangeSource implements RecordingSource {
+type Fetch = (url: string, init: RequestInit) => Promise<Response>;
+
+/** Reads a file from a server that answers requests for ranges. The file must not change meanwhile. */
+export class RangeSource implements RecordingSource {
+  readonly #url: string;
+  readonly #fetch: Fetch;
+  #size: Promise<bigint> | undefined;
+  #etag: string | null = null;
+
   /** @param fetch sends the requests. @default the browser's */
-  constructor(url: string, fetch?: typeof globalThis.fetch);
-  size(): Promise<bigint>;
-  read(offset: bigint, length: bigint): Promise<Uint8Array>;
+  constructor(url: string, fetch: Fetch = (address, init) => globalThis.fetch(address, init)) {
+    this.#url = url;
+    this.#fetch = fetch;
+  }
+
+  size(): Promise<bigint> {
+    this.#size ??= this.#readSize();
+    return this.#size;
+  }
+
+  async read(offset: bigint, length: bigint): Promise<Uint8Array> {
+    await this.size();
+    if (length === 0n) return new Uint8Array();
+    const range = `bytes=${offset}-${offset + length - 1n}`;
+    const response = await this.#fetch(this.#url, { headers: { Range: range } });
+    if (response.status !== 206) throw this.#refused(response);
+    if (response.headers.get('ETag') !== this.#etag) {
+      throw new RecordingError('The recording was changed. Open it again.');
+    }
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    if (bytes.length !== Number(length)) {
+      throw new RangeError('The file ends before these bytes.');
+    }
+    return bytes;
+  }
+
+  async #readSize(): Promise<bigint> {
+    const response = await this.#fetch(this.#url, { method: 'HEAD' });
+    const length = response.headers.get('Content-Length');
+    if (!response.ok || length === null) throw this.#refused(response);
+    this.#etag = response.headers.get('ETag');
+    return BigInt(length);
+  }
+
+  #refused({ status, statusText }: Response): RecordingError {
+    return new RecordingError(`The recording cannot be read: ${status} ${statusText}.`);
+  }
 }

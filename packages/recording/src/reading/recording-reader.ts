@@ -1,38 +1,150 @@
+import type { StoredMessage } from '../mcap/chunk-content.ts';
+import { timesOf } from '../mcap/file-index.ts';
+import { readMetadata } from '../mcap/metadata-record.ts';
+import { openFile } from '../mcap/open-file.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
-import type { RecordedSession, RecordingEvent } from '../records/recording-event.ts';
+import type {
+  EventKind,
+  EventValue,
+  RecordedSession,
+  RecordingEvent,
+} from '../records/recording-event.ts';
+import { headerFromMetadata, PROFILE } from '../records/recording-header.ts';
 import type { RecordingSummary } from '../records/recording-summary.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
+import { ChannelChunks } from './channel-chunks.ts';
+import { findLatest } from './find-latest.ts';
+import { messagesInOrder } from './messages-in-order.ts';
+import { readEvents } from './recorded-events.ts';
+import { StoredFile } from './stored-file.ts';
+import { channelsOf, type FileChannels } from './topics-of.ts';
 
 /** Which records, and in which order. */
 export interface RecordsQuery {
   /** @default all */
-  readonly topics?: readonly string[];
+  readonly topics?: readonly string[] | undefined;
   /** First time, inclusive. @default the start */
-  readonly fromNs?: bigint;
+  readonly fromNs?: bigint | undefined;
   /** Last time, inclusive. @default the end */
-  readonly untilNs?: bigint;
+  readonly untilNs?: bigint | undefined;
   /** From the last to the first. @default false */
-  readonly isReverse?: boolean;
+  readonly isReverse?: boolean | undefined;
 }
 
 /** What playback reads. */
 export interface RecordsReader {
   readonly summary: RecordingSummary;
-  /** Records by log time. */
+  /** Reads records by log time. Their bytes are shared with the reader: do not change them. */
   records(query?: RecordsQuery): AsyncIterable<RecordedRecord>;
-  /** The last record of each topic at a moment, the moment included. Reads only chunks that hold one. @param topics all by default */
+  /** Finds the last record of each topic at a moment, the moment included. @param topics all by default */
   latestAt(timeNs: bigint, topics?: readonly string[]): Promise<Map<string, RecordedRecord>>;
 }
 
 /** Reads a recording by its indexes; files of other programs as well. Files without their end are opened up to the last whole chunk. */
-export declare class RecordingReader implements RecordsReader {
-  /** @throws RecordingError when the source is no MCAP file */
-  static open(source: RecordingSource): Promise<RecordingReader>;
+export class RecordingReader implements RecordsReader {
   readonly summary: RecordingSummary;
-  records(query?: RecordsQuery): AsyncIterable<RecordedRecord>;
-  latestAt(timeNs: bigint, topics?: readonly string[]): Promise<Map<string, RecordedRecord>>;
-  /** The sessions as they were at a moment, by id. */
-  sessionsAt(timeNs: bigint): Promise<Map<string, RecordedSession>>;
-  /** All measurements of clocks, by time. */
-  clocks(): Promise<RecordingEvent<'clock'>[]>;
+  readonly #file: StoredFile;
+  readonly #channels: FileChannels;
+  readonly #chunks: ChannelChunks;
+
+  private constructor(file: StoredFile, chunks: ChannelChunks, summary: RecordingSummary) {
+    this.#file = file;
+    this.#chunks = chunks;
+    this.#channels = channelsOf(file.index);
+    this.summary = summary;
+  }
+
+  /** @throws RecordingError when the source is no MCAP file */
+  static async open(source: RecordingSource): Promise<RecordingReader> {
+    const { index, source: whole, isDamaged } = await openFile(source);
+    const file = new StoredFile(whole, index);
+    const chunks = new ChannelChunks(index.chunks);
+    const { records, topics } = channelsOf(index);
+    const { startNs, endNs } = timesOf(chunks.ofAny(new Set(records.keys())));
+    const isForeign = index.profile !== PROFILE;
+    const header = headerFromMetadata(await readMetadata(whole, index, PROFILE));
+    const events = await eventsOf(file, chunks, ['marker', 'client', 'gap']);
+    const summary = {
+      ...header,
+      startNs,
+      endNs,
+      records: topics.reduce((sum, topic) => sum + topic.records, 0),
+      topics,
+      markers: lastOfEach(valuesOf(events, 'marker'))
+        .filter(({ isRemoved }) => isRemoved !== true)
+        .sort((a, b) => a.timeMs - b.timeMs),
+      clients: lastOfEach(valuesOf(events, 'client')),
+      gaps: valuesOf(events, 'gap'),
+      isForeign,
+      isDamaged,
+    };
+    return new RecordingReader(file, chunks, summary);
+  }
+
+  async *records(query: RecordsQuery = {}): AsyncGenerator<RecordedRecord> {
+    const { startNs, endNs } = this.summary;
+    const span = { fromNs: query.fromNs ?? startNs, untilNs: query.untilNs ?? endNs };
+    const ids = this.#idsOf(query.topics);
+    const chunks = this.#chunks.ofAny(ids);
+    const messages = messagesInOrder(this.#file, chunks, ids, span, query.isReverse === true);
+    for await (const message of messages) yield this.#toRecord(message);
+  }
+
+  async latestAt(timeNs: bigint, topics?: readonly string[]): Promise<Map<string, RecordedRecord>> {
+    const found = await findLatest(this.#file, this.#chunks, this.#idsOf(topics), timeNs);
+    const latest = new Map<string, RecordedRecord>();
+    for (const message of found.values()) {
+      const record = this.#toRecord(message);
+      const other = latest.get(record.topic);
+      // Several clients may publish on a topic.
+      if (other === undefined || other.logTimeNs <= record.logTimeNs) {
+        latest.set(record.topic, record);
+      }
+    }
+    return latest;
+  }
+
+  /** Returns the sessions as they were at a moment, by id. */
+  async sessionsAt(timeNs: bigint): Promise<Map<string, RecordedSession>> {
+    const events = await eventsOf(this.#file, this.#chunks, ['session']);
+    const before = events.filter((event) => event.timeNs <= timeNs);
+    return new Map(valuesOf(before, 'session').map((session) => [session.id, session]));
+  }
+
+  /** Returns all measurements of clocks, in the order in which they were made. */
+  async clocks(): Promise<RecordingEvent<'clock'>[]> {
+    const events = await eventsOf(this.#file, this.#chunks, ['clock']);
+    return events.filter((event) => event.kind === 'clock');
+  }
+
+  #idsOf(topics: readonly string[] | undefined): Set<number> {
+    const { records } = this.#channels;
+    if (topics === undefined) return new Set(records.keys());
+    const wanted = new Set(topics);
+    const channels = [...records.values()].filter(({ topic }) => wanted.has(topic));
+    return new Set(channels.map(({ id }) => id));
+  }
+
+  #toRecord({ channelId, data, logTimeNs, publishTimeNs }: StoredMessage): RecordedRecord {
+    const { topic, metadata } = this.#channels.records.get(channelId)!;
+    const clientId = metadata.get('clientId') ?? '';
+    return { topic, clientId, record: data, logTimeNs, publishTimeNs };
+  }
+}
+
+function eventsOf(
+  file: StoredFile,
+  chunks: ChannelChunks,
+  kinds: readonly EventKind[],
+): Promise<RecordingEvent[]> {
+  const wanted = [...channelsOf(file.index).events].filter(([, kind]) => kinds.includes(kind));
+  return readEvents(file, chunks, new Map(wanted));
+}
+
+function valuesOf<K extends EventKind>(events: readonly RecordingEvent[], kind: K) {
+  return events.filter((event) => event.kind === kind).map(({ value }) => value as EventValue<K>);
+}
+
+function lastOfEach<T extends { readonly id: string }>(values: readonly T[]): T[] {
+  return [...new Map(values.map((value) => [value.id, value])).values()];
 }

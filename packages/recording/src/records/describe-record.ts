@@ -1,4 +1,5 @@
-import type { DataFormat } from '@ubii/proto';
+import { dataFormatOfField, type DataFormat } from '@ubii/proto';
+import { readRecordHead, readRecordTimestamp } from '@ubii/proto/wire';
 
 /** What the recorder has to know of an encoded record. */
 export interface RecordDescription {
@@ -9,4 +10,11 @@ export interface RecordDescription {
 }
 
 /** Reads format and time of an encoded record without decoding its value. Never throws: broken records have neither. */
-export declare function describeRecord(record: Uint8Array): RecordDescription;
+export function describeRecord(record: Uint8Array): RecordDescription {
+  try {
+    const format = dataFormatOfField(readRecordHead(record).valueField);
+    return { format, timestampMs: readRecordTimestamp(record) };
+  } catch {
+    return { format: undefined, timestampMs: undefined };
+  }
+}

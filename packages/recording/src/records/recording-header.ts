@@ -12,3 +12,28 @@ export interface RecordingHeader {
   /** What was chosen to be recorded, as JSON. */
   readonly selection: string;
 }
+
+/** Name of the metadata record, and profile of the file. */
+export const PROFILE = 'ubi-interact';
+
+/** The header as a metadata record has it. */
+export function headerToMetadata(header: RecordingHeader): Map<string, string> {
+  return new Map(Object.entries(header));
+}
+
+/** The header of a metadata record; what is missing is empty. */
+export function headerFromMetadata(metadata: ReadonlyMap<string, string>): RecordingHeader {
+  const text = (key: string): string => metadata.get(key) ?? '';
+  return {
+    name: text('name'),
+    kind: kindOf(text('kind')),
+    masterName: text('masterName'),
+    version: text('version'),
+    notes: text('notes'),
+    selection: text('selection'),
+  };
+}
+
+function kindOf(text: string): RecordingKind {
+  return text === 'recording' || text === 'flight-recorder' ? text : 'import';
+}

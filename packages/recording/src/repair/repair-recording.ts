@@ -1,5 +1,6 @@
-import type { RecordingEvent } from '../records/recording-event.ts';
-import type { RecordingHeader } from '../records/recording-header.ts';
+import { expectMcap, readIndex } from '../mcap/read-index.ts';
+import { salvage } from '../mcap/salvage.ts';
+import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordingFile } from '../storage/recording-storage.ts';
 
 /** What was saved of a damaged file. */
@@ -19,17 +20,19 @@ export interface Repair {
  * @returns undefined when the file is whole
  * @throws RecordingError when the file is no MCAP file
  */
-export declare function repairRecording(file: RecordingFile): Promise<Repair | undefined>;
-
-/** Changes of a recording that is complete. */
-export interface RecordingChange {
-  readonly events?: readonly RecordingEvent[];
-  /** Replaces the header. */
-  readonly header?: RecordingHeader;
+export async function repairRecording(file: RecordingFile): Promise<Repair | undefined> {
+  await expectMcap(file);
+  if ((await readIndex(file)) !== undefined) return undefined;
+  const { keptBytes, end } = await salvage(file);
+  const size = await file.size();
+  await file.truncate(keptBytes);
+  await file.write(end);
+  const reader = await RecordingReader.open(file);
+  const { startNs, endNs, records } = reader.summary;
+  return {
+    durationNs: endNs - startNs,
+    records,
+    lostAfterNs: records > 0 ? endNs : undefined,
+    cutBytes: Number(size - keptBytes),
+  };
 }
-
-/** Appends to a recording that is complete. A file that is cut off meanwhile can be repaired. @throws RecordingError when it is not whole */
-export declare function changeRecording(
-  file: RecordingFile,
-  change: RecordingChange,
-): Promise<void>;

@@ -1,1 +1,8 @@
 export { MemoryFile } from './memory-file.ts';
+export { recorded } from './recorded.ts';
+export {
+  recordOfEachFormat,
+  SAMPLE_HEADER,
+  SAMPLE_START_NS,
+  sampleRecord,
+} from './sample-records.ts';

@@ -14,7 +14,7 @@ export class MemoryFile implements RecordingFile {
   }
 
   /** A copy of what was written. */
-  get bytes(): Uint8Array {
+  get bytes(): Uint8Array<ArrayBuffer> {
     return this.#bytes.slice(0, this.#length);
   }
 

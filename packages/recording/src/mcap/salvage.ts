@@ -1,0 +1,136 @@
+import { McapRecordBuilder, McapStreamReader, Opcode } from '@mcap/core';
+import type { Attachment, ChunkIndex, MessageIndex, TypedMcapRecord } from '@mcap/core';
+import { PROFILE } from '../records/recording-header.ts';
+import type { RecordingSource } from '../storage/recording-storage.ts';
+import { mcapRecordsIn, messagesIn, parseChunk } from './chunk-content.ts';
+import { encodeEnd, FileIndex } from './file-index.ts';
+import { writeMessageIndexes } from './open-chunk.ts';
+import { storedRecords, type StoredRecord } from './stored-records.ts';
+import { unpackChunk } from './unpack-chunk.ts';
+
+/** What is whole of a file without its end. */
+export interface Salvage {
+  readonly index: FileIndex;
+  /** Bytes of the file that are kept. */
+  readonly keptBytes: bigint;
+  /** What follows them: header or message indexes of the last chunk, where they are missing; summary, footer. */
+  readonly end: Uint8Array;
+}
+
+/** Bytes of a message record before its data. */
+const MESSAGE_HEAD_BYTES = 31;
+const MAGIC_BYTES = 8n;
+
+/** The chunk that was read last. */
+interface LastChunk {
+  readonly index: ChunkIndex;
+  readonly end: bigint;
+  readonly messages: ReadonlyMap<number, MessageIndex>;
+}
+
+/** Reads a file from its start, up to the last whole chunk, and makes the end that it lacks. */
+export async function salvage(source: RecordingSource): Promise<Salvage> {
+  const index = new FileIndex();
+  let keptBytes = MAGIC_BYTES;
+  let last: LastChunk | undefined;
+  for await (const record of storedRecords(source)) {
+    try {
+      if (record.opcode === Number(Opcode.CHUNK)) last = await takeChunk(record, index);
+      else if (record.opcode === Number(Opcode.MESSAGE_INDEX)) takeMessageIndex(record, last);
+      else {
+        takeRecord(record, index);
+        last = undefined;
+      }
+    } catch {
+      // Written by half, or never written: the disk had kept its place.
+      break;
+    }
+    keptBytes = record.offset + BigInt(record.bytes.length);
+  }
+  const indexes = new McapRecordBuilder();
+  if (keptBytes === MAGIC_BYTES) indexes.writeHeader({ profile: PROFILE, library: '' });
+  if (last !== undefined && last.index.messageIndexOffsets.size < last.messages.size) {
+    keptBytes = last.end;
+    const written = writeMessageIndexes(indexes, last.messages.values(), keptBytes);
+    index.chunks[index.chunks.length - 1] = { ...last.index, ...written };
+  }
+  const position = keptBytes + BigInt(indexes.length);
+  return { index, keptBytes, end: concat(indexes.buffer, encodeEnd(index, position)) };
+}
+
+async function takeChunk(record: StoredRecord, index: FileIndex): Promise<LastChunk> {
+  const head = parseChunk(record.content);
+  const bytes = await unpackChunk(record.content);
+  for (const { opcode, start, end } of mcapRecordsIn(bytes)) {
+    const isDefinition = opcode === Number(Opcode.SCHEMA) || opcode === Number(Opcode.CHANNEL);
+    if (isDefinition) takeDefinition(parse(bytes.slice(start - 9, end)), index);
+  }
+  const messages = new Map<number, MessageIndex>();
+  let messageStartTime: bigint | undefined;
+  let messageEndTime = 0n;
+  for (const { channelId, logTimeNs, data } of messagesIn(bytes)) {
+    index.count(channelId);
+    const offset = BigInt(data.byteOffset - bytes.byteOffset - MESSAGE_HEAD_BYTES);
+    const known = messages.get(channelId);
+    if (known === undefined) messages.set(channelId, { channelId, records: [[logTimeNs, offset]] });
+    else known.records.push([logTimeNs, offset]);
+    if (messageStartTime === undefined || logTimeNs < messageStartTime)
+      messageStartTime = logTimeNs;
+    if (logTimeNs > messageEndTime) messageEndTime = logTimeNs;
+  }
+  const chunkLength = BigInt(record.bytes.length);
+  const chunk = {
+    messageStartTime: messageStartTime ?? 0n,
+    messageEndTime,
+    chunkStartOffset: record.offset,
+    chunkLength,
+    messageIndexOffsets: new Map<number, bigint>(),
+    messageIndexLength: 0n,
+    compression: head.compression,
+    compressedSize: BigInt(head.content.length),
+    uncompressedSize: BigInt(bytes.length),
+  };
+  index.chunks.push(chunk);
+  return { index: chunk, end: record.offset + chunkLength, messages };
+}
+
+function takeMessageIndex(record: StoredRecord, last: LastChunk | undefined): void {
+  if (last === undefined) return;
+  const { offset, bytes, content } = record;
+  const channelId = new DataView(content.buffer, content.byteOffset).getUint16(0, true);
+  last.index.messageIndexOffsets.set(channelId, offset);
+  last.index.messageIndexLength += BigInt(bytes.length);
+}
+
+function takeRecord({ offset, bytes }: StoredRecord, index: FileIndex): void {
+  const length = BigInt(bytes.length);
+  const parsed = parse(bytes.slice());
+  if (parsed?.type === 'Header') index.profile = parsed.profile;
+  else if (parsed?.type === 'Metadata') index.metadata.push({ name: parsed.name, offset, length });
+  else if (parsed?.type === 'Attachment') {
+    index.attachments.push({ ...attachmentHead(parsed), offset, length });
+  } else takeDefinition(parsed, index);
+}
+
+function attachmentHead({ name, logTime, createTime, mediaType, data }: Attachment) {
+  return { name, logTime, createTime, mediaType, dataSize: BigInt(data.length) };
+}
+
+function takeDefinition(record: TypedMcapRecord | undefined, index: FileIndex): void {
+  if (record?.type === 'Schema') index.schemas.set(record.id, record);
+  if (record?.type === 'Channel') index.channels.set(record.id, record);
+}
+
+/** @throws when the record is broken */
+function parse(bytes: Uint8Array): TypedMcapRecord | undefined {
+  const reader = new McapStreamReader({ noMagicPrefix: true });
+  reader.append(bytes);
+  return reader.nextRecord();
+}
+
+function concat(first: Uint8Array, second: Uint8Array): Uint8Array {
+  const bytes = new Uint8Array(first.length + second.length);
+  bytes.set(first);
+  bytes.set(second, first.length);
+  return bytes;
+}

@@ -1,0 +1,107 @@
+import { RECORD_SCHEMA } from '@ubii/proto/record-schema';
+import type { Channel } from '@mcap/core';
+import type { FileIndex } from '../mcap/file-index.ts';
+import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
+import { describeRecord } from '../records/describe-record.ts';
+import { eventSchema } from '../records/event-schemas.ts';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import { EVENT_TOPICS, type EventKind } from '../records/recording-event.ts';
+
+/** Ids of channels have 16 bits; those of events come first. */
+const MAX_CHANNELS = 65_535;
+/** Channels that are kept free for events. */
+const EVENT_CHANNELS = Object.keys(EVENT_TOPICS).length;
+
+/** The channels of a file: one for each topic and publisher, and one for each kind of events. */
+export class Channels {
+  readonly #file: FileIndex;
+  readonly #records = new Map<string, Map<string, Channel>>();
+  readonly #events = new Map<EventKind, Channel>();
+  readonly #clientNames = new Map<string, string>();
+  #recordSchemaId: number | undefined;
+
+  /** @param file gets channels and schemas; those of events that it has are used again */
+  constructor(file: FileIndex) {
+    this.#file = file;
+    for (const [kind, topic] of Object.entries(EVENT_TOPICS)) {
+      for (const channel of file.channels.values()) {
+        if (channel.topic === topic) this.#events.set(kind as EventKind, channel);
+      }
+    }
+  }
+
+  /** Channels of records. */
+  get recordChannels(): number {
+    let count = 0;
+    for (const byClient of this.#records.values()) count += byClient.size;
+    return count;
+  }
+
+  /** Names the channels that a client publishes on from now on. */
+  nameClient(id: string, name: string): void {
+    this.#clientNames.set(id, name);
+  }
+
+  /** The channel of a record; undefined when the file can have no further ones. */
+  ofRecord({ topic, clientId, record }: RecordedRecord): Channel | undefined {
+    let byClient = this.#records.get(topic);
+    if (byClient === undefined) this.#records.set(topic, (byClient = new Map<string, Channel>()));
+    const known = byClient.get(clientId);
+    if (known !== undefined) return known;
+    if (this.#file.channels.size >= MAX_CHANNELS - EVENT_CHANNELS) return undefined;
+    this.#recordSchemaId ??= this.#addSchema(RECORD_SCHEMA_NAME, 'protobuf', recordSchemaBytes());
+    const channel = this.#addChannel(topic, this.#recordSchemaId, 'protobuf', {
+      clientId,
+      clientName: this.#clientNames.get(clientId) ?? '',
+      format: describeRecord(record).format ?? '',
+    });
+    byClient.set(clientId, channel);
+    return channel;
+  }
+
+  /** The channel of a kind of events. */
+  ofEvent(kind: EventKind): Channel {
+    const known = this.#events.get(kind);
+    if (known !== undefined) return known;
+    const schema = new TextEncoder().encode(eventSchema(kind));
+    const schemaId = this.#addSchema(`ubii.recording.${kind}`, 'jsonschema', schema);
+    const channel = this.#addChannel(EVENT_TOPICS[kind], schemaId, 'json', {});
+    this.#events.set(kind, channel);
+    return channel;
+  }
+
+  #addSchema(name: string, encoding: string, data: Uint8Array): number {
+    const id = nextId(this.#file.schemas, 1);
+    this.#file.schemas.set(id, { id, name, encoding, data });
+    return id;
+  }
+
+  #addChannel(
+    topic: string,
+    schemaId: number,
+    messageEncoding: string,
+    metadata: Readonly<Record<string, string>>,
+  ): Channel {
+    const id = nextId(this.#file.channels, 0);
+    const channel = {
+      id,
+      schemaId,
+      topic,
+      messageEncoding,
+      metadata: new Map(Object.entries(metadata)),
+    };
+    this.#file.channels.set(id, channel);
+    return channel;
+  }
+}
+
+/** The lowest id that comes after `first` ones and is free; files of our own have no holes. */
+function nextId(used: ReadonlyMap<number, unknown>, first: number): number {
+  let id = first + used.size;
+  while (used.has(id)) id++;
+  return id;
+}
+
+function recordSchemaBytes(): Uint8Array {
+  return Uint8Array.from(atob(RECORD_SCHEMA), (character) => character.charCodeAt(0));
+}
