@@ -1,6 +1,21 @@
+import { describeRecord } from '../records/describe-record.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecordingWriter } from '../writing/recording-writer.ts';
+import { HeldEvents } from './held-events.ts';
+import type { Slab, SlabChannel, SlabEntry } from './slab.ts';
+import { SlabChannels } from './slab-channels.ts';
+import { SlabQueue } from './slab-queue.ts';
+import { StandingValues } from './standing-values.ts';
+
+/** Larger records are of the other size class. */
+const MAX_SMALL_BYTES = 16 * 1024;
+/** Small records leave memory by slabs of this size, or of a 64th of all. */
+const MAX_SLAB_BYTES = 256 * 1024;
+const SLABS = 64;
+/** Share of memory for values that stand when the window begins, and for events: an eighth each. */
+const SHARE = 8;
+const NS_PER_MS = 1_000_000;
 
 /** What a flight ring may hold. */
 export interface FlightRingLimits {
@@ -12,7 +27,7 @@ export interface FlightRingLimits {
 
 /** What a flight ring holds. */
 export interface FlightRingContent {
-  /** From the oldest record to the newest, milliseconds. */
+  /** From the oldest record to the newest, milliseconds; at most `maxMs`. */
   readonly heldMs: number;
   /** Memory taken, bytes. */
   readonly heldBytes: number;
@@ -24,17 +39,167 @@ export interface FlightRingContent {
  * The last minutes in memory. The oldest records leave first. Large records (over 16 KiB) and small ones have half of
  * the memory each, and more only while the other half is not needed: pictures cannot push out everything else.
  */
-export declare class FlightRing {
-  constructor(limits: FlightRingLimits);
-  get content(): FlightRingContent;
+export class FlightRing {
+  #limits: FlightRingLimits;
+  #channels = new SlabChannels();
+  #small = new SlabQueue();
+  #large = new SlabQueue();
+  #standing = new StandingValues();
+  #events = new HeldEvents();
+  #newestNs = 0n;
+
+  constructor(limits: FlightRingLimits) {
+    this.#limits = limits;
+  }
+
+  get content(): FlightRingContent {
+    return {
+      heldMs: Number(this.#newestNs - this.#startNs()) / NS_PER_MS,
+      heldBytes: this.#small.bytes + this.#large.bytes + this.#standing.bytes + this.#events.bytes,
+      records: this.#small.records + this.#large.records,
+      topics: new Set([...this.#channels.topics, ...this.#standing.topics]).size,
+    };
+  }
+
   /** Keeps a copy of a record. */
-  addRecord(record: RecordedRecord): void;
-  addEvent(event: RecordingEvent): void;
-  /** Changes limits; what exceeds them leaves at once. */
-  setLimits(limits: FlightRingLimits): void;
-  /** Forgets a topic that has no value any more, unless it has records in the window. */
-  forget(topic: string): void;
-  clear(): void;
-  /** Writes what is held; values that are older and still stand are written at the beginning. */
-  writeTo(writer: RecordingWriter): Promise<void>;
+  addRecord(record: RecordedRecord): void {
+    if (!this.#limits.withImages && isImage(record.record)) return;
+    // The clock was set back: what is held would stand in the future for hours.
+    if (record.logTimeNs < this.#windowStartNs()) this.clear();
+    const slabBytes = Math.min(MAX_SLAB_BYTES, Math.floor(this.#limits.maxBytes / SLABS));
+    const channel = this.#channels.take(record);
+    if (record.record.length > MAX_SMALL_BYTES) this.#large.add(channel, record, 0);
+    else this.#small.add(channel, record, slabBytes);
+    if (record.logTimeNs > this.#newestNs) this.#newestNs = record.logTimeNs;
+    this.#evict();
+  }
+
+  addEvent(event: RecordingEvent): void {
+    this.#events.add(event);
+    this.#evict();
+  }
+
+  /** Changes limits; what exceeds them leaves at once. Images that are held stay. */
+  setLimits(limits: FlightRingLimits): void {
+    this.#limits = limits;
+    this.#evict();
+  }
+
+  /** Forgets a topic that has no value any more, except for its records in the window. */
+  forget(topic: string): void {
+    this.#standing.forget(topic);
+  }
+
+  /** Forgets everything. */
+  clear(): void {
+    this.#channels = new SlabChannels();
+    this.#small = new SlabQueue();
+    this.#large = new SlabQueue();
+    this.#standing = new StandingValues();
+    this.#events = new HeldEvents();
+    this.#newestNs = 0n;
+  }
+
+  /** Writes what is held now; values and states that are older and still stand are written at the beginning. */
+  async writeTo(writer: RecordingWriter): Promise<void> {
+    const startNs = this.#startNs();
+    const channels = this.#channels.snapshot();
+    const small = recordsOf(this.#small.entries(), channels);
+    const large = recordsOf(this.#large.entries(), channels);
+    const standing = new StandingValues();
+    for (const record of this.#standing) standing.set(record);
+    for (const event of this.#events) {
+      const timeNs = event.timeNs < startNs ? startNs : event.timeNs;
+      writer.addEvent({ ...event, timeNs });
+    }
+    let hasBegun = false;
+    for (const record of merged(small, large)) {
+      if (record.logTimeNs < startNs) standing.set(record);
+      else {
+        if (!hasBegun) await writeAt(startNs, standing, writer);
+        hasBegun = true;
+        await writer.addRecord(record);
+      }
+    }
+    if (!hasBegun) await writeAt(startNs, standing, writer);
+  }
+
+  /** Log time at which the window begins. */
+  #startNs(): bigint {
+    const oldest = [this.#small.oldest?.oldestNs, this.#large.oldest?.oldestNs]
+      .filter((timeNs) => timeNs !== undefined)
+      .reduce((first, timeNs) => (timeNs < first ? timeNs : first), this.#newestNs);
+    const limit = this.#windowStartNs();
+    return oldest > limit ? oldest : limit;
+  }
+
+  #windowStartNs(): bigint {
+    return this.#newestNs - BigInt(Math.round(this.#limits.maxMs * NS_PER_MS));
+  }
+
+  #evict(): void {
+    const windowStartNs = this.#windowStartNs();
+    for (const queue of [this.#small, this.#large]) {
+      while (queue.oldest !== undefined && queue.oldest.newestNs < windowStartNs) {
+        this.#release(queue.shift()!);
+      }
+    }
+    const { maxBytes } = this.#limits;
+    this.#events.expire(windowStartNs);
+    this.#events.limit(maxBytes / SHARE);
+    for (;;) {
+      while (this.#standing.bytes > maxBytes / SHARE) this.#standing.forgetOldest();
+      const available = maxBytes - this.#standing.bytes - this.#events.bytes;
+      if (this.#small.bytes + this.#large.bytes <= available) return;
+      const isLarge = this.#large.bytes > available / 2;
+      this.#release((isLarge ? this.#large : this.#small).shift()!);
+    }
+  }
+
+  #release(slab: Slab): void {
+    const last = new Map<number, SlabEntry[1]>();
+    for (const [number, record] of slab.entries()) last.set(number, record);
+    for (const [number, record] of last) {
+      this.#standing.set({ ...this.#channels.get(number), ...record });
+    }
+    for (const [number] of slab.entries()) this.#channels.release(number);
+  }
+}
+
+function isImage(record: Uint8Array): boolean {
+  const { format } = describeRecord(record);
+  return format === 'image2D' || format === 'image2DList';
+}
+
+function* recordsOf(
+  entries: Iterable<SlabEntry>,
+  channels: ReadonlyMap<number, SlabChannel>,
+): Generator<RecordedRecord> {
+  for (const [number, record] of entries) yield { ...channels.get(number)!, ...record };
+}
+
+/** Merges two rows of records by log time. */
+function* merged(
+  first: Iterator<RecordedRecord>,
+  second: Iterator<RecordedRecord>,
+): Generator<RecordedRecord> {
+  let a = first.next();
+  let b = second.next();
+  while (a.done !== true || b.done !== true) {
+    if (b.done === true || (a.done !== true && a.value.logTimeNs <= b.value.logTimeNs)) {
+      yield a.value as RecordedRecord;
+      a = first.next();
+    } else {
+      yield b.value as RecordedRecord;
+      b = second.next();
+    }
+  }
+}
+
+async function writeAt(
+  logTimeNs: bigint,
+  records: Iterable<RecordedRecord>,
+  writer: RecordingWriter,
+): Promise<void> {
+  for (const record of records) await writer.addRecord({ ...record, logTimeNs });
 }

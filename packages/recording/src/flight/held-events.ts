@@ -1,0 +1,72 @@
+import type { RecordingEvent } from '../records/recording-event.ts';
+
+interface HeldEvent {
+  readonly event: RecordingEvent;
+  readonly bytes: number;
+}
+
+/** The events of the window, and the last states of sessions, clients and clocks before it. */
+export class HeldEvents {
+  readonly #window: HeldEvent[] = [];
+  readonly #before = new Map<string, HeldEvent>();
+  #bytes = 0;
+
+  get bytes(): number {
+    return this.#bytes;
+  }
+
+  add(event: RecordingEvent): void {
+    const bytes = 256 + 2 * JSON.stringify(event.value).length;
+    this.#window.push({ event, bytes });
+    this.#bytes += bytes;
+  }
+
+  /** Lets events leave the window that were added before the first one that is not earlier than a moment. */
+  expire(beforeNs: bigint): void {
+    while (this.#window.length > 0 && this.#window[0]!.event.timeNs < beforeNs) this.#expireFirst();
+  }
+
+  /** Forgets the oldest: of the window first, as states before it may still apply. */
+  limit(maxBytes: number): void {
+    while (this.#bytes > maxBytes && this.#window.length > 0) this.#expireFirst();
+    for (const key of this.#before.keys()) {
+      if (this.#bytes <= maxBytes) return;
+      this.#forget(key);
+    }
+  }
+
+  /** The states before the window, then the events in it. */
+  *[Symbol.iterator](): Generator<RecordingEvent> {
+    for (const { event } of this.#before.values()) yield event;
+    for (const { event } of this.#window) yield event;
+  }
+
+  #expireFirst(): void {
+    const held = this.#window.shift()!;
+    const key = keyOfState(held.event);
+    if (key === undefined) this.#bytes -= held.bytes;
+    else {
+      this.#forget(key);
+      this.#before.set(key, held);
+    }
+  }
+
+  #forget(key: string): void {
+    this.#bytes -= this.#before.get(key)?.bytes ?? 0;
+    this.#before.delete(key);
+  }
+}
+
+/** What the event tells the state of; undefined when it only happened. */
+function keyOfState({ kind, value }: RecordingEvent): string | undefined {
+  switch (kind) {
+    case 'session':
+    case 'client':
+      return `${kind} ${value.id}`;
+    case 'clock':
+      return `${kind} ${value.clientId}`;
+    case 'marker':
+    case 'gap':
+      return undefined;
+  }
+}
