@@ -1,6 +1,7 @@
-import type { Clock } from '@ubii/timing';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { RecordsReader } from '../reading/recording-reader.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
+import { RecordFeed } from './record-feed.ts';
 
 /** A span of a recording, nanoseconds since the Unix epoch. */
 export interface Span {
@@ -40,23 +41,190 @@ export interface PlaybackOptions {
   readonly tickMs?: number;
 }
 
+const MIN_RATE = 0.1;
+const MAX_RATE = 10;
+const NS_PER_MS = 1_000_000;
+
 /** Plays a recording. Begins paused at the start, and has emitted nothing then: call `seek` to get the first values. */
-export declare class Playback {
-  constructor(options: PlaybackOptions);
-  get state(): PlaybackState;
+export class Playback {
+  readonly #clock: Clock;
+  readonly #reader: RecordsReader;
+  readonly #sink: PlaybackSink;
+  readonly #tickMs: number;
+  #state: PlaybackState;
+  /** Records up to this time were emitted, or are in the values of a seek. */
+  #emittedNs: bigint;
+  /** Monotonic time of the last tick. */
+  #tickedAtMs = 0;
+  #cancelTicks: Cancel = () => undefined;
+  #feed: RecordFeed | undefined;
+  #wantedNs: bigint | undefined;
+  #seeking: Promise<void> | undefined;
+  #isClosed = false;
+
+  constructor({ clock, reader, sink, tickMs = 16 }: PlaybackOptions) {
+    this.#clock = clock;
+    this.#reader = reader;
+    this.#sink = sink;
+    this.#tickMs = tickMs;
+    const { startNs } = reader.summary;
+    this.#state = {
+      status: 'paused',
+      positionNs: startNs,
+      rate: 1,
+      loop: undefined,
+      isBuffering: false,
+    };
+    this.#emittedNs = startNs - 1n;
+  }
+
+  get state(): PlaybackState {
+    return this.#state;
+  }
+
   /** Goes on; from the start (of the loop) when the end was reached. */
-  play(): void;
-  pause(): void;
+  play(): void {
+    const { status, positionNs } = this.#state;
+    if (status === 'playing' || this.#isClosed) return;
+    this.#change({ status: 'playing' });
+    this.#tickedAtMs = this.#clock.monotonicMs();
+    this.#cancelTicks = this.#clock.every(this.#tickMs, () => this.#tick());
+    const { fromNs, untilNs } = this.#span();
+    if (positionNs < fromNs || positionNs >= untilNs) void this.seek(fromNs);
+    else if (this.#seeking === undefined) this.#openFeed();
+  }
+
+  pause(): void {
+    if (this.#state.status !== 'playing') return;
+    this.#halt('paused');
+  }
+
   /** @param rate is limited to 0.1 … 10 */
-  setRate(rate: number): void;
+  setRate(rate: number): void {
+    this.#tick();
+    this.#change({ rate: Math.min(Math.max(rate, MIN_RATE), MAX_RATE) });
+  }
+
   /** Plays this span again and again; undefined ends that. */
-  setLoop(loop: Span | undefined): void;
+  setLoop(loop: Span | undefined): void {
+    this.#change({ loop });
+    if (this.#state.status !== 'playing') return;
+    const { fromNs, untilNs } = this.#span();
+    const { positionNs } = this.#state;
+    if (positionNs < fromNs || positionNs >= untilNs) void this.seek(fromNs);
+    else if (this.#seeking === undefined) this.#openFeed();
+  }
+
   /** Jumps and emits the last value of every topic. While one seek runs, only the newest of further ones is kept. */
-  seek(positionNs: bigint): Promise<void>;
+  seek(positionNs: bigint): Promise<void> {
+    const { startNs, endNs } = this.#reader.summary;
+    this.#wantedNs = clamp(positionNs, startNs, endNs);
+    this.#seeking ??= this.#runSeeks();
+    return this.#seeking;
+  }
+
   /** Pauses and jumps to the next or the previous moment at which the topic has a record; does nothing when there is none. */
-  stepRecord(topic: string, direction: 1 | -1): Promise<void>;
+  async stepRecord(topic: string, direction: 1 | -1): Promise<void> {
+    this.pause();
+    await this.#seeking;
+    const span =
+      direction === 1
+        ? { fromNs: this.#emittedNs + 1n }
+        : { untilNs: this.#state.positionNs - 1n, isReverse: true };
+    for await (const { logTimeNs } of this.#reader.records({ topics: [topic], ...span })) {
+      return this.seek(logTimeNs);
+    }
+  }
+
   /** Pauses and jumps by a time. @param deltaMs may be negative */
-  stepTime(deltaMs: number): Promise<void>;
+  async stepTime(deltaMs: number): Promise<void> {
+    this.pause();
+    await this.#seeking;
+    await this.seek(this.#state.positionNs + BigInt(Math.round(deltaMs * NS_PER_MS)));
+  }
+
   /** Ends timers and reading. */
-  close(): void;
+  close(): void {
+    this.#isClosed = true;
+    this.#cancelTicks();
+    this.#feed?.close();
+  }
+
+  /** What is played: the loop, or all. */
+  #span(): Span {
+    const { startNs, endNs } = this.#reader.summary;
+    return this.#state.loop ?? { fromNs: startNs, untilNs: endNs };
+  }
+
+  #tick(): void {
+    const nowMs = this.#clock.monotonicMs();
+    const elapsedMs = nowMs - this.#tickedAtMs;
+    this.#tickedAtMs = nowMs;
+    if (this.#feed === undefined || this.#state.status !== 'playing') return;
+    const { positionNs, rate, loop } = this.#state;
+    const { fromNs, untilNs } = this.#span();
+    const wantedNs = positionNs + BigInt(Math.round(elapsedMs * rate * NS_PER_MS));
+    const targetNs = wantedNs < untilNs ? wantedNs : untilNs;
+    const { records, reachedNs } = this.#feed.take(targetNs);
+    this.#emittedNs = reachedNs;
+    if (records.length > 0) this.#sink.onRecords(records);
+    const reached = reachedNs > positionNs ? reachedNs : positionNs;
+    this.#change({ positionNs: reached, isBuffering: reachedNs < targetNs });
+    if (reachedNs < untilNs) return;
+    if (loop === undefined) this.#halt('ended');
+    else void this.seek(fromNs);
+  }
+
+  async #runSeeks(): Promise<void> {
+    this.#feed?.close();
+    this.#feed = undefined;
+    while (this.#wantedNs !== undefined && !this.#isClosed) {
+      const positionNs = this.#wantedNs;
+      this.#wantedNs = undefined;
+      const isEnded = this.#state.status === 'ended';
+      this.#change({ positionNs, ...(isEnded && { status: 'paused' }) });
+      try {
+        const latest = await this.#reader.latestAt(positionNs);
+        if (this.#isClosed) return;
+        this.#emittedNs = positionNs;
+        this.#sink.onSeek(latest, positionNs);
+      } catch (error) {
+        this.#fail(error);
+      }
+    }
+    this.#seeking = undefined;
+    if (this.#state.status === 'playing') this.#openFeed();
+  }
+
+  #openFeed(): void {
+    this.#feed?.close();
+    this.#tickedAtMs = this.#clock.monotonicMs();
+    const { untilNs } = this.#span();
+    this.#feed = new RecordFeed(this.#reader, this.#emittedNs + 1n, untilNs, (error) =>
+      this.#fail(error),
+    );
+  }
+
+  #halt(status: 'paused' | 'ended'): void {
+    this.#cancelTicks();
+    this.#feed?.close();
+    this.#feed = undefined;
+    this.#change({ status, isBuffering: false });
+  }
+
+  #fail(error: unknown): void {
+    if (this.#isClosed) return;
+    this.#halt('paused');
+    this.#sink.onError(error);
+  }
+
+  #change(change: Partial<PlaybackState>): void {
+    this.#state = { ...this.#state, ...change };
+    this.#sink.onState(this.#state);
+  }
+}
+
+function clamp(value: bigint, min: bigint, max: bigint): bigint {
+  if (value < min) return min;
+  return value > max ? max : value;
 }
