@@ -16,7 +16,7 @@ export type Installation = { readonly folder: string } | { readonly missing: str
 
 /** Installs one published client, unless an earlier run has. @throws when the installer fails */
 export async function install(kind: ClientKind): Promise<Installation> {
-  if (kind === 'python') return installPython();
+  if (kind === 'python') return installPython(kind);
   const packages = join(CLIENTS, kind, 'packages');
   return {
     folder: await cached(kind, packages, async (folder) => {
@@ -27,7 +27,8 @@ export async function install(kind: ClientKind): Promise<Installation> {
   };
 }
 
-async function installPython(): Promise<Installation> {
+/** Installs the Python packages of `clients/<name>/requirements.txt`. @throws when the installer fails */
+export async function installPython(name: string): Promise<Installation> {
   const version = await run('python3', [
     '-c',
     'import sys, venv, ensurepip; print(sys.version)',
@@ -40,9 +41,9 @@ async function installPython(): Promise<Installation> {
       missing: 'python3 with venv and pip was not found (Debian: apt install python3-venv)',
     };
   }
-  const requirements = join(CLIENTS, 'python/requirements.txt');
+  const requirements = join(CLIENTS, name, 'requirements.txt');
   const folder = await cached(
-    'python',
+    name,
     requirements,
     async (target) => {
       await run('python3', ['-m', 'venv', target]);

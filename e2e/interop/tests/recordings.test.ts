@@ -1,0 +1,132 @@
+import { execFile } from 'node:child_process';
+import { mkdtemp, rm, truncate } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import { encodeRecord, type RecordInit } from '@ubii/proto';
+import { RecordingReader, RecordingWriter, repairRecording } from '@ubii/recording';
+import { DiskFile } from '@ubii/recording/node';
+import { afterAll, beforeAll, describe, expect, inject, test } from 'vitest';
+
+const SCRIPT = join(import.meta.dirname, '../clients/mcap/recordings.py');
+const START_NS = 1_750_000_000_000_000_000n;
+const HEADER = {
+  name: 'Tuesday',
+  kind: 'recording',
+  masterName: 'lab',
+  version: '0.1.0',
+  notes: 'ä',
+  selection: '{}',
+} as const;
+const MARKER = {
+  id: 'm',
+  timeMs: 1_750_000_000_000,
+  text: 'start',
+  author: 'Ada',
+  authorId: 'ada',
+  kind: 'key',
+};
+
+const RECORDS: RecordInit[] = [
+  { topic: '/number', format: 'double', value: 0.25 },
+  { topic: '/pose', format: 'pose3D', value: { position: { x: 1, y: 2, z: 3 } } },
+  { topic: '/names', format: 'stringList', value: { elements: ['a', 'b'] } },
+  {
+    topic: '/camera',
+    format: 'image2D',
+    value: { width: 2, height: 1, data: Uint8Array.of(7, 8) },
+  },
+  { topic: '/empty' },
+];
+
+const installation = inject('mcap');
+const suite = 'mcap 1.6.0 with mcap-protobuf-support 0.6.0';
+
+describe.skipIf('missing' in installation)(suite, () => {
+  let folder: string;
+  beforeAll(async () => {
+    folder = await mkdtemp(join(tmpdir(), 'ubii-recordings-'));
+  });
+  afterAll(() => rm(folder, { recursive: true, force: true }));
+
+  async function python(command: string, path: string) {
+    if ('missing' in installation) throw new Error(installation.missing);
+    const interpreter = join(installation.folder, 'bin/python');
+    const { stdout } = await promisify(execFile)(interpreter, [SCRIPT, command, path]);
+    return JSON.parse(stdout) as Record<string, unknown>;
+  }
+
+  async function record(path: string): Promise<{ readonly dataEnd: number }> {
+    const file = await DiskFile.create(path);
+    const writer = await RecordingWriter.create(file, HEADER);
+    const client = { id: 'ada', name: "Ada's phone", tags: [], state: 'active' };
+    writer.addEvent({ kind: 'client', timeNs: START_NS, value: client });
+    writer.addEvent({ kind: 'marker', timeNs: START_NS, value: MARKER });
+    for (const [i, init] of RECORDS.entries()) {
+      const logTimeNs = START_NS + BigInt(i) * 700_000_000n;
+      const head = { topic: init.topic, clientId: 'ada', logTimeNs, publishTimeNs: logTimeNs - 5n };
+      await writer.addRecord({ ...head, record: encodeRecord(init) });
+    }
+    await writer.flush();
+    const dataEnd = Number(file.position());
+    await writer.end();
+    await file.close();
+    return { dataEnd };
+  }
+
+  const WHOLE = {
+    profile: 'ubi-interact',
+    metadata: { 'ubi-interact': HEADER },
+    messages: RECORDS.length + 2,
+    events: [
+      { topic: '/recording/clients', value: { id: 'ada', name: "Ada's phone" } },
+      { topic: '/recording/markers', value: MARKER },
+    ],
+    records: [
+      {
+        topic: '/number',
+        clientName: "Ada's phone",
+        type: 'ubii.topicData.TopicDataRecord',
+        logTime: String(START_NS),
+        publishTime: String(START_NS - 5n),
+        value: { topic: '/number', double: 0.25 },
+      },
+      { value: { topic: '/pose', pose3D: { position: { x: 1, y: 2, z: 3 } } } },
+      { value: { topic: '/names', stringList: { elements: ['a', 'b'] } } },
+      { value: { topic: '/camera', image2D: { width: 2, height: 1, data: 'Bwg=' } } },
+      { value: { topic: '/empty' } },
+    ],
+  };
+
+  test('opens our recordings and decodes their records by the schema inside', async () => {
+    const path = join(folder, 'ours.mcap');
+    await record(path);
+    expect(await python('read', path)).toMatchObject(WHOLE);
+  });
+
+  test('opens recordings that were cut off and repaired', async () => {
+    const path = join(folder, 'cut.mcap');
+    const { dataEnd } = await record(path);
+    await truncate(path, dataEnd - 10);
+    const file = await DiskFile.edit(path);
+    expect(await repairRecording(file)).toMatchObject({ records: RECORDS.length });
+    await file.close();
+    expect(await python('read', path)).toMatchObject(WHOLE);
+  });
+
+  test('writes files that are read here, as raw topics', async () => {
+    const path = join(folder, 'theirs.mcap');
+    await python('write', path);
+    const file = await DiskFile.open(path);
+    const reader = await RecordingReader.open(file);
+    expect(reader.summary).toMatchObject({ isForeign: true, kind: 'import', records: 1_000 });
+    expect(reader.summary.topics).toMatchObject([
+      { topic: '/foreign', isRaw: true, schemaName: 'sample', messageEncoding: 'json' },
+    ]);
+    const latest = await reader.latestAt(START_NS + 500_000_000n);
+    const { record: bytes, publishTimeNs } = latest.get('/foreign')!;
+    expect(JSON.parse(new TextDecoder().decode(bytes))).toEqual({ i: 500, text: '' });
+    expect(publishTimeNs).toBe(START_NS + 500_000_000n - 5n);
+    await file.close();
+  });
+});
