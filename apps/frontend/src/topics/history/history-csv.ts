@@ -1,4 +1,4 @@
-import { csvText } from './csv-text.ts';
+import { csvField } from '@ubii/words';
 import { plotCsv } from './plot-csv.ts';
 import type { TopicHistory } from './topic-history.ts';
 
@@ -21,7 +21,7 @@ export function historyCsv(history: TopicHistory): string {
     if (!line) continue;
     const { timeMs, arrivalMs, text } = line;
     const times = [timeMs, arrivalMs].flatMap((ms) => [new Date(ms).toISOString(), String(ms)]);
-    rows.push([...times, csvText(text)].join(','));
+    rows.push([...times, csvField(text)].join(','));
   }
   return `${rows.join('\r\n')}\r\n`;
 }

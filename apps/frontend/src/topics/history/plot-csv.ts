@@ -1,4 +1,4 @@
-import { csvText } from './csv-text.ts';
+import { csvField } from '@ubii/words';
 import type { LinePoints } from './series-ring.ts';
 
 /** A column of the CSV. */
@@ -13,7 +13,7 @@ export interface CsvColumn {
  * and epoch milliseconds.
  */
 export function plotCsv(columns: readonly CsvColumn[], startMs: number, endMs: number): string {
-  const header = ['time', 'time_ms', ...columns.map(({ name }) => csvText(name))];
+  const header = ['time', 'time_ms', ...columns.map(({ name }) => csvField(name))];
   const rows = [header.join(',')];
   const next = columns.map(({ points }) => points?.indexAtOrAfter(startMs) ?? 0);
   const timeOf = (column: number): number => {
