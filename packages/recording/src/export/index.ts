@@ -1,0 +1,11 @@
+export { flattenValue, type Cell } from './flatten-value.ts';
+export {
+  topicTable,
+  type TableColumn,
+  type TableOptions,
+  type TableRow,
+  type TopicTable,
+} from './topic-table.ts';
+export { csvOf } from './csv.ts';
+export { writeParquet } from './parquet.ts';
+export { xdfOf, type XdfOptions } from './xdf/xdf.ts';
