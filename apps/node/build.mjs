@@ -10,7 +10,7 @@ const inPackage = (path) => fileURLToPath(new URL(path, import.meta.url));
 const outdir = inPackage(process.argv[2] ?? 'dist');
 rmSync(outdir, { recursive: true, force: true });
 await build({
-  entryPoints: [inPackage('src/main.ts')],
+  entryPoints: { main: inPackage('src/main.ts'), recordings: inPackage('src/recordings-main.ts') },
   outdir,
   bundle: true,
   platform: 'node',

@@ -77,6 +77,9 @@ const builds = {
 /** Path of the built node, relative to the root. */
 export const nodeProgram = builds.node.output;
 
+/** Path of the built programs for recordings, relative to the root. */
+export const recordingsProgram = 'apps/node/dist/recordings.js';
+
 /** Path of the built program that downloads models, relative to the root. */
 export const modelsProgram = 'apps/master/dist/models.js';
 

@@ -9,6 +9,7 @@ const masterFolder = inPackage('.cache/master/');
 
 /** The built programs. */
 export const nodeProgram = join(nodeFolder, 'main.js');
+export const recordingsProgram = join(nodeFolder, 'recordings.js');
 export const masterProgram = join(masterFolder, 'main.js');
 
 /** Builds both programs into a folder of these tests, once for all test files. */

@@ -4,6 +4,8 @@ import { temporaryFolder } from '@ubii/program/testing';
 import { onTestFinished } from 'vitest';
 import { masterProgram, nodeProgram } from './build-programs.ts';
 
+export { recordingsProgram } from './build-programs.ts';
+
 /** A running program and its output. */
 export class Program {
   readonly child: ChildProcess;

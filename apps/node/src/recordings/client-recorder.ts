@@ -1,0 +1,156 @@
+import type { UbiiClient } from '@ubii/client-web/node';
+import type { EncodedRecord } from '@ubii/client-web/node';
+import { SessionState, toJson } from '@ubii/proto';
+import { describeRecord, type RecordedRecord, type RecordingWriter } from '@ubii/recording';
+
+/** What is collected is written after this time: an end without warning loses no more. Milliseconds. */
+const FLUSH_MS = 1000;
+
+/** Which records a recorder takes, and when it ends by itself. */
+export interface RecorderChoice {
+  /** Subscriptions: topics and globs. */
+  readonly patterns: readonly string[];
+  isChosen(topic: string): boolean;
+  readonly withImages: boolean;
+  /** Longest duration, milliseconds; Infinity: none. */
+  readonly maxMs: number;
+  /** Largest file, bytes; Infinity: none. */
+  readonly maxBytes: number;
+  /** Called about once a second, when everything that came is in the file. */
+  onProgress(): void;
+}
+
+/** Writes what a client receives into a recording. */
+export class ClientRecorder {
+  readonly #client: UbiiClient;
+  readonly #writer: RecordingWriter;
+  readonly #choice: RecorderChoice;
+  readonly #knownClients = new Set<string>();
+  readonly #abort = new AbortController();
+  #startNs: bigint | undefined;
+  #lastNs = 0n;
+
+  constructor(client: UbiiClient, writer: RecordingWriter, choice: RecorderChoice) {
+    this.#client = client;
+    this.#writer = writer;
+    this.#choice = choice;
+  }
+
+  /** From the first record to the last, nanoseconds. */
+  get lengthNs(): bigint {
+    return this.#startNs === undefined ? 0n : this.#lastNs - this.#startNs;
+  }
+
+  /**
+   * Records until `signal` is aborted or a limit is reached.
+   *
+   * @returns why it ended, as a sentence
+   * @throws the error of the file
+   */
+  async run(signal: AbortSignal): Promise<string> {
+    await this.#writeClients();
+    await this.#writeSessions();
+    const { patterns, maxMs } = this.#choice;
+    const ends = patterns.map((glob) =>
+      this.#client.subscribeEncoded(
+        { glob },
+        { onRecord: (record) => this.#take(record), onGone: () => undefined },
+      ),
+    );
+    const timer = setInterval(() => void this.#flush(), FLUSH_MS);
+    const limit = Number.isFinite(maxMs)
+      ? setTimeout(() => this.#abort.abort('The time is over'), maxMs)
+      : undefined;
+    try {
+      await aborted(AbortSignal.any([signal, this.#abort.signal]));
+    } finally {
+      clearInterval(timer);
+      clearTimeout(limit);
+      for (const end of ends) end();
+    }
+    const { reason } = this.#abort.signal as { reason: unknown };
+    if (reason instanceof Error) throw reason;
+    return typeof reason === 'string' ? reason : 'Stopped';
+  }
+
+  #take({ topic, bytes, publisherId }: EncodedRecord): void {
+    if (this.#abort.signal.aborted || !this.#choice.isChosen(topic)) return;
+    const { format, timestampMs } = describeRecord(bytes);
+    if (!this.#choice.withImages && (format === 'image2D' || format === 'image2DList')) return;
+    if (publisherId !== '' && !this.#knownClients.has(publisherId)) void this.#writeClients();
+    const logTimeNs = this.#nowNs();
+    this.#startNs ??= logTimeNs;
+    this.#lastNs = logTimeNs;
+    const publishTimeNs = timestampMs === undefined ? logTimeNs : nsOf(timestampMs);
+    this.#add({ topic, clientId: publisherId, record: bytes, logTimeNs, publishTimeNs });
+    if (this.#writer.statistics.bytes >= this.#choice.maxBytes) {
+      this.#abort.abort('The file has its largest size');
+    }
+  }
+
+  #add(record: RecordedRecord): void {
+    try {
+      this.#writer.addRecord(record)?.catch((error: unknown) => this.#fail(error));
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  async #flush(): Promise<void> {
+    try {
+      await this.#writer.flush();
+      this.#choice.onProgress();
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  #fail(error: unknown): void {
+    this.#abort.abort(error instanceof Error ? error : new Error(String(error)));
+  }
+
+  /** Names of the clients, also of those that came meanwhile. */
+  async #writeClients(): Promise<void> {
+    const { elements } = await this.#client.call('clientGetList');
+    for (const { id = '', name, tags } of elements) {
+      if (this.#knownClients.has(id)) continue;
+      this.#knownClients.add(id);
+      const value = { id, name, tags, state: 'active' };
+      this.#writer.addEvent({ kind: 'client', timeNs: this.#nowNs(), value });
+    }
+  }
+
+  /** The sessions with their modules, as they are now. */
+  async #writeSessions(): Promise<void> {
+    const { elements } = await this.#client.call('sessionRuntimeGetList');
+    for (const session of elements) {
+      const { id, name, extension } = session;
+      const value = {
+        ...{ id, name, state: stateText(extension?.state) },
+        session: JSON.stringify(toJson('ubii.sessions.Session', session)),
+      };
+      this.#writer.addEvent({ kind: 'session', timeNs: this.#nowNs(), value });
+    }
+  }
+
+  #nowNs(): bigint {
+    return nsOf(this.#client.masterTime.nowMs());
+  }
+}
+
+function stateText(state: SessionState | undefined): string {
+  const entry = Object.entries(SessionState).find(([, value]) => value === state);
+  return (entry?.[0] ?? 'SESSION_CREATED').replace('SESSION_', '').toLowerCase();
+}
+
+/** @param ms milliseconds, with fractions down to a microsecond */
+function nsOf(ms: number): bigint {
+  return BigInt(Math.round(ms * 1000)) * 1000n;
+}
+
+function aborted(signal: AbortSignal): Promise<void> {
+  return new Promise((resolve) => {
+    if (signal.aborted) resolve();
+    else signal.addEventListener('abort', () => resolve(), { once: true });
+  });
+}

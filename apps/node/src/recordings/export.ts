@@ -1,0 +1,131 @@
+import { createWriteStream } from 'node:fs';
+import { mkdir } from 'node:fs/promises';
+import { once } from 'node:events';
+import { join } from 'node:path';
+import {
+  choiceOption,
+  ConfigError,
+  HELP_OPTIONS,
+  listOption,
+  parsePath,
+  option,
+} from '@ubii/program';
+import type { OptionValues, ProgramOptions } from '@ubii/program';
+import type { RecordingReader } from '@ubii/recording';
+import { csvOf, topicTable, writeParquet, xdfOf } from '@ubii/recording/export';
+import { openRecording } from './recording-words.ts';
+import { parseTopics, topicChoice } from './topic-choice.ts';
+
+const OPTIONS = {
+  format: choiceOption(
+    ['csv', 'parquet', 'xdf'],
+    'csv',
+    'csv and parquet: a file for each topic; xdf: one file with all topics.',
+  ),
+  topics: listOption('<topic|glob>,...', 'Topics to export. Default: all', parseTopics),
+  out: option({
+    placeholder: '<folder>',
+    fallback: '.',
+    description: 'Folder of the files. It is created when it does not exist.',
+    parse: parsePath,
+  }),
+  ...HELP_OPTIONS,
+} as const;
+
+/** `npm run export` */
+export const EXPORT_PROGRAM: ProgramOptions<typeof OPTIONS> = {
+  options: OPTIONS,
+  takesWords: true,
+  about: `Ubi-Interact recordings: writes a recording as tables (CSV, Parquet) or as XDF.
+
+  npm run export -- <file.mcap> [flags]
+`,
+};
+
+/** Where an export writes to. */
+interface Output {
+  readonly write: (part: string | Uint8Array) => Promise<void>;
+  readonly end: () => Promise<void>;
+}
+
+/**
+ * Exports a recording. Files that exist are not replaced.
+ *
+ * @throws ConfigError when it cannot be read, has none of the topics, or a file exists
+ */
+export async function exportRecording(
+  [path, ...more]: readonly string[],
+  { format, topics, out }: OptionValues<typeof OPTIONS>,
+  signal: AbortSignal,
+  write: (text: string) => void,
+): Promise<void> {
+  if (more.length > 0) throw new ConfigError('Export one recording at a time.');
+  const { file, reader } = await openRecording(path);
+  try {
+    const chosen = chosenTopics(reader, topics);
+    await mkdir(out, { recursive: true });
+    if (format === 'xdf') {
+      const target = join(out, `${fileName(reader.summary.name || 'recording')}.xdf`);
+      const output = await createOutput(target);
+      for await (const part of xdfOf(reader, { topics: chosen, signal })) await output.write(part);
+      await output.end();
+      write(`${target}\n`);
+      return;
+    }
+    for (const topic of chosen) {
+      const target = join(out, `${fileName(topic)}.${format}`);
+      await exportTable(reader, topic, format, await createOutput(target), signal);
+      write(`${target}\n`);
+    }
+  } finally {
+    await file.close();
+  }
+}
+
+async function exportTable(
+  reader: RecordingReader,
+  topic: string,
+  format: 'csv' | 'parquet',
+  output: Output,
+  signal: AbortSignal,
+): Promise<void> {
+  const names = new Map(reader.summary.topics.map((each) => [each.clientId, each.clientName]));
+  const nameOf = (id: string): string => names.get(id) || id;
+  const table = await topicTable(reader, topic, { signal });
+  if (format === 'parquet') await writeParquet(table, output.write, nameOf);
+  else for await (const part of csvOf(table, nameOf)) await output.write(part);
+  await output.end();
+}
+
+function chosenTopics(reader: RecordingReader, topics: readonly string[]): readonly string[] {
+  const isChosen = topics.length === 0 ? () => true : topicChoice(topics);
+  const all = reader.summary.topics.filter(({ isRaw }) => !isRaw).map(({ topic }) => topic);
+  const chosen = [...new Set(all)].filter(isChosen);
+  if (chosen.length > 0) return chosen;
+  throw new ConfigError('The recording has none of these topics. "npm run info" lists its topics.');
+}
+
+/** @throws ConfigError when the file exists or cannot be created */
+async function createOutput(path: string): Promise<Output> {
+  const stream = createWriteStream(path, { flags: 'wx' });
+  try {
+    await once(stream, 'open');
+  } catch (error) {
+    const { code, message } = error as NodeJS.ErrnoException;
+    const reason = code === 'EEXIST' ? 'it exists. Choose another folder with --out' : message;
+    throw new ConfigError(`The file ${path} cannot be written: ${reason}.`);
+  }
+  return {
+    async write(part) {
+      if (!stream.write(part)) await once(stream, 'drain');
+    },
+    async end() {
+      stream.end();
+      await once(stream, 'finish');
+    },
+  };
+}
+
+function fileName(text: string): string {
+  return text.replace(/^\/+/, '').replace(/[^\w.-]+/g, '-') || 'recording';
+}
