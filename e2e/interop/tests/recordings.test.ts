@@ -1,10 +1,11 @@
 import { execFile } from 'node:child_process';
-import { mkdtemp, rm, truncate } from 'node:fs/promises';
+import { mkdtemp, rm, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { encodeRecord, type RecordInit } from '@ubii/proto';
 import { RecordingReader, RecordingWriter, repairRecording } from '@ubii/recording';
+import { xdfOf } from '@ubii/recording/export';
 import { DiskFile } from '@ubii/recording/node';
 import { afterAll, beforeAll, describe, expect, inject, test } from 'vitest';
 
@@ -40,7 +41,7 @@ const RECORDS: RecordInit[] = [
 ];
 
 const installation = inject('mcap');
-const suite = 'mcap 1.6.0 with mcap-protobuf-support 0.6.0';
+const suite = 'mcap 1.6.0 with mcap-protobuf-support 0.6.0, and pyxdf 1.17.5';
 
 describe.skipIf('missing' in installation)(suite, () => {
   let folder: string;
@@ -128,5 +129,39 @@ describe.skipIf('missing' in installation)(suite, () => {
     expect(JSON.parse(new TextDecoder().decode(bytes))).toEqual({ i: 500, text: '' });
     expect(publishTimeNs).toBe(START_NS + 500_000_000n - 5n);
     await file.close();
+  });
+
+  test('opens an export as XDF, and brings the times of each publisher to those of the master', async () => {
+    const path = join(folder, 'clock.mcap');
+    const file = await DiskFile.create(path);
+    const writer = await RecordingWriter.create(file, HEADER);
+    for (let i = 0; i < 10; i++) {
+      const logTimeNs = START_NS + BigInt(i) * 1_000_000_000n;
+      const clock = { clientId: 'ada', offsetMs: 2_000, errorMs: 1, driftPpm: 0 };
+      writer.addEvent({ kind: 'clock', timeNs: logTimeNs, value: clock });
+      const value = { x: i, y: 10 - i };
+      await writer.addRecord({
+        ...{ topic: '/place', clientId: 'ada', logTimeNs },
+        publishTimeNs: logTimeNs + 2_000_000_000n,
+        record: encodeRecord({ topic: '/place', format: 'vector2', value }),
+      });
+    }
+    writer.addEvent({ kind: 'marker', timeNs: START_NS, value: MARKER });
+    await writer.end();
+    const parts: Uint8Array[] = [];
+    for await (const part of xdfOf(await RecordingReader.open(file))) parts.push(part);
+    await file.close();
+    const xdf = join(folder, 'clock.xdf');
+    await writeFile(xdf, Buffer.concat(parts));
+    const { streams } = (await python('xdf', xdf)) as {
+      streams: { name: string; times: number[]; values: unknown[] }[];
+    };
+    expect(streams.map(({ name }) => name)).toEqual(['/place', 'Markers']);
+    const [place, markers] = streams;
+    expect(place!.values).toEqual(Array.from({ length: 10 }, (_, i) => [i, 10 - i]));
+    for (const [i, time] of place!.times.entries()) {
+      expect(time).toBeCloseTo(Number(START_NS / 1_000_000_000n) + i, 5);
+    }
+    expect(markers!.values).toEqual([['start']]);
   });
 });

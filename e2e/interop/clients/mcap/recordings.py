@@ -1,4 +1,4 @@
-"""Reads and writes MCAP files with the published packages: `read <file>` prints JSON, `write <file>` makes a file."""
+"""Reads and writes recordings with published packages: `read` and `xdf` print a file as JSON, `write` makes an MCAP file."""
 
 import json
 import sys
@@ -7,6 +7,7 @@ from google.protobuf.json_format import MessageToDict
 from mcap.reader import make_reader
 from mcap.writer import Writer
 from mcap_protobuf.decoder import DecoderFactory
+from pyxdf import load_xdf
 
 
 def read(path):
@@ -43,6 +44,21 @@ def read(path):
         }
 
 
+def xdf(path):
+    streams, _ = load_xdf(path)
+    return {
+        "streams": [
+            {
+                "name": stream["info"]["name"][0],
+                "format": stream["info"]["channel_format"][0],
+                "times": [float(time) for time in stream["time_stamps"]],
+                "values": [list(sample) for sample in stream["time_series"]],
+            }
+            for stream in streams
+        ]
+    }
+
+
 def write(path):
     with open(path, "wb") as file:
         writer = Writer(file, chunk_size=4_000)
@@ -59,4 +75,4 @@ def write(path):
 
 
 command, path = sys.argv[1:]
-print(json.dumps({"read": read, "write": write}[command](path)))
+print(json.dumps({"read": read, "write": write, "xdf": xdf}[command](path)))
