@@ -47,3 +47,18 @@ test('the example sends pictures through a module, shows what comes out, and cha
     await expect.poll(async () => (await robot.call('sessionRuntimeGetList')).elements).toEqual([]);
   });
 });
+
+test('pictures and outputs fill the window of a desk without scrolling', async ({ room }) => {
+  const { page } = await room.atDesk('Ben');
+  await page.goto('/examples/image-processing');
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  const after = page.getByRole('img', { name: 'The newest picture' });
+  await expect(after).toBeVisible();
+  const stage = page.getByRole('figure').filter({ has: after }).first();
+  const { width, height } = page.viewportSize()!;
+  const box = (await stage.boundingBox())!;
+  expect(box.width).toBeGreaterThan(width / 2);
+  expect(box.height).toBeGreaterThan(height / 2);
+  expect(box.y + box.height).toBeLessThanOrEqual(height);
+  await expect(page.getByRole('region', { name: 'Outputs' })).toBeInViewport({ ratio: 1 });
+});
