@@ -9,13 +9,13 @@ test('the example sends pictures through a module, shows what comes out, and cha
   const outputs = page.getByRole('region', { name: 'Outputs' });
   await page.getByRole('button', { name: 'Start', exact: true }).tap();
   // The default output differs from the input.
-  await expect(outputs).toContainText('480×270 GRAY8');
+  await expect(outputs).toContainText(' GRAY8,');
   await expect(page.getByRole('img', { name: 'The newest picture' })).toBeVisible();
 
   await test.step('a parameter applies while it runs', async () => {
     const format = page.getByRole('combobox', { name: 'format', exact: true });
     await format.selectOption('RGB8');
-    await expect(outputs).toContainText('480×270 RGB8');
+    await expect(outputs).toContainText(' RGB8,');
   });
 
   await test.step('what was wrong with one module is not told of the next', async () => {
@@ -25,7 +25,7 @@ test('the example sends pictures through a module, shows what comes out, and cha
     await expect(page.getByRole('alert')).toContainText('is outside of the picture');
     await page.getByRole('combobox', { name: 'Module' }).tap();
     await page.getByRole('option', { name: /^picture-edges/ }).tap();
-    await expect(outputs).toContainText('480×270 GRAY8');
+    await expect(outputs).toContainText(' GRAY8,');
     await expect(page.getByRole('alert')).toHaveCount(0);
   });
 
@@ -61,4 +61,21 @@ test('pictures and outputs fill the window of a desk without scrolling', async (
   expect(box.height).toBeGreaterThan(height / 2);
   expect(box.y + box.height).toBeLessThanOrEqual(height);
   await expect(page.getByRole('region', { name: 'Outputs' })).toBeInViewport({ ratio: 1 });
+});
+
+test('a module that finds nothing says so and offers sources in which it may', async ({ room }) => {
+  const { page } = await room.atDesk('Ben');
+  await page.goto('/examples/image-processing');
+  await page.getByRole('combobox', { name: 'Module' }).click();
+  await page.getByRole('option', { name: /^hand-pose/ }).click();
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  const hint = page.getByRole('status').filter({ hasText: 'hand-pose found nothing' });
+  await expect(hint).toBeVisible({ timeout: 60_000 });
+  await hint.getByRole('button', { name: 'Clip: Drawn hand' }).click();
+  await expect(page.getByRole('combobox', { name: 'Built-in clip' })).toContainText('Drawn hand');
+  const hands = page
+    .getByRole('listitem')
+    .filter({ has: page.getByRole('link', { name: 'hands' }) });
+  await expect(hands).toContainText('1.00', { timeout: 30_000 });
+  await expect(hint).toHaveCount(0);
 });

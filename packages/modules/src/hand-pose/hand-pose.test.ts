@@ -1,5 +1,5 @@
 import type { Object2DList, Object3DList } from '@ubii/proto';
-import { HAND_POINTS, handScene } from '@ubii/vision/testing/hands';
+import { HAND_POINTS, handPicture } from '@ubii/vision/hand-picture';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { DrivenModule } from '../../test/drive-module.ts';
 import { driveWithVision, photoImage } from '../../test/vision-assets.ts';
@@ -23,7 +23,7 @@ const detect = async (image: unknown) =>
     error?: string;
   };
 function scene() {
-  const { width, height, data, format } = handScene(420, 300, HAND);
+  const { width, height, data, format } = handPicture(420, 300, HAND);
   const dataFormat = ['GRAY8', 'RGB8', 'RGBA8'].indexOf(format);
   return { width, height, dataFormat, data: new Uint8Array(data) };
 }

@@ -1,7 +1,7 @@
 import * as tf from '@tensorflow/tfjs-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { readAssetSet } from '../../scripts/asset-sets.mjs';
-import { HAND_POINTS, handScene } from '../../test/hand-scene.ts';
+import { HAND_POINTS, handPicture } from '../hand-picture.ts';
 import { readPhoto } from '../../test/photos.ts';
 import { cutSquare } from '../image-tools/cut-square.ts';
 import { createTensorflow, type Tensorflow } from '../tensorflow/create-tensorflow.ts';
@@ -35,7 +35,7 @@ function meanError(
 
 describe('hand poses', () => {
   it('finds the keypoints of a hand where they were drawn, and its size', async () => {
-    const scene = handScene(420, 300, HAND);
+    const scene = handPicture(420, 300, HAND);
     const hands = await detector.detect(scene);
     expect(hands).toHaveLength(1);
     expect(hands[0]!.score).toBeGreaterThan(0.9);
@@ -55,7 +55,7 @@ describe('hand poses', () => {
   });
 
   it.each([-0.8, Math.PI / 2])('finds a hand that is turned by %f', async (angle) => {
-    const upright = handScene(320, 320, { ...HAND, x: 75, y: 75 });
+    const upright = handPicture(320, 320, { ...HAND, x: 75, y: 75 });
     const scene = cutSquare(upright, { x: 160, y: 160, side: 320, angle: -angle }, 320);
     const [hand] = await detector.detect(scene);
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
@@ -67,8 +67,8 @@ describe('hand poses', () => {
   });
 
   it('tells left from right by the thumb', async () => {
-    const [left] = await detector.detect(handScene(320, 300, HAND));
-    const [right] = await detector.detect(handScene(320, 300, { ...HAND, isMirrored: true }));
+    const [left] = await detector.detect(handPicture(320, 300, HAND));
+    const [right] = await detector.detect(handPicture(320, 300, { ...HAND, isMirrored: true }));
     expect([left!.side, right!.side]).toEqual(['left', 'right']);
   });
 
@@ -78,7 +78,7 @@ describe('hand poses', () => {
 
   it('keeps to threshold, and frees what an inference takes', async () => {
     const before = tf.memory().numTensors;
-    expect(await detector.detect(handScene(320, 300, HAND), { threshold: 1 })).toEqual([]);
+    expect(await detector.detect(handPicture(320, 300, HAND), { threshold: 1 })).toEqual([]);
     expect(tf.memory().numTensors).toBe(before);
   });
 

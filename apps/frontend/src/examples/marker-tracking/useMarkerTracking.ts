@@ -13,7 +13,7 @@ import { useIsOn } from '../pictures/useIsOn.ts';
 import { useKeptPlace } from '../pictures/useKeptChoice.ts';
 import { useLookedAt } from '../pictures/useLookedAt.ts';
 import { useSentPictures } from '../pictures/useSentPictures.ts';
-import { CLIP_MARKER_METRES } from './marker-clip.ts';
+import { CLIP_MARKER_METRES } from '../pictures/clips/marker-clip.ts';
 import { MarkerReadings, type MarkerReading } from './marker-readings.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
 

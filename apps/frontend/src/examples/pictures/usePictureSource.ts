@@ -1,19 +1,11 @@
-import { systemClock } from '@ubii/client-web';
 import { useEventListener } from '@vueuse/core';
-import {
-  computed,
-  onScopeDispose,
-  shallowRef,
-  watch,
-  type ComputedRef,
-  type ShallowRef,
-} from 'vue';
+import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { PictureSource } from '../../devices/camera/encode-picture.ts';
-import { pictureClock } from '../../devices/camera/picture-clock.ts';
 import { useCamera } from '../../devices/camera/useCamera.ts';
 import { useFrameTimes } from '../../devices/camera/useFrameTimes.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
-import { CLIP_RATE_HZ, drawClip, loadClip } from './clip.ts';
+import type { ClipName } from './clips/clips.ts';
+import { useClip } from './clips/useClip.ts';
 import { useKeptChoice } from './useKeptChoice.ts';
 
 /** Kinds of picture sources. */
@@ -21,9 +13,10 @@ export type SourceKind = 'clip' | 'camera' | 'photo' | 'topic';
 
 type PictureElement = HTMLVideoElement | HTMLCanvasElement;
 
-/** Source of pictures: the built-in clip, a camera, an image file, or a topic. */
+/** Source of pictures: a built-in clip, a camera, an image file, or a topic. */
 export interface PictureSources {
   readonly kind: ShallowRef<SourceKind>;
+  readonly clip: ShallowRef<ClipName>;
   readonly camera: ReturnType<typeof useCamera>;
   /** Displayed element; `undefined` while there is no picture, and for a topic. */
   readonly element: ComputedRef<PictureElement | undefined>;
@@ -44,18 +37,15 @@ export interface PictureSources {
   givenHz(): number | undefined;
 }
 
-const CLIP_SIZE = { width: 960, height: 540 };
 /** Longer side of a photograph to which larger ones are scaled down, pixels. */
 const MAX_PHOTO_SIDE = 1280;
 
 /**
- * Sources of a page, while the calling scope is active; initially the built-in clip.
+ * Sources of a page, while the calling scope is active; initially a built-in clip.
  *
- * @param drawOwn draws a frame of another clip, instead of the one with photographs
+ * @param firstClip the clip until the user selects another one
  */
-export function usePictureSource(
-  drawOwn?: (canvas: HTMLCanvasElement, timeMs: number) => void,
-): PictureSources {
+export function usePictureSource(firstClip: ClipName = 'photos'): PictureSources {
   // Files and topics are not restored.
   const kind = useKeptChoice<SourceKind>('source', 'clip', (kept) => kept === 'camera');
   const topic = shallowRef('');
@@ -67,18 +57,11 @@ export function usePictureSource(
 
   const given = new RateMeter();
 
-  const clip = document.createElement('canvas');
-  Object.assign(clip, CLIP_SIZE);
-  const clipPhotos = shallowRef<readonly ImageBitmap[]>();
-  let clipMs = 0;
-  let isLoading = false;
-  function draw(): void {
-    if (!clipPhotos.value && !drawOwn) return;
-    clipMs += 1000 / CLIP_RATE_HZ;
-    given.note(performance.now());
-    if (drawOwn) drawOwn(clip, clipMs);
-    else drawClip(clip, clipPhotos.value!, clipMs);
-  }
+  const clip = useClip(firstClip, {
+    isShown: () => kind.value === 'clip',
+    isSent: () => isSent.value,
+    onDrawn: () => given.note(performance.now()),
+  });
 
   const video = document.createElement('video');
   Object.assign(video, { autoplay: true, playsInline: true, muted: true });
@@ -102,24 +85,8 @@ export function usePictureSource(
     });
   }
 
-  watch(
-    [kind, isSent],
-    ([next, sent], _before, onCleanup) => {
-      if (next !== 'camera') camera.stop();
-      if (next !== 'clip') return;
-      const clock = sent ? pictureClock : systemClock;
-      onCleanup(clock.every(1000 / CLIP_RATE_HZ, draw));
-      if (isLoading || drawOwn) return;
-      isLoading = true;
-      loadClip().then(
-        (photos) => (clipPhotos.value = photos),
-        () => (isLoading = false), // The master is disconnected, which the shell shows.
-      );
-    },
-    { immediate: true },
-  );
-  onScopeDispose(() => {
-    for (const one of clipPhotos.value ?? []) one.close();
+  watch(kind, (next) => {
+    if (next !== 'camera') camera.stop();
   });
 
   async function takeFile(file: File): Promise<void> {
@@ -142,7 +109,7 @@ export function usePictureSource(
 
   const isMeasured = computed(() => kind.value === 'clip' || kind.value === 'camera');
   const element = computed((): PictureElement | undefined => {
-    if (kind.value === 'clip') return (clipPhotos.value || drawOwn) && clip;
+    if (kind.value === 'clip') return clip.canvas.value;
     if (kind.value === 'camera') return camera.stream.value && video;
     return kind.value === 'photo' ? photo.value : undefined;
   });
@@ -154,6 +121,7 @@ export function usePictureSource(
 
   return {
     kind,
+    clip: clip.name,
     camera,
     element,
     size,

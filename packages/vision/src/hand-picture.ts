@@ -1,4 +1,4 @@
-import type { OwnPicture } from '../src/picture.ts';
+import type { OwnPicture } from './picture.ts';
 
 type Point = readonly [number, number];
 
@@ -67,7 +67,7 @@ const SKIN = [235, 180, 150];
  *
  * @param hand top left corner and side of its square, in pixels; mirrored, its thumb is at the right
  */
-export function handScene(
+export function handPicture(
   width: number,
   height: number,
   hand: { x: number; y: number; side: number; isMirrored?: boolean },

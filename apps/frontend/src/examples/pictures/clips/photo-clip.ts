@@ -2,6 +2,7 @@ import astronaut from '@ubii/vision/photos/astronaut.jpg?url';
 import camera from '@ubii/vision/photos/camera.jpg?url';
 import chelsea from '@ubii/vision/photos/chelsea.jpg?url';
 import coffee from '@ubii/vision/photos/coffee.jpg?url';
+import type { Clip } from './clip.ts';
 
 /** Photographs of the built-in clip; rights: `packages/vision/photos/README.md`. */
 const PHOTOS = [coffee, astronaut, chelsea, camera];
@@ -12,10 +13,9 @@ const SHOWN_MS = 5000;
 const FADE_MS = 400;
 /** Zoom while a photograph is shown, as a share. */
 const ZOOM = 0.12;
-export const CLIP_RATE_HZ = 30;
 
 /** Returns the visible photographs at a time of the clip, with their opacities. */
-export function clipFrame(
+function clipFrame(
   timeMs: number,
   count: number,
 ): readonly { readonly index: number; readonly scale: number; readonly alpha: number }[] {
@@ -28,18 +28,24 @@ export function clipFrame(
   return [before, { ...now, alpha: inside / FADE_MS }];
 }
 
-/** Loads the photographs of the clip. */
-export async function loadClip(): Promise<readonly ImageBitmap[]> {
-  return await Promise.all(
+/** Loads the clip of photographs. */
+export async function loadPhotoClip(): Promise<Clip> {
+  const photos = await Promise.all(
     PHOTOS.map(async (url) => {
       const response = await fetch(url);
       return await createImageBitmap(await response.blob());
     }),
   );
+  return {
+    draw: (canvas, timeMs) => drawPhotos(canvas, photos, timeMs),
+    close() {
+      for (const photo of photos) photo.close();
+    },
+  };
 }
 
 /** Draws a frame of the clip; photographs fill the canvas and are cropped. */
-export function drawClip(
+function drawPhotos(
   canvas: HTMLCanvasElement,
   photos: readonly ImageBitmap[],
   timeMs: number,
