@@ -36,6 +36,22 @@ describe('the gallery', () => {
 });
 
 describe('the session of an example', () => {
+  it.each(GALLERY)(
+    'says what $id does, and names what to look at in its graph',
+    ({ id, advice }) => {
+      const { description, ioMappings } = sessionOf(id, ANN);
+      expect(description.endsWith(` ${advice}`)).toBe(true);
+      const names = ioMappings.flatMap(({ inputMappings, outputMappings }) => [
+        ...inputMappings.map(({ topicMux }) => topicMux?.name),
+        ...outputMappings.map(({ topic }) => topic?.split('/').at(-1)),
+      ]);
+      names.push(...EXAMPLE_SESSIONS[id].processingModules!.map(({ name }) => name ?? undefined));
+      const quoted = [...advice.matchAll(/“([^”]+)”/g)].map(([, name]) => name);
+      expect(quoted.length).toBeGreaterThan(0);
+      for (const name of quoted) expect(names).toContain(name);
+    },
+  );
+
   it('takes the inputs of the client that starts it', () => {
     const session = sessionOf('click-counter', ANN);
     expect(session.name).toBe('Click counter');

@@ -16,7 +16,7 @@ export function gallerySession(
   );
   return {
     ...spec,
-    description: entry.sentence,
+    description: `${entry.sentence} ${entry.advice}`,
     tags: [...(spec.tags ?? []), tagOf(entry)],
     ioMappings: (spec.ioMappings ?? []).map((mapping) => ({
       ...mapping,

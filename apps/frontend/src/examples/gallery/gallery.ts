@@ -50,6 +50,8 @@ export interface GalleryEntry {
   readonly title: string;
   /** Describes the session in one sentence. */
   readonly sentence: string;
+  /** What to do in its graph, and what is seen then. */
+  readonly advice: string;
   /** Concepts that the session demonstrates. */
   readonly shows: readonly string[];
   /** Inputs from this page, each with the topic of the session that it replaces. */
@@ -61,6 +63,7 @@ const entry = (
   id: GalleryEntry['id'],
   title: string,
   sentence: string,
+  advice: string,
   shows: readonly string[],
   view: PreviewView,
   inputs: Readonly<Record<string, InputName>> = {},
@@ -68,6 +71,7 @@ const entry = (
   id,
   title,
   sentence,
+  advice,
   shows,
   view,
   inputs: Object.entries(inputs).map(([topic, input]) => ({
@@ -90,6 +94,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'sine-wave',
     'Sine wave',
     'One module generates a sine wave with 60 values per second.',
+    'Drag the value of waveHz in “clock”, apply it, and watch “wave” change its pace.',
     ['Frequency mode', 'Source'],
     { kind: 'lines', lines: [solid('wave', 's')], range: [-1.2, 1.2] },
   ),
@@ -97,6 +102,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'mixed-waves',
     'Two waves, mixed',
     'Two modules generate a slow and a fast wave, and a third one adds them.',
+    'Change waveHz of one “clock”, apply it, and watch “mixed” follow.',
     ['Two instances of a module', 'Constants'],
     {
       kind: 'lines',
@@ -108,6 +114,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'pointer-speed',
     'Pointer speed',
     'Measures the speed of your pointer, in windows per second.',
+    'Move your pointer over this page, and watch “speed” rise.',
     ['Frequency mode', 'Vector to number'],
     {
       kind: 'lines',
@@ -122,6 +129,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'smooth-pointer',
     'Smooth a pointer',
     'A 1€ filter removes the jitter of a pointer.',
+    'Move your pointer over this page: “smoothed” follows it without the jitter.',
     ['Trigger mode', 'Filter'],
     {
       kind: 'surface',
@@ -136,6 +144,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'pointer-color',
     'Pointer to colour',
     'Converts the pointer position to a colour: hue from x, lightness from y.',
+    'Move your pointer over this page, and watch “color” change.',
     ['Trigger mode', 'Vector to colour'],
     { kind: 'color', color: 'color', hex: 'hex', pointer: 'pointer' },
     { pointer: 'pointer' },
@@ -144,6 +153,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'click-counter',
     'Click counter',
     'Counts the clicks on this page. Escape sets the count to 0.',
+    'Click an empty spot of the canvas, and watch “count” rise.',
     ['Events', 'State', 'Reset'],
     { kind: 'count', count: 'count', pressed: 'pressed' },
     { pressed: 'pressed', reset: 'escape' },
@@ -152,6 +162,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'metronome',
     'Metronome and drift',
     'Ticks twice a second, and measures the drift between a frequency module and a lockstep module.',
+    'Watch “beats” count, and “drift_ms” move around 0.',
     ['Frequency mode', 'Lockstep mode'],
     {
       kind: 'lines',
@@ -166,6 +177,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'many-pointers',
     'Mean of many pointers',
     'Computes the mean of the pointers of all pages and phones, and of two animated pointers.',
+    'Move your pointer over this page, or connect a phone: it joins “all pointers”, and “middle” follows.',
     ['Muxer', 'Demuxer'],
     {
       kind: 'surface',
@@ -179,6 +191,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'hysteresis',
     'Threshold with hysteresis',
     'Converts a noisy wave to one event for each crossing of the threshold.',
+    'Watch “rise_count”: it rises once for each crossing, although “noisy” jitters.',
     ['Number to events', 'Hysteresis'],
     {
       kind: 'lines',
@@ -193,6 +206,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'moving-average',
     'Moving average',
     'Computes the mean of a noisy number over the last second.',
+    'Compare “noisy” with “mean”, which is smoother and a little later.',
     ['Noise', 'Time window'],
     {
       kind: 'lines',
@@ -204,6 +218,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'picture-edges',
     'Edges of a picture',
     'Generates a picture, converts it to greyscale, and detects its edges.',
+    'Watch the two pictures: “edges” has the outlines of what moves in “picture”.',
     ['Pictures', 'Chain of two modules'],
     { kind: 'pictures', topics: ['picture', 'edges'] },
   ),
@@ -211,6 +226,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'key-chord',
     'Keys to text',
     'Joins the keys that you hold on this page into one text.',
+    'Hold some letter keys on this page, and watch “chord”.',
     ['Key events', 'Text'],
     { kind: 'text', text: 'chord', empty: 'No key is held' },
     { key: 'key' },
