@@ -94,7 +94,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'sine-wave',
     'Sine wave',
     'One module generates a sine wave with 60 values per second.',
-    'Drag the value of waveHz in “clock”, apply it, and watch “wave” change its pace.',
+    'Change waveHz of “clock”, apply it, and watch “wave” change its pace.',
     ['Frequency mode', 'Source'],
     { kind: 'lines', lines: [solid('wave', 's')], range: [-1.2, 1.2] },
   ),
@@ -177,7 +177,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'many-pointers',
     'Mean of many pointers',
     'Computes the mean of the pointers of all pages and phones, and of two animated pointers.',
-    'Move your pointer over this page, or connect a phone: it joins “all pointers”, and “middle” follows.',
+    'Move your pointer, or connect a phone: “middle” follows.',
     ['Muxer', 'Demuxer'],
     {
       kind: 'surface',

@@ -11,7 +11,7 @@ import {
 } from '../model/commands/edit-state.ts';
 import type { GraphCommand } from '../model/commands/graph-command.ts';
 import { graphOf } from '../model/graph-of.ts';
-import type { Graph, Point } from '../model/graph.ts';
+import type { Graph, GraphNode, Point } from '../model/graph.ts';
 import { sessionOf } from '../model/session-of.ts';
 import { keepEditorData } from '../model/changes/keep-editor-data.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
@@ -50,6 +50,8 @@ export interface GraphEditor {
   readonly selection: ShallowRef<Selection>;
   /** Number of steps since the session was saved. */
   readonly changes: ComputedRef<number>;
+  /** Returns a node as the master has it; undefined if it does not have the node. */
+  savedNode(id: string): GraphNode | undefined;
   /** Whether the name of the session is the only unsaved change. */
   isOnlyRenamed(): boolean;
   /** Label of the step that undo reverts; undefined when there is none. */
@@ -207,6 +209,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     places: computed(() => placesOf(graph.value)),
     selection,
     changes,
+    savedNode: (id) => saved.value.graph.nodes.get(id),
     isOnlyRenamed() {
       const { graph: before } = saved.value;
       const { name, ...rest } = graph.value.details;

@@ -8,6 +8,8 @@ export interface GraphContext {
   readonly editor: GraphEditor;
   readonly live: LiveGraph;
   readonly pad: OwnPad;
+  /** Saves all changes; a running session continues with them. */
+  apply(): void;
 }
 
 export const GRAPH_CONTEXT: InjectionKey<GraphContext> = Symbol('graph');
