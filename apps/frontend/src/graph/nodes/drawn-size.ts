@@ -4,20 +4,22 @@ import type { Graph, GraphNode, ModuleNode, Point, Port, Size } from '../model/g
 import { portFormat } from '../model/port-format.ts';
 import { canCollapse } from './collapse.ts';
 import { NODE } from './node-geometry.ts';
+import { nodeTitle } from './node-label.ts';
 
-/** Largest width of a module; longer names are shortened. */
+/** Largest width of a node; longer names are shortened. */
 const MAX_WIDTH = 272;
 /** Average width of a character, with some reserve. */
 const CHARACTER = 7.6;
 /** Width beside the name of a module, for icon and status. */
 const HEAD_MARKS = 96;
+/** Width beside the name of a topic, of a muxer or demuxer, and of a value, pixels. */
+export const BESIDE = { topic: 48, mux: 72, constant: 46 } as const;
 /** Width beside the name of a port, for sockets and a value or field. */
 const FIELD_ROW = 108;
 /** The same for a value with one field per number: fixed part, and part per field. */
 const PARTS_ROW = 52;
 const PART = 56;
 const VALUE_ROW = 74;
-const TOPIC: Size = { width: NODE.topicWidth, height: NODE.topicHeight };
 const PICTURE = NODE.pictureHeight + NODE.pictureMargin;
 const ROWS_PADDING = 2 * NODE.rowsPadding;
 const BORDERS = 2 * NODE.border;
@@ -40,38 +42,61 @@ function rowWidth({ name, direction, format, isList }: Port): number {
   return text + (isParts ? PARTS_ROW + PART * partNames(format).length : FIELD_ROW);
 }
 
-/** Width of a module for its longest name, within limits, pixels. */
-export function moduleWidth({ module: { name }, ports }: ModuleNode): number {
+function moduleWidth({ module: { name }, ports }: ModuleNode): number {
   const longest = Math.max(name.length * CHARACTER + HEAD_MARKS, ...ports.map(rowWidth));
   return Math.min(MAX_WIDTH, Math.max(NODE.width, Math.ceil(longest)));
+}
+
+const widthOf = (title: string, beside: number, least: number): number =>
+  Math.min(MAX_WIDTH, Math.max(least, Math.ceil(title.length * CHARACTER + beside)));
+
+/** Width of a node for its longest name, within limits, pixels. */
+export function nodeWidth(node: GraphNode): number {
+  switch (node.kind) {
+    case 'module':
+      return moduleWidth(node);
+    case 'topic':
+      return widthOf(nodeTitle(node), BESIDE.topic, NODE.topicWidth);
+    case 'muxer':
+    case 'demuxer':
+      return widthOf(nodeTitle(node), BESIDE.mux, NODE.width);
+    case 'constant':
+      return widthOf(node.name, BESIDE.constant, NODE.width);
+    case 'comment':
+      return 220;
+    case 'frame':
+      return 320;
+  }
 }
 
 /** Topics that show a picture: their own, or the one that their objects were detected in. */
 const isPicture = (format: DataFormat | undefined): boolean =>
   format === 'image2D' || format === 'object2DList';
 
-/** Estimates the size of a node before it is drawn. */
-export function drawnSize(node: GraphNode): Size {
-  if (node.isCollapsed && canCollapse(node)) {
-    return { width: node.kind === 'module' ? moduleWidth(node) : NODE.width, height: NODE.head };
-  }
-  if (node.size !== undefined) return node.size;
+function drawnHeight(node: GraphNode): number {
   switch (node.kind) {
     case 'topic':
-      return isPicture(node.format) ? { ...TOPIC, height: TOPIC.height + PICTURE } : TOPIC;
+      return NODE.topicHeight + (isPicture(node.format) ? PICTURE : 0);
     case 'module':
-      return { width: moduleWidth(node), height: BARE + NODE.row * node.ports.length + NODE.foot };
+      return BARE + NODE.row * node.ports.length + NODE.foot;
     case 'muxer':
-      return { width: NODE.width, height: BARE + PATTERN + NODE.row * (MATCHES + 2) };
+      return BARE + PATTERN + NODE.row * (MATCHES + 2);
     case 'demuxer':
-      return { width: NODE.width, height: BARE + PATTERN + NODE.row * (MATCHES + 1) };
+      return BARE + PATTERN + NODE.row * (MATCHES + 1);
     case 'constant':
-      return { width: NODE.width, height: BARE + NODE.row };
+      return BARE + NODE.row;
     case 'comment':
-      return { width: 220, height: 60 };
+      return 60;
     case 'frame':
-      return { width: 320, height: 200 };
+      return 200;
   }
+}
+
+/** Estimates the size of a node before it is drawn. */
+export function drawnSize(node: GraphNode): Size {
+  const width = nodeWidth(node);
+  if (node.isCollapsed && canCollapse(node)) return { width, height: NODE.head };
+  return node.size ?? { width, height: drawnHeight(node) };
 }
 
 /** The same for nodes of a graph, in which wires determine the formats of topics. */

@@ -4,7 +4,6 @@ import type { FindPublisher } from '../names/publisher.ts';
 import { rowView } from '../rows/row-view.ts';
 import type { RowValue } from '../rows/row-value.ts';
 import type { TopicNode } from '../tree/topic-node.ts';
-import { siblingNames } from './sibling-names.ts';
 
 /** Properties of every row of a topic tree. */
 export interface TopicRowProps {
@@ -28,7 +27,6 @@ export function useTopicRow(props: TopicRowProps) {
       return look(props);
     });
   const view = onTick(({ node, findPublisher, nowMs }) => rowView(node, findPublisher, nowMs));
-  const siblings = onTick(({ node, findPublisher }) => siblingNames(node, findPublisher));
   const shown = onTick(({ node, value }) => {
     if (node.rate) lastFormat = node.rate.statistic.dataFormat || lastFormat;
     const { text, family } = formatLook(lastFormat);
@@ -44,7 +42,7 @@ export function useTopicRow(props: TopicRowProps) {
     };
   });
   const isAway = computed(() => view.value.publisher?.isAway === true);
-  return { view, siblings, shown, isAway };
+  return { view, shown, isAway };
 }
 
 export type TopicRowState = ReturnType<typeof useTopicRow>;
