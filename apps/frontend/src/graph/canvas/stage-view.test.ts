@@ -4,10 +4,10 @@ import { insideNode, limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf } from './stage-view.
 describe('viewOf', () => {
   const viewport = { width: 1000, height: 700 };
 
-  it('puts a small box in the middle, at its own size', () => {
+  it('puts a small box in the middle of what nothing covers, at its own size', () => {
     const { x, y, k } = viewOf({ x: 100, y: 50, width: 200, height: 100 }, viewport);
     expect(k).toBe(1);
-    expect({ x: 200 * k + x, y: 100 * k + y }).toEqual({ x: 500, y: 350 });
+    expect({ x: 200 * k + x, y: 100 * k + y }).toEqual({ x: 500, y: 358 });
   });
 
   it('shows all of a large box, above what covers the bottom', () => {
