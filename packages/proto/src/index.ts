@@ -63,6 +63,7 @@ export {
   isMasterTopic,
   preflightTopic,
   moduleEventTopic,
+  RECORDING_STATUS_TOPIC,
   sessionStatisticsTopic,
   UUID_PATTERN,
   isUuid,

@@ -8,6 +8,7 @@ import {
   isExtensionTopic,
   isMasterTopic,
   moduleEventTopic,
+  RECORDING_STATUS_TOPIC,
   sessionStatisticsTopic,
   UUID_PATTERN,
   isUuid,
@@ -51,6 +52,11 @@ describe('topics', () => {
       expect(isExtensionTopic(topic)).toBe(true);
       expect(isMasterTopic(topic)).toBe(true);
     }
+  });
+
+  it('[RC-8] of the recordings is ours', () => {
+    expect(isExtensionTopic(RECORDING_STATUS_TOPIC)).toBe(true);
+    expect(isMasterTopic(RECORDING_STATUS_TOPIC)).toBe(true);
   });
 
   it('[CL-31] of clients carry their id', () => {

@@ -77,6 +77,9 @@ export function moduleEventTopic(sessionId: string): string {
   return `${EXTENSION_PREFIX}session/${sessionId}/events`;
 }
 
+/** The topic on which the master says what is recorded, about once a second. [RC-8] */
+export const RECORDING_STATUS_TOPIC = `${EXTENSION_PREFIX}recordings`;
+
 /**
  * The topic a component publishes on by convention: `/<client id>/<device>/<component>`.
  *

@@ -25,6 +25,7 @@ import type {
   Pose2D,
   Pose3D,
   Quaternion,
+  RecordingStatus,
   Session,
   SessionList,
   SessionStatistics,
@@ -97,6 +98,7 @@ export interface DataFormatValues {
   sessionStatistics: SessionStatistics;
   /** Extension of ours: what a running module did, on `/ubii/session/<session id>/events`. [SE-51] */
   moduleEvent: ModuleEvent;
+  recordingStatus: RecordingStatus;
 }
 
 /** Short name of a data format, for example `vector2`. */

@@ -70,6 +70,7 @@ const FAMILIES: { readonly [F in DataFormat]: DataFormatFamily } = {
   client: 'system',
   sessionStatistics: 'system',
   moduleEvent: 'system',
+  recordingStatus: 'system',
 };
 
 /** A `bool` shows like an event, but its newest value is all that matters. */

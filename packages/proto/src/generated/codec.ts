@@ -1521,6 +1521,85 @@ export function decodeEndedTopics(r: Reader, into?: T.EndedTopics): T.EndedTopic
   return m;
 }
 
+export function encodeFlightRecorder(m: Init<T.FlightRecorder>, w: Writer): void {
+  if (m.isOn != null) w.bool(8, m.isOn);
+  if (m.minutes != null) w.double(17, m.minutes);
+  if (m.maxBytes != null) w.double(25, m.maxBytes);
+  if (m.withImages != null) w.bool(32, m.withImages);
+  if (m.heldMs != null) w.double(41, m.heldMs);
+  if (m.heldBytes != null) w.double(49, m.heldBytes);
+  if (m.topicCount != null) w.int32(56, m.topicCount);
+  if (m.recordCount != null) w.double(65, m.recordCount);
+  if (m.recordsPerSecond != null && m.recordsPerSecond.length > 0) w.doubles(74, m.recordsPerSecond);
+  if (m.lostCount != null) w.double(81, m.lostCount);
+}
+
+export function decodeFlightRecorder(r: Reader, into?: T.FlightRecorder): T.FlightRecorder {
+  const m: T.FlightRecorder = into ?? { isOn: false, minutes: 0, maxBytes: 0, withImages: false, heldMs: 0, heldBytes: 0, topicCount: 0, recordCount: 0, recordsPerSecond: [], lostCount: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.isOn = r.bool(); break;
+      case 17: m.minutes = r.double(); break;
+      case 25: m.maxBytes = r.double(); break;
+      case 32: m.withImages = r.bool(); break;
+      case 41: m.heldMs = r.double(); break;
+      case 49: m.heldBytes = r.double(); break;
+      case 56: m.topicCount = r.int32(); break;
+      case 65: m.recordCount = r.double(); break;
+      case 73: m.recordsPerSecond.push(r.double()); break;
+      case 74: r.doubles(m.recordsPerSecond); break;
+      case 81: m.lostCount = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeFlightRecorderKeepRequest(m: Init<T.FlightRecorderKeepRequest>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.name != null) w.string(18, m.name);
+  if (m.notes != null) w.string(26, m.notes);
+  if (m.lastMs != null) w.double(33, m.lastMs);
+}
+
+export function decodeFlightRecorderKeepRequest(r: Reader, into?: T.FlightRecorderKeepRequest): T.FlightRecorderKeepRequest {
+  const m: T.FlightRecorderKeepRequest = into ?? { clientId: '', name: '', notes: '', lastMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.notes = r.string(); break;
+      case 33: m.lastMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeFlightRecorderSettings(m: Init<T.FlightRecorderSettings>, w: Writer): void {
+  if (m.isOn != null) w.bool(8, m.isOn);
+  if (m.minutes != null) w.double(17, m.minutes);
+  if (m.maxBytes != null) w.double(25, m.maxBytes);
+  if (m.withImages != null) w.bool(32, m.withImages);
+}
+
+export function decodeFlightRecorderSettings(r: Reader, into?: T.FlightRecorderSettings): T.FlightRecorderSettings {
+  const m: T.FlightRecorderSettings = into ?? { isOn: false, minutes: 0, maxBytes: 0, withImages: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.isOn = r.bool(); break;
+      case 17: m.minutes = r.double(); break;
+      case 25: m.maxBytes = r.double(); break;
+      case 32: m.withImages = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeJoinCheck(m: Init<T.JoinCheck>, w: Writer): void {
   if (m.role != null) w.int32(8, m.role);
   if (m.problem != null) w.int32(16, m.problem);
@@ -2141,6 +2220,302 @@ export function decodeRecordExtension(r: Reader, into?: T.RecordExtension): T.Re
     switch (tag) {
       case 8: m.keepSeconds = r.int32(); break;
       case 16: m.expiryMs = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecording(m: Init<T.Recording>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.kind != null) w.int32(24, m.kind);
+  if (m.state != null) w.int32(32, m.state);
+  if (m.startedMs != null) w.double(41, m.startedMs);
+  if (m.durationMs != null) w.double(49, m.durationMs);
+  if (m.sizeBytes != null) w.double(57, m.sizeBytes);
+  if (m.recordCount != null) w.double(65, m.recordCount);
+  if (m.lostCount != null) w.double(73, m.lostCount);
+  if (m.topicCount != null) w.int32(80, m.topicCount);
+  if (m.markerCount != null) w.int32(88, m.markerCount);
+  if (m.problem != null) w.string(98, m.problem);
+  if (m.notes != null) w.string(106, m.notes);
+  if (m.author != null) w.string(114, m.author);
+  if (m.selection != null) { const at = w.open(122); encodeRecordingSelection(m.selection, w); w.close(at); }
+  if (m.budget != null) { const at = w.open(130); encodeRecordingBudget(m.budget, w); w.close(at); }
+  if (m.topics != null) for (const e of m.topics) { const at = w.open(138); encodeRecordingTopic(e, w); w.close(at); }
+  if (m.markers != null) for (const e of m.markers) { const at = w.open(146); encodeRecordingMarker(e, w); w.close(at); }
+}
+
+export function decodeRecording(r: Reader, into?: T.Recording): T.Recording {
+  const m: T.Recording = into ?? { id: '', name: '', kind: 0, state: 0, startedMs: 0, durationMs: 0, sizeBytes: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0, problem: '', notes: '', author: '', selection: undefined, budget: undefined, topics: [], markers: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 24: m.kind = r.int32() as T.RecordingKind; break;
+      case 32: m.state = r.int32() as T.RecordingState; break;
+      case 41: m.startedMs = r.double(); break;
+      case 49: m.durationMs = r.double(); break;
+      case 57: m.sizeBytes = r.double(); break;
+      case 65: m.recordCount = r.double(); break;
+      case 73: m.lostCount = r.double(); break;
+      case 80: m.topicCount = r.int32(); break;
+      case 88: m.markerCount = r.int32(); break;
+      case 98: m.problem = r.string(); break;
+      case 106: m.notes = r.string(); break;
+      case 114: m.author = r.string(); break;
+      case 122: { const end = r.enter(); m.selection = decodeRecordingSelection(r, m.selection); r.end = end; break; }
+      case 130: { const end = r.enter(); m.budget = decodeRecordingBudget(r, m.budget); r.end = end; break; }
+      case 138: { const end = r.enter(); m.topics.push(decodeRecordingTopic(r)); r.end = end; break; }
+      case 146: { const end = r.enter(); m.markers.push(decodeRecordingMarker(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingBudget(m: Init<T.RecordingBudget>, w: Writer): void {
+  if (m.maxDurationMs != null) w.double(9, m.maxDurationMs);
+  if (m.maxBytes != null) w.double(17, m.maxBytes);
+  if (m.minFreeBytes != null) w.double(25, m.minFreeBytes);
+}
+
+export function decodeRecordingBudget(r: Reader, into?: T.RecordingBudget): T.RecordingBudget {
+  const m: T.RecordingBudget = into ?? { maxDurationMs: 0, maxBytes: 0, minFreeBytes: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.maxDurationMs = r.double(); break;
+      case 17: m.maxBytes = r.double(); break;
+      case 25: m.minFreeBytes = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingChangeRequest(m: Init<T.RecordingChangeRequest>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.notes != null) w.string(26, m.notes);
+}
+
+export function decodeRecordingChangeRequest(r: Reader, into?: T.RecordingChangeRequest): T.RecordingChangeRequest {
+  const m: T.RecordingChangeRequest = into ?? { id: '', name: '', notes: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.notes = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingEstimate(m: Init<T.RecordingEstimate>, w: Writer): void {
+  if (m.topics != null) for (const e of m.topics) { const at = w.open(10); encodeRecordingTopicRate(e, w); w.close(at); }
+  if (m.recordsPerSecond != null) w.double(17, m.recordsPerSecond);
+  if (m.bytesPerSecond != null) w.double(25, m.bytesPerSecond);
+  if (m.freeBytes != null) w.double(33, m.freeBytes);
+}
+
+export function decodeRecordingEstimate(r: Reader, into?: T.RecordingEstimate): T.RecordingEstimate {
+  const m: T.RecordingEstimate = into ?? { topics: [], recordsPerSecond: 0, bytesPerSecond: 0, freeBytes: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.topics.push(decodeRecordingTopicRate(r)); r.end = end; break; }
+      case 17: m.recordsPerSecond = r.double(); break;
+      case 25: m.bytesPerSecond = r.double(); break;
+      case 33: m.freeBytes = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingList(m: Init<T.RecordingList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeRecording(e, w); w.close(at); }
+  if (m.sizeBytes != null) w.double(17, m.sizeBytes);
+  if (m.maxBytes != null) w.double(25, m.maxBytes);
+  if (m.freeBytes != null) w.double(33, m.freeBytes);
+}
+
+export function decodeRecordingList(r: Reader, into?: T.RecordingList): T.RecordingList {
+  const m: T.RecordingList = into ?? { elements: [], sizeBytes: 0, maxBytes: 0, freeBytes: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeRecording(r)); r.end = end; break; }
+      case 17: m.sizeBytes = r.double(); break;
+      case 25: m.maxBytes = r.double(); break;
+      case 33: m.freeBytes = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingMarker(m: Init<T.RecordingMarker>, w: Writer): void {
+  if (m.recordingId != null) w.string(10, m.recordingId);
+  if (m.id != null) w.string(18, m.id);
+  if (m.timeMs != null) w.double(25, m.timeMs);
+  if (m.text != null) w.string(34, m.text);
+  if (m.author != null) w.string(42, m.author);
+  if (m.clientId != null) w.string(50, m.clientId);
+  if (m.isRemoved != null) w.bool(56, m.isRemoved);
+}
+
+export function decodeRecordingMarker(r: Reader, into?: T.RecordingMarker): T.RecordingMarker {
+  const m: T.RecordingMarker = into ?? { recordingId: '', id: '', timeMs: 0, text: '', author: '', clientId: '', isRemoved: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.recordingId = r.string(); break;
+      case 18: m.id = r.string(); break;
+      case 25: m.timeMs = r.double(); break;
+      case 34: m.text = r.string(); break;
+      case 42: m.author = r.string(); break;
+      case 50: m.clientId = r.string(); break;
+      case 56: m.isRemoved = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingRequest(m: Init<T.RecordingRequest>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+}
+
+export function decodeRecordingRequest(r: Reader, into?: T.RecordingRequest): T.RecordingRequest {
+  const m: T.RecordingRequest = into ?? { id: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingSelection(m: Init<T.RecordingSelection>, w: Writer): void {
+  if (m.topics != null) for (const e of m.topics) w.string(10, e);
+  if (m.patterns != null) for (const e of m.patterns) w.string(18, e);
+  if (m.clients != null) for (const e of m.clients) w.string(26, e);
+  if (m.devices != null) for (const e of m.devices) w.string(34, e);
+  if (m.sessions != null) for (const e of m.sessions) w.string(42, e);
+  if (m.excludedPatterns != null) for (const e of m.excludedPatterns) w.string(50, e);
+  if (m.withoutImages != null) w.bool(56, m.withoutImages);
+}
+
+export function decodeRecordingSelection(r: Reader, into?: T.RecordingSelection): T.RecordingSelection {
+  const m: T.RecordingSelection = into ?? { topics: [], patterns: [], clients: [], devices: [], sessions: [], excludedPatterns: [], withoutImages: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topics.push(r.string()); break;
+      case 18: m.patterns.push(r.string()); break;
+      case 26: m.clients.push(r.string()); break;
+      case 34: m.devices.push(r.string()); break;
+      case 42: m.sessions.push(r.string()); break;
+      case 50: m.excludedPatterns.push(r.string()); break;
+      case 56: m.withoutImages = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingStartRequest(m: Init<T.RecordingStartRequest>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.name != null) w.string(18, m.name);
+  if (m.notes != null) w.string(26, m.notes);
+  if (m.selection != null) { const at = w.open(34); encodeRecordingSelection(m.selection, w); w.close(at); }
+  if (m.budget != null) { const at = w.open(42); encodeRecordingBudget(m.budget, w); w.close(at); }
+}
+
+export function decodeRecordingStartRequest(r: Reader, into?: T.RecordingStartRequest): T.RecordingStartRequest {
+  const m: T.RecordingStartRequest = into ?? { clientId: '', name: '', notes: '', selection: undefined, budget: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.notes = r.string(); break;
+      case 34: { const end = r.enter(); m.selection = decodeRecordingSelection(r, m.selection); r.end = end; break; }
+      case 42: { const end = r.enter(); m.budget = decodeRecordingBudget(r, m.budget); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingStatus(m: Init<T.RecordingStatus>, w: Writer): void {
+  if (m.running != null) for (const e of m.running) { const at = w.open(10); encodeRecording(e, w); w.close(at); }
+  if (m.flightRecorder != null) { const at = w.open(18); encodeFlightRecorder(m.flightRecorder, w); w.close(at); }
+  if (m.listRevision != null) w.int32(24, m.listRevision);
+}
+
+export function decodeRecordingStatus(r: Reader, into?: T.RecordingStatus): T.RecordingStatus {
+  const m: T.RecordingStatus = into ?? { running: [], flightRecorder: undefined, listRevision: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.running.push(decodeRecording(r)); r.end = end; break; }
+      case 18: { const end = r.enter(); m.flightRecorder = decodeFlightRecorder(r, m.flightRecorder); r.end = end; break; }
+      case 24: m.listRevision = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingTopic(m: Init<T.RecordingTopic>, w: Writer): void {
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.clientId != null) w.string(18, m.clientId);
+  if (m.clientName != null) w.string(26, m.clientName);
+  if (m.dataFormat != null) w.string(34, m.dataFormat);
+  if (m.recordCount != null) w.double(41, m.recordCount);
+}
+
+export function decodeRecordingTopic(r: Reader, into?: T.RecordingTopic): T.RecordingTopic {
+  const m: T.RecordingTopic = into ?? { topic: '', clientId: '', clientName: '', dataFormat: '', recordCount: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topic = r.string(); break;
+      case 18: m.clientId = r.string(); break;
+      case 26: m.clientName = r.string(); break;
+      case 34: m.dataFormat = r.string(); break;
+      case 41: m.recordCount = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingTopicRate(m: Init<T.RecordingTopicRate>, w: Writer): void {
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.dataFormat != null) w.string(18, m.dataFormat);
+  if (m.recordsPerSecond != null) w.double(25, m.recordsPerSecond);
+  if (m.bytesPerSecond != null) w.double(33, m.bytesPerSecond);
+}
+
+export function decodeRecordingTopicRate(r: Reader, into?: T.RecordingTopicRate): T.RecordingTopicRate {
+  const m: T.RecordingTopicRate = into ?? { topic: '', dataFormat: '', recordsPerSecond: 0, bytesPerSecond: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topic = r.string(); break;
+      case 18: m.dataFormat = r.string(); break;
+      case 25: m.recordsPerSecond = r.double(); break;
+      case 33: m.bytesPerSecond = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -2929,9 +3304,14 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.accessGrant != null) { const at = w.open(8178); encodeAccessGrant(m.accessGrant, w); w.close(at); }
   if (m.accessGrantList != null) { const at = w.open(8186); encodeAccessGrantList(m.accessGrantList, w); w.close(at); }
   if (m.auditLog != null) { const at = w.open(8322); encodeAuditLog(m.auditLog, w); w.close(at); }
+  if (m.recording != null) { const at = w.open(8402); encodeRecording(m.recording, w); w.close(at); }
+  if (m.recordingList != null) { const at = w.open(8410); encodeRecordingList(m.recordingList, w); w.close(at); }
+  if (m.recordingMarker != null) { const at = w.open(8418); encodeRecordingMarker(m.recordingMarker, w); w.close(at); }
+  if (m.recordingEstimate != null) { const at = w.open(8426); encodeRecordingEstimate(m.recordingEstimate, w); w.close(at); }
+  if (m.flightRecorder != null) { const at = w.open(8434); encodeFlightRecorder(m.flightRecorder, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'assetSetList', 'topicSubscribersList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList', 'auditLog'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'assetSetList', 'topicSubscribersList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList', 'auditLog', 'recording', 'recordingList', 'recordingMarker', 'recordingEstimate', 'flightRecorder'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -2975,6 +3355,11 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 8178: type = only(m, type, 'accessGrant'); { const end = r.enter(); m.accessGrant = decodeAccessGrant(r, m.accessGrant); r.end = end; break; }
       case 8186: type = only(m, type, 'accessGrantList'); { const end = r.enter(); m.accessGrantList = decodeAccessGrantList(r, m.accessGrantList); r.end = end; break; }
       case 8322: type = only(m, type, 'auditLog'); { const end = r.enter(); m.auditLog = decodeAuditLog(r, m.auditLog); r.end = end; break; }
+      case 8402: type = only(m, type, 'recording'); { const end = r.enter(); m.recording = decodeRecording(r, m.recording); r.end = end; break; }
+      case 8410: type = only(m, type, 'recordingList'); { const end = r.enter(); m.recordingList = decodeRecordingList(r, m.recordingList); r.end = end; break; }
+      case 8418: type = only(m, type, 'recordingMarker'); { const end = r.enter(); m.recordingMarker = decodeRecordingMarker(r, m.recordingMarker); r.end = end; break; }
+      case 8426: type = only(m, type, 'recordingEstimate'); { const end = r.enter(); m.recordingEstimate = decodeRecordingEstimate(r, m.recordingEstimate); r.end = end; break; }
+      case 8434: type = only(m, type, 'flightRecorder'); { const end = r.enter(); m.flightRecorder = decodeFlightRecorder(r, m.flightRecorder); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -3014,9 +3399,16 @@ export function encodeServiceRequest(m: Init<T.ServiceRequest>, w: Writer): void
   if (m.accessGrantCreateRequest != null) { const at = w.open(8170); encodeAccessGrantCreateRequest(m.accessGrantCreateRequest, w); w.close(at); }
   if (m.accessGrantRevokeRequest != null) { const at = w.open(8178); encodeAccessGrantRevokeRequest(m.accessGrantRevokeRequest, w); w.close(at); }
   if (m.auditLogRequest != null) { const at = w.open(8322); encodeAuditLogRequest(m.auditLogRequest, w); w.close(at); }
+  if (m.recordingRequest != null) { const at = w.open(8402); encodeRecordingRequest(m.recordingRequest, w); w.close(at); }
+  if (m.recordingStartRequest != null) { const at = w.open(8410); encodeRecordingStartRequest(m.recordingStartRequest, w); w.close(at); }
+  if (m.recordingChangeRequest != null) { const at = w.open(8418); encodeRecordingChangeRequest(m.recordingChangeRequest, w); w.close(at); }
+  if (m.recordingMarker != null) { const at = w.open(8426); encodeRecordingMarker(m.recordingMarker, w); w.close(at); }
+  if (m.recordingSelection != null) { const at = w.open(8434); encodeRecordingSelection(m.recordingSelection, w); w.close(at); }
+  if (m.flightRecorderSettings != null) { const at = w.open(8442); encodeFlightRecorderSettings(m.flightRecorderSettings, w); w.close(at); }
+  if (m.flightRecorderKeepRequest != null) { const at = w.open(8450); encodeFlightRecorderKeepRequest(m.flightRecorderKeepRequest, w); w.close(at); }
 }
 
-const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'assetSetRequest', 'topicSubscribersRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest', 'auditLogRequest'] as const;
+const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'assetSetRequest', 'topicSubscribersRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest', 'auditLogRequest', 'recordingRequest', 'recordingStartRequest', 'recordingChangeRequest', 'recordingMarker', 'recordingSelection', 'flightRecorderSettings', 'flightRecorderKeepRequest'] as const;
 export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.ServiceRequest {
   const m: T.ServiceRequest = into ?? { topic: '' };
   let type = into && setMember(into, ServiceRequest_type);
@@ -3055,6 +3447,13 @@ export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.Serv
       case 8170: type = only(m, type, 'accessGrantCreateRequest'); { const end = r.enter(); m.accessGrantCreateRequest = decodeAccessGrantCreateRequest(r, m.accessGrantCreateRequest); r.end = end; break; }
       case 8178: type = only(m, type, 'accessGrantRevokeRequest'); { const end = r.enter(); m.accessGrantRevokeRequest = decodeAccessGrantRevokeRequest(r, m.accessGrantRevokeRequest); r.end = end; break; }
       case 8322: type = only(m, type, 'auditLogRequest'); { const end = r.enter(); m.auditLogRequest = decodeAuditLogRequest(r, m.auditLogRequest); r.end = end; break; }
+      case 8402: type = only(m, type, 'recordingRequest'); { const end = r.enter(); m.recordingRequest = decodeRecordingRequest(r, m.recordingRequest); r.end = end; break; }
+      case 8410: type = only(m, type, 'recordingStartRequest'); { const end = r.enter(); m.recordingStartRequest = decodeRecordingStartRequest(r, m.recordingStartRequest); r.end = end; break; }
+      case 8418: type = only(m, type, 'recordingChangeRequest'); { const end = r.enter(); m.recordingChangeRequest = decodeRecordingChangeRequest(r, m.recordingChangeRequest); r.end = end; break; }
+      case 8426: type = only(m, type, 'recordingMarker'); { const end = r.enter(); m.recordingMarker = decodeRecordingMarker(r, m.recordingMarker); r.end = end; break; }
+      case 8434: type = only(m, type, 'recordingSelection'); { const end = r.enter(); m.recordingSelection = decodeRecordingSelection(r, m.recordingSelection); r.end = end; break; }
+      case 8442: type = only(m, type, 'flightRecorderSettings'); { const end = r.enter(); m.flightRecorderSettings = decodeFlightRecorderSettings(r, m.flightRecorderSettings); r.end = end; break; }
+      case 8450: type = only(m, type, 'flightRecorderKeepRequest'); { const end = r.enter(); m.flightRecorderKeepRequest = decodeFlightRecorderKeepRequest(r, m.flightRecorderKeepRequest); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -3350,9 +3749,10 @@ export function encodeTopicDataRecord(m: Init<T.TopicDataRecord>, w: Writer): vo
   if (m.sessionStatistics != null) { const at = w.open(8010); encodeSessionStatistics(m.sessionStatistics, w); w.close(at); }
   if (m.moduleEvent != null) { const at = w.open(8018); encodeModuleEvent(m.moduleEvent, w); w.close(at); }
   if (m.extension != null) { const at = w.open(8026); encodeRecordExtension(m.extension, w); w.close(at); }
+  if (m.recordingStatus != null) { const at = w.open(8082); encodeRecordingStatus(m.recordingStatus, w); w.close(at); }
 }
 
-const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent'] as const;
+const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent', 'recordingStatus'] as const;
 export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.TopicDataRecord {
   const m: T.TopicDataRecord = into ?? { topic: '', timestamp: undefined, clientId: '', extension: undefined };
   let type = into && setMember(into, TopicDataRecord_type);
@@ -3407,6 +3807,7 @@ export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.To
       case 8010: type = only(m, type, 'sessionStatistics'); { const end = r.enter(); m.sessionStatistics = decodeSessionStatistics(r, m.sessionStatistics); r.end = end; break; }
       case 8018: type = only(m, type, 'moduleEvent'); { const end = r.enter(); m.moduleEvent = decodeModuleEvent(r, m.moduleEvent); r.end = end; break; }
       case 8026: { const end = r.enter(); m.extension = decodeRecordExtension(r, m.extension); r.end = end; break; }
+      case 8082: type = only(m, type, 'recordingStatus'); { const end = r.enter(); m.recordingStatus = decodeRecordingStatus(r, m.recordingStatus); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -3541,6 +3942,9 @@ export const CODECS: {
   'ubii.extension.ClientThrottle': { encode: encodeClientThrottle, decode: decodeClientThrottle },
   'ubii.extension.ClientThrottleRequest': { encode: encodeClientThrottleRequest, decode: decodeClientThrottleRequest },
   'ubii.extension.EndedTopics': { encode: encodeEndedTopics, decode: decodeEndedTopics },
+  'ubii.extension.FlightRecorder': { encode: encodeFlightRecorder, decode: decodeFlightRecorder },
+  'ubii.extension.FlightRecorderKeepRequest': { encode: encodeFlightRecorderKeepRequest, decode: decodeFlightRecorderKeepRequest },
+  'ubii.extension.FlightRecorderSettings': { encode: encodeFlightRecorderSettings, decode: decodeFlightRecorderSettings },
   'ubii.extension.JoinCheck': { encode: encodeJoinCheck, decode: decodeJoinCheck },
   'ubii.extension.JoinCheckRequest': { encode: encodeJoinCheckRequest, decode: decodeJoinCheckRequest },
   'ubii.extension.JoinRefusal': { encode: encodeJoinRefusal, decode: decodeJoinRefusal },
@@ -3566,6 +3970,18 @@ export const CODECS: {
   'ubii.extension.NodeList': { encode: encodeNodeList, decode: decodeNodeList },
   'ubii.extension.NodeMessage': { encode: encodeNodeMessage, decode: decodeNodeMessage },
   'ubii.extension.RecordExtension': { encode: encodeRecordExtension, decode: decodeRecordExtension },
+  'ubii.extension.Recording': { encode: encodeRecording, decode: decodeRecording },
+  'ubii.extension.RecordingBudget': { encode: encodeRecordingBudget, decode: decodeRecordingBudget },
+  'ubii.extension.RecordingChangeRequest': { encode: encodeRecordingChangeRequest, decode: decodeRecordingChangeRequest },
+  'ubii.extension.RecordingEstimate': { encode: encodeRecordingEstimate, decode: decodeRecordingEstimate },
+  'ubii.extension.RecordingList': { encode: encodeRecordingList, decode: decodeRecordingList },
+  'ubii.extension.RecordingMarker': { encode: encodeRecordingMarker, decode: decodeRecordingMarker },
+  'ubii.extension.RecordingRequest': { encode: encodeRecordingRequest, decode: decodeRecordingRequest },
+  'ubii.extension.RecordingSelection': { encode: encodeRecordingSelection, decode: decodeRecordingSelection },
+  'ubii.extension.RecordingStartRequest': { encode: encodeRecordingStartRequest, decode: decodeRecordingStartRequest },
+  'ubii.extension.RecordingStatus': { encode: encodeRecordingStatus, decode: decodeRecordingStatus },
+  'ubii.extension.RecordingTopic': { encode: encodeRecordingTopic, decode: decodeRecordingTopic },
+  'ubii.extension.RecordingTopicRate': { encode: encodeRecordingTopicRate, decode: decodeRecordingTopicRate },
   'ubii.extension.SessionExtension': { encode: encodeSessionExtension, decode: decodeSessionExtension },
   'ubii.extension.SessionProblem': { encode: encodeSessionProblem, decode: decodeSessionProblem },
   'ubii.extension.SessionStatistics': { encode: encodeSessionStatistics, decode: decodeSessionStatistics },

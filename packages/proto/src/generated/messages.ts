@@ -324,6 +324,40 @@ export const NodeExtensionKind = {
 export type NodeExtensionKind = (typeof NodeExtensionKind)[keyof typeof NodeExtensionKind];
 
 /**
+ * Where a recording came from. Rule RC-1.
+ *
+ * `ubii.extension.RecordingKind`
+ */
+export const RecordingKind = {
+  /** It was started, and stopped. */
+  RECORDING_KIND_RECORDING: 0,
+  /** It was kept from the flight recorder. */
+  RECORDING_KIND_FLIGHT_RECORDER: 1,
+  /** It was uploaded; other programs may have written it. */
+  RECORDING_KIND_IMPORT: 2,
+} as const;
+export type RecordingKind = (typeof RecordingKind)[keyof typeof RecordingKind];
+
+/**
+ * Where a recording is in its life. Rule RC-2.
+ *
+ * `ubii.extension.RecordingState`
+ */
+export const RecordingState = {
+  /** Unknown to a newer or older program. */
+  RECORDING_STATE_UNSPECIFIED: 0,
+  /** Its file is being written. */
+  RECORDING_STATE_RECORDING: 1,
+  /** Its file is closed and whole. */
+  RECORDING_STATE_COMPLETE: 2,
+  /** The program that wrote it ended early; the master repaired the file, and the last second may be missing. */
+  RECORDING_STATE_REPAIRED: 3,
+  /** It ended early, such as on a full disk; what was written until then can be read. */
+  RECORDING_STATE_FAILED: 4,
+} as const;
+export type RecordingState = (typeof RecordingState)[keyof typeof RecordingState];
+
+/**
  * What becomes of what was made with an invitation that is revoked. Rule AC-92.
  *
  * `ubii.extension.RevokedWork`
@@ -1599,6 +1633,66 @@ export interface EndedTopics {
 }
 
 /**
+ * The flight recorder: the last minutes, in memory. Rules RC-30 to RC-33.
+ *
+ * `ubii.extension.FlightRecorder`
+ */
+export interface FlightRecorder {
+  /** Whether it records. */
+  isOn: boolean;
+  /** Minutes it keeps at most. */
+  minutes: number;
+  /** Bytes it keeps at most. */
+  maxBytes: number;
+  /** Whether it keeps images. */
+  withImages: boolean;
+  /** From its oldest record to now, milliseconds. */
+  heldMs: number;
+  /** Bytes of its records. */
+  heldBytes: number;
+  /** Topics of its records. */
+  topicCount: number;
+  /** Records in it. */
+  recordCount: number;
+  /** Records per second, in slots of equal length over the minutes it keeps, oldest first. */
+  recordsPerSecond: number[];
+  /** Records it lost, because it could not take them in time, since the master started. */
+  lostCount: number;
+}
+
+/**
+ * Keeps what the flight recorder holds as a recording. Rule RC-32.
+ *
+ * `ubii.extension.FlightRecorderKeepRequest`
+ */
+export interface FlightRecorderKeepRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Name of the recording; empty for one made of date and time. */
+  name: string;
+  /** Notes, for display. */
+  notes: string;
+  /** Only the last milliseconds of it; 0 for all it holds. */
+  lastMs: number;
+}
+
+/**
+ * Changes what the flight recorder keeps, until the master exits. Rule RC-31.
+ *
+ * `ubii.extension.FlightRecorderSettings`
+ */
+export interface FlightRecorderSettings {
+  /** Whether it records; false drops what it holds. */
+  isOn: boolean;
+  /** Minutes it keeps at most; 0 to leave it as it is. */
+  minutes: number;
+  /** Bytes it keeps at most; 0 to leave it as it is. */
+  maxBytes: number;
+  /** Whether it keeps images. */
+  withImages: boolean;
+}
+
+/**
  * What a token is good for, or what the caller may do.
  *
  * `ubii.extension.JoinCheck`
@@ -2088,6 +2182,234 @@ export interface RecordExtension {
   keepSeconds: number;
   /** How long the value stands while no newer record of the topic comes, milliseconds; 0: as long as any. Rule TD-47. */
   expiryMs: number;
+}
+
+/**
+ * One recording of a master. Rules RC-1 and RC-2.
+ *
+ * `ubii.extension.Recording`
+ */
+export interface Recording {
+  /** Assigned by the master. Its file is at /recordings/<id>.mcap. */
+  id: string;
+  /** Name, for display. */
+  name: string;
+  /** Where it came from. */
+  kind: RecordingKind;
+  /** Where it is in its life. */
+  state: RecordingState;
+  /**
+   * Time of its first record, or of its start while it has none: milliseconds since the Unix epoch, clock of
+   * the master that recorded it.
+   */
+  startedMs: number;
+  /** From started_ms to its last record, or until now while it is being recorded, milliseconds. */
+  durationMs: number;
+  /** Size of its file, bytes. */
+  sizeBytes: number;
+  /** Records of topics in it. */
+  recordCount: number;
+  /** Records that were selected and are missing in it, because the recorder could not take them in time. */
+  lostCount: number;
+  /** Topics in it. */
+  topicCount: number;
+  /** Markers in it. */
+  markerCount: number;
+  /** What is wrong with it, one or two sentences; empty when nothing is. */
+  problem: string;
+  /** Notes, for display. */
+  notes: string;
+  /** Name of the client that started it; empty when none did. */
+  author: string;
+  /** What it records; empty for everything. */
+  selection: RecordingSelection | undefined;
+  /** When it stops by itself. */
+  budget: RecordingBudget | undefined;
+  /** Its topics; only in replies of recording_get, once its file is closed. */
+  topics: RecordingTopic[];
+  /** Its markers, by time; only in replies of recording_get. */
+  markers: RecordingMarker[];
+}
+
+/**
+ * When a recording stops by itself. Rule RC-16.
+ *
+ * `ubii.extension.RecordingBudget`
+ */
+export interface RecordingBudget {
+  /** Longest duration, milliseconds; 0 for the default of the master. */
+  maxDurationMs: number;
+  /** Largest size of the file, bytes; 0 for the default of the master. */
+  maxBytes: number;
+  /** Free space that stays on the disk, bytes; 0 for the default of the master. */
+  minFreeBytes: number;
+}
+
+/**
+ * Changes name and notes of a recording. Rule RC-6.
+ *
+ * `ubii.extension.RecordingChangeRequest`
+ */
+export interface RecordingChangeRequest {
+  /** Its id. */
+  id: string;
+  /** The new name; may not be empty. */
+  name: string;
+  /** The new notes. */
+  notes: string;
+}
+
+/**
+ * What a selection would record now. Rule RC-15.
+ *
+ * `ubii.extension.RecordingEstimate`
+ */
+export interface RecordingEstimate {
+  /** Each topic that has a value and is selected, those with the most bytes first. */
+  topics: RecordingTopicRate[];
+  /** Sum of their records per second. */
+  recordsPerSecond: number;
+  /** Sum of their bytes per second, before compression. */
+  bytesPerSecond: number;
+  /** Free space on the disk, bytes; 0 when unknown. */
+  freeBytes: number;
+}
+
+/**
+ * All recordings of a master. Rule RC-3.
+ *
+ * `ubii.extension.RecordingList`
+ */
+export interface RecordingList {
+  /** The newest first. */
+  elements: Recording[];
+  /** Size of all files, bytes. */
+  sizeBytes: number;
+  /** Size from which on the master deletes the oldest keepings of the flight recorder, bytes. Rule RC-18. */
+  maxBytes: number;
+  /** Free space on the disk, bytes; 0 when unknown. */
+  freeBytes: number;
+}
+
+/**
+ * A moment that somebody marked. As a request: adds, changes or removes it. Rules RC-20 to RC-23.
+ *
+ * `ubii.extension.RecordingMarker`
+ */
+export interface RecordingMarker {
+  /** Id of the recording; empty for every running one and the flight recorder. */
+  recordingId: string;
+  /** Id of the marker; empty for a new one. */
+  id: string;
+  /** The marked moment: milliseconds since the Unix epoch, master's clock; 0 for now. */
+  timeMs: number;
+  /** Text, for display; may be empty. */
+  text: string;
+  /** Name of the client that made it. Set by the master. */
+  author: string;
+  /** Id of the client that made it; in a request, of the client that asks. */
+  clientId: string;
+  /** True: removes the marker. */
+  isRemoved: boolean;
+}
+
+/**
+ * Which recording is meant.
+ *
+ * `ubii.extension.RecordingRequest`
+ */
+export interface RecordingRequest {
+  /** Its id. */
+  id: string;
+}
+
+/**
+ * What a recording records: what any of these members names, or everything when all are empty. Topics,
+ * clients, devices and sessions that appear later are recorded as well. Rules RC-10 to RC-13.
+ *
+ * `ubii.extension.RecordingSelection`
+ */
+export interface RecordingSelection {
+  /** Topics. */
+  topics: string[];
+  /** Globs of topics: * within a level, ** over levels, ? one character. */
+  patterns: string[];
+  /** Ids or names of clients: what they publish. */
+  clients: string[];
+  /** Names or tags of devices, or tags of components: the topics of their components. */
+  devices: string[];
+  /** Ids or names of sessions: the topics that their graphs read and write. */
+  sessions: string[];
+  /** Globs of topics that are not recorded, whatever names them. */
+  excludedPatterns: string[];
+  /** True: records with images are not recorded. */
+  withoutImages: boolean;
+}
+
+/**
+ * Starts a recording. Rule RC-4.
+ *
+ * `ubii.extension.RecordingStartRequest`
+ */
+export interface RecordingStartRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Name of the recording; empty for one made of date and time. */
+  name: string;
+  /** Notes, for display. */
+  notes: string;
+  /** What to record; absent for everything. */
+  selection: RecordingSelection | undefined;
+  /** When to stop; absent for the defaults. */
+  budget: RecordingBudget | undefined;
+}
+
+/**
+ * What is recorded now, published on /ubii/recordings about once a second while something changes. Rule RC-8.
+ *
+ * `ubii.extension.RecordingStatus`
+ */
+export interface RecordingStatus {
+  /** Recordings that run, the newest first, without selections. */
+  running: Recording[];
+  /** The flight recorder, without its slots. */
+  flightRecorder: FlightRecorder | undefined;
+  /** Grows when the list of recordings changes: one is added, changed, finished or deleted. */
+  listRevision: number;
+}
+
+/**
+ * One topic of a recording, as one client published it.
+ *
+ * `ubii.extension.RecordingTopic`
+ */
+export interface RecordingTopic {
+  /** Which topic. */
+  topic: string;
+  /** Id of the client that published; empty for the master itself. */
+  clientId: string;
+  /** Its name. */
+  clientName: string;
+  /** Short name of the data format of its first record. */
+  dataFormat: string;
+  /** Records in the file. */
+  recordCount: number;
+}
+
+/**
+ * What one topic takes.
+ *
+ * `ubii.extension.RecordingTopicRate`
+ */
+export interface RecordingTopicRate {
+  /** Which topic. */
+  topic: string;
+  /** Short name of the data format of its newest record. */
+  dataFormat: string;
+  /** Records per second. */
+  recordsPerSecond: number;
+  /** Bytes per second, before compression. */
+  bytesPerSecond: number;
 }
 
 /**
@@ -2731,6 +3053,16 @@ export interface ServiceReply {
   accessGrantList?: AccessGrantList | undefined;
   /** Entries of the audit log. Rule EX-93. */
   auditLog?: AuditLog | undefined;
+  /** A recording. Rule RC-1. */
+  recording?: Recording | undefined;
+  /** All recordings. Rule RC-3. */
+  recordingList?: RecordingList | undefined;
+  /** The marker as it is now. Rule RC-20. */
+  recordingMarker?: RecordingMarker | undefined;
+  /** What a selection would record. Rule RC-15. */
+  recordingEstimate?: RecordingEstimate | undefined;
+  /** The flight recorder as it is now. Rule RC-30. */
+  flightRecorder?: FlightRecorder | undefined;
 }
 
 /**
@@ -2803,6 +3135,20 @@ export interface ServiceRequest {
   accessGrantRevokeRequest?: AccessGrantRevokeRequest | undefined;
   /** Which entries of the audit log are wanted. Rule EX-93. */
   auditLogRequest?: AuditLogRequest | undefined;
+  /** Which recording is meant. Rule RC-5. */
+  recordingRequest?: RecordingRequest | undefined;
+  /** A recording to start. Rule RC-4. */
+  recordingStartRequest?: RecordingStartRequest | undefined;
+  /** Name and notes of a recording. Rule RC-6. */
+  recordingChangeRequest?: RecordingChangeRequest | undefined;
+  /** A marker to add, change or remove. Rule RC-20. */
+  recordingMarker?: RecordingMarker | undefined;
+  /** What an estimate is wanted of. Rule RC-15. */
+  recordingSelection?: RecordingSelection | undefined;
+  /** What the flight recorder should keep. Rule RC-31. */
+  flightRecorderSettings?: FlightRecorderSettings | undefined;
+  /** What to keep of the flight recorder. Rule RC-32. */
+  flightRecorderKeepRequest?: FlightRecorderKeepRequest | undefined;
 }
 
 /**
@@ -3080,6 +3426,8 @@ export interface TopicDataRecord {
   moduleEvent?: ModuleEvent | undefined;
   /** Our extensions: how long the value outlives its publisher. Rule TD-43. */
   extension: RecordExtension | undefined;
+  /** What is recorded now. Rule RC-8. */
+  recordingStatus?: RecordingStatus | undefined;
 }
 
 /**
@@ -3185,6 +3533,9 @@ export interface MessageTypes {
   'ubii.extension.ClientThrottle': ClientThrottle;
   'ubii.extension.ClientThrottleRequest': ClientThrottleRequest;
   'ubii.extension.EndedTopics': EndedTopics;
+  'ubii.extension.FlightRecorder': FlightRecorder;
+  'ubii.extension.FlightRecorderKeepRequest': FlightRecorderKeepRequest;
+  'ubii.extension.FlightRecorderSettings': FlightRecorderSettings;
   'ubii.extension.JoinCheck': JoinCheck;
   'ubii.extension.JoinCheckRequest': JoinCheckRequest;
   'ubii.extension.JoinRefusal': JoinRefusal;
@@ -3210,6 +3561,18 @@ export interface MessageTypes {
   'ubii.extension.NodeList': NodeList;
   'ubii.extension.NodeMessage': NodeMessage;
   'ubii.extension.RecordExtension': RecordExtension;
+  'ubii.extension.Recording': Recording;
+  'ubii.extension.RecordingBudget': RecordingBudget;
+  'ubii.extension.RecordingChangeRequest': RecordingChangeRequest;
+  'ubii.extension.RecordingEstimate': RecordingEstimate;
+  'ubii.extension.RecordingList': RecordingList;
+  'ubii.extension.RecordingMarker': RecordingMarker;
+  'ubii.extension.RecordingRequest': RecordingRequest;
+  'ubii.extension.RecordingSelection': RecordingSelection;
+  'ubii.extension.RecordingStartRequest': RecordingStartRequest;
+  'ubii.extension.RecordingStatus': RecordingStatus;
+  'ubii.extension.RecordingTopic': RecordingTopic;
+  'ubii.extension.RecordingTopicRate': RecordingTopicRate;
   'ubii.extension.SessionExtension': SessionExtension;
   'ubii.extension.SessionProblem': SessionProblem;
   'ubii.extension.SessionStatistics': SessionStatistics;

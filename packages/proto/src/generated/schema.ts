@@ -101,6 +101,16 @@ enum ubii.extension.NodeExtension.Kind
 1 MASTER
 2 NODE
 3 BROWSER
+enum ubii.extension.RecordingKind
+0 RECORDING_KIND_RECORDING
+1 RECORDING_KIND_FLIGHT_RECORDER
+2 RECORDING_KIND_IMPORT
+enum ubii.extension.RecordingState
+0 RECORDING_STATE_UNSPECIFIED
+1 RECORDING_STATE_RECORDING
+2 RECORDING_STATE_COMPLETE
+3 RECORDING_STATE_REPAIRED
+4 RECORDING_STATE_FAILED
 enum ubii.extension.RevokedWork
 0 REVOKED_WORK_STOP
 1 REVOKED_WORK_HAND_OVER
@@ -509,6 +519,27 @@ message ubii.extension.ClientThrottleRequest
 4 reason string
 message ubii.extension.EndedTopics
 1 topics string *
+message ubii.extension.FlightRecorder
+1 is_on bool
+2 minutes double
+3 max_bytes double
+4 with_images bool
+5 held_ms double
+6 held_bytes double
+7 topic_count int32
+8 record_count double
+9 records_per_second double *
+10 lost_count double
+message ubii.extension.FlightRecorderKeepRequest
+1 client_id string
+2 name string
+3 notes string
+4 last_ms double
+message ubii.extension.FlightRecorderSettings
+1 is_on bool
+2 minutes double
+3 max_bytes double
+4 with_images bool
 message ubii.extension.JoinCheck
 1 role ubii.extension.AccessRole
 2 problem ubii.extension.JoinProblem
@@ -671,6 +702,82 @@ message ubii.extension.NodeMessage
 message ubii.extension.RecordExtension
 1 keep_seconds int32
 2 expiry_ms int32
+message ubii.extension.Recording
+1 id string
+2 name string
+3 kind ubii.extension.RecordingKind
+4 state ubii.extension.RecordingState
+5 started_ms double
+6 duration_ms double
+7 size_bytes double
+8 record_count double
+9 lost_count double
+10 topic_count int32
+11 marker_count int32
+12 problem string
+13 notes string
+14 author string
+15 selection ubii.extension.RecordingSelection
+16 budget ubii.extension.RecordingBudget
+17 topics ubii.extension.RecordingTopic *
+18 markers ubii.extension.RecordingMarker *
+message ubii.extension.RecordingBudget
+1 max_duration_ms double
+2 max_bytes double
+3 min_free_bytes double
+message ubii.extension.RecordingChangeRequest
+1 id string
+2 name string
+3 notes string
+message ubii.extension.RecordingEstimate
+1 topics ubii.extension.RecordingTopicRate *
+2 records_per_second double
+3 bytes_per_second double
+4 free_bytes double
+message ubii.extension.RecordingList
+1 elements ubii.extension.Recording *
+2 size_bytes double
+3 max_bytes double
+4 free_bytes double
+message ubii.extension.RecordingMarker
+1 recording_id string
+2 id string
+3 time_ms double
+4 text string
+5 author string
+6 client_id string
+7 is_removed bool
+message ubii.extension.RecordingRequest
+1 id string
+message ubii.extension.RecordingSelection
+1 topics string *
+2 patterns string *
+3 clients string *
+4 devices string *
+5 sessions string *
+6 excluded_patterns string *
+7 without_images bool
+message ubii.extension.RecordingStartRequest
+1 client_id string
+2 name string
+3 notes string
+4 selection ubii.extension.RecordingSelection
+5 budget ubii.extension.RecordingBudget
+message ubii.extension.RecordingStatus
+1 running ubii.extension.Recording *
+2 flight_recorder ubii.extension.FlightRecorder
+3 list_revision int32
+message ubii.extension.RecordingTopic
+1 topic string
+2 client_id string
+3 client_name string
+4 data_format string
+5 record_count double
+message ubii.extension.RecordingTopicRate
+1 topic string
+2 data_format string
+3 records_per_second double
+4 bytes_per_second double
 message ubii.extension.SessionExtension
 1 state ubii.extension.SessionState
 2 problems ubii.extension.SessionProblem *
@@ -888,6 +995,11 @@ message ubii.services.ServiceReply
 1022 access_grant ubii.extension.AccessGrant type
 1023 access_grant_list ubii.extension.AccessGrantList type
 1040 audit_log ubii.extension.AuditLog type
+1050 recording ubii.extension.Recording type
+1051 recording_list ubii.extension.RecordingList type
+1052 recording_marker ubii.extension.RecordingMarker type
+1053 recording_estimate ubii.extension.RecordingEstimate type
+1054 flight_recorder ubii.extension.FlightRecorder type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -921,6 +1033,13 @@ message ubii.services.ServiceRequest
 1021 access_grant_create_request ubii.extension.AccessGrantCreateRequest type
 1022 access_grant_revoke_request ubii.extension.AccessGrantRevokeRequest type
 1040 audit_log_request ubii.extension.AuditLogRequest type
+1050 recording_request ubii.extension.RecordingRequest type
+1051 recording_start_request ubii.extension.RecordingStartRequest type
+1052 recording_change_request ubii.extension.RecordingChangeRequest type
+1053 recording_marker ubii.extension.RecordingMarker type
+1054 recording_selection ubii.extension.RecordingSelection type
+1055 flight_recorder_settings ubii.extension.FlightRecorderSettings type
+1056 flight_recorder_keep_request ubii.extension.FlightRecorderKeepRequest type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *
@@ -1021,6 +1140,7 @@ message ubii.topicData.TopicDataRecord
 1001 session_statistics ubii.extension.SessionStatistics type
 1002 module_event ubii.extension.ModuleEvent type
 1003 extension ubii.extension.RecordExtension
+1010 recording_status ubii.extension.RecordingStatus type
 message ubii.topicData.TopicDataRecordList
 1 elements ubii.topicData.TopicDataRecord *
 message ubii.topicData.TopicDataSource

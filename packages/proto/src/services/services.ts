@@ -3,6 +3,7 @@ import { ACCESS_SERVICES } from './access-services.ts';
 import { withoutPayload, withOptionalPayload, withPayload } from './define-service.ts';
 import { OPERATION_SERVICES } from './operation-services.ts';
 import { PROCESSING_MODULE_SERVICES } from './processing-module-services.ts';
+import { RECORDING_SERVICES } from './recording-services.ts';
 import { SESSION_SERVICES } from './session-services.ts';
 import { TOPIC_MAPPING_SERVICES } from './topic-mapping-services.ts';
 
@@ -153,6 +154,7 @@ export const SERVICES = {
   ...OPERATION_SERVICES,
   ...ACCESS_SERVICES,
   ...PROCESSING_MODULE_SERVICES,
+  ...RECORDING_SERVICES,
   ...SESSION_SERVICES,
   ...TOPIC_MAPPING_SERVICES,
 } as const;

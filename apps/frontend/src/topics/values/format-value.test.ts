@@ -45,6 +45,7 @@ describe('formatValue', () => {
       '2×2 RGBA8, 16 B',
     ],
     ['error', { title: 'Refused', message: 'No room' }, 'Refused: No room'],
+    ['recordingStatus', { running: [{ name: 'Lesson 3' }] }, '1 recording: Lesson 3'],
     ['sessionStatistics', { modules: [{ moduleName: 'smooth' }] }, '1 module: smooth'],
     [
       'moduleEvent',

@@ -193,4 +193,10 @@ const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
     const what = [moduleName || moduleId, nameOf(ModuleEventKind, kind)].filter(Boolean).join(' ');
     return text([what, message].filter(Boolean).join(': '));
   },
+  recordingStatus: ({ running }) =>
+    named(
+      'recording',
+      'recordings',
+      running.map(({ name }) => name),
+    ),
 };
