@@ -1560,18 +1560,16 @@ export function encodeFlightRecorderKeepRequest(m: Init<T.FlightRecorderKeepRequ
   if (m.clientId != null) w.string(10, m.clientId);
   if (m.name != null) w.string(18, m.name);
   if (m.notes != null) w.string(26, m.notes);
-  if (m.lastMs != null) w.double(33, m.lastMs);
 }
 
 export function decodeFlightRecorderKeepRequest(r: Reader, into?: T.FlightRecorderKeepRequest): T.FlightRecorderKeepRequest {
-  const m: T.FlightRecorderKeepRequest = into ?? { clientId: '', name: '', notes: '', lastMs: 0 };
+  const m: T.FlightRecorderKeepRequest = into ?? { clientId: '', name: '', notes: '' };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 10: m.clientId = r.string(); break;
       case 18: m.name = r.string(); break;
       case 26: m.notes = r.string(); break;
-      case 33: m.lastMs = r.double(); break;
       default: skipField(r, tag);
     }
   }

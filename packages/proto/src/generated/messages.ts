@@ -1672,8 +1672,6 @@ export interface FlightRecorderKeepRequest {
   name: string;
   /** Notes, for display. */
   notes: string;
-  /** Only the last milliseconds of it; 0 for all it holds. */
-  lastMs: number;
 }
 
 /**

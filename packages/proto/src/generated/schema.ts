@@ -534,7 +534,6 @@ message ubii.extension.FlightRecorderKeepRequest
 1 client_id string
 2 name string
 3 notes string
-4 last_ms double
 message ubii.extension.FlightRecorderSettings
 1 is_on bool
 2 minutes double
