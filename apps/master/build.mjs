@@ -34,9 +34,12 @@ await build({
   },
   logLevel: 'warning',
 });
-// On its own: it is a thread, and shares nothing with the program.
+// On their own: each is a thread, and shares nothing with the program.
 await build({
-  entryPoints: { 'decode-worker': inPackage('src/adapters/http/bodies/decode-worker.ts') },
+  entryPoints: {
+    'decode-worker': inPackage('src/adapters/http/bodies/decode-worker.ts'),
+    'recorder-worker': inPackage('src/adapters/recording/recorder-worker.ts'),
+  },
   outdir,
   bundle: true,
   platform: 'node',

@@ -28,6 +28,7 @@ const assetsFolders = ['packages/vision', 'demos/ubi-party'].map((folder) =>
 );
 const workerFile = findBuilt('pm-worker.js', import.meta.url);
 const decodeWorkerFile = findBuilt('decode-worker.js', import.meta.url);
+const recorderWorkerFile = findBuilt('recorder-worker.js', import.meta.url);
 
 await runProgram(MASTER_PROGRAM, (options) => run(createConfig(options)), { version });
 
@@ -44,6 +45,7 @@ async function run(config: Config): Promise<void> {
       assetsFolders,
       workerFile,
       decodeWorkerFile,
+      recorderWorkerFile,
     });
     endInGoodOrder(master, log, config);
     await present(master, config);

@@ -25,6 +25,8 @@ export interface MasterParts {
   readonly models?: readonly KnownModel[];
   /** The built thread that decodes large requests; undefined: the main thread does it. */
   readonly decodeWorkerFile: URL | undefined;
+  /** The built thread that records; undefined: the main thread does it. */
+  readonly recorderWorkerFile: URL | undefined;
 }
 
 /** A master that listens. */

@@ -13,6 +13,8 @@ import { Networks } from './adapters/access/networks.ts';
 import { PeerOwners } from './adapters/access/peer-owners.ts';
 import { limitsOfMachine, openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
+import { MIB } from './core/limits/limit.ts';
+import { DEFAULT_FLIGHT_RECORDER } from './core/recordings/flight-settings.ts';
 import { createMaster, DEFAULT_LIMITS, fitConnections } from './index.ts';
 import type { TerminalAccess } from './index.ts';
 import { PreciseSystemClock } from './adapters/clock/precise-system-clock.ts';
@@ -31,6 +33,8 @@ import { listNetworkAddresses } from './adapters/addresses/network-addresses.ts'
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
+import { recordingsFolder } from './adapters/recording/disk-folder.ts';
+import { openRecorder } from './adapters/recording/open-recorder.ts';
 import { AuditFile } from './adapters/storage/audit-file.ts';
 import { KNOWN_MODELS } from './adapters/models/catalogue.ts';
 import { StoredAssetSets } from './adapters/models/stored-asset-sets.ts';
@@ -62,6 +66,7 @@ export async function startMaster({
   models = KNOWN_MODELS,
   keepAliveMs,
   decodeWorkerFile,
+  recorderWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
   const key = readOrCreateTokenKey(config.dataDir);
@@ -96,6 +101,7 @@ export async function startMaster({
   const storage = openStorage(config.dataDir);
   const modelsFolder = join(config.dataDir, 'models');
   const assets = new AssetFolders([...assetsFolders, modelsFolder]);
+  const recordings = recordingsFolder(config.dataDir);
   const audit = new AuditFile({
     folder: join(config.dataDir, 'audit'),
     maxLines: limits.auditEntries ?? DEFAULT_LIMITS.auditEntries,
@@ -142,6 +148,13 @@ export async function startMaster({
       assets: createAssetStore(assets),
       assetSets,
       storage,
+      recorder: openRecorder({
+        workerFile: recorderWorkerFile,
+        folder: recordings,
+        limits: { ...DEFAULT_LIMITS, ...limits },
+        clock,
+        log,
+      }),
       library: () => library.modules(),
     },
     {
@@ -149,6 +162,11 @@ export async function startMaster({
       version,
       limits,
       libraries,
+      flightRecorder: {
+        isOn: config.flightRecorder !== undefined,
+        minutes: config.flightRecorder ?? DEFAULT_FLIGHT_RECORDER.minutes,
+        maxBytes: config.flightRecorderMib * MIB,
+      },
       startedWith: describeConfig(config, homedir()),
       checks: {
         checks: config.checks,
@@ -183,6 +201,7 @@ export async function startMaster({
     doorkeeper,
     frontendFolder,
     assets,
+    recordingsFolder: recordings,
     authority: () => lan.https?.authority,
   });
   const loopbackFacts = { role: loopback, tellsOwners: owners.canTell };

@@ -1,4 +1,5 @@
 export { MemoryAudit } from './memory-audit.ts';
+export { MemoryFolder } from './memory-folder.ts';
 export { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
 export { FixedUsage } from './fixed-usage.ts';
 export { PlainSecrets } from './plain-secrets.ts';

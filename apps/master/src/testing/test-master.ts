@@ -23,6 +23,9 @@ import { FakeAssetSets } from './fake-asset-sets.ts';
 import { FakeLan } from './fake-lan.ts';
 import { FixedUsage } from './fixed-usage.ts';
 import { MemoryAudit } from './memory-audit.ts';
+import { RecorderEngine } from '../core/recorder/recorder-engine.ts';
+import { DEFAULT_LIMITS } from '../core/limits/index.ts';
+import { MemoryFolder } from './memory-folder.ts';
 import { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
 import { PlainSecrets } from './plain-secrets.ts';
 import { PlainTokens } from './plain-tokens.ts';
@@ -48,6 +51,10 @@ export interface TestMasterOptions {
   readonly grants?: MemoryDocuments;
   /** The audit log that was there before: for a second run of the master. */
   readonly audit?: MemoryAudit;
+  /** Recordings of an earlier run. */
+  readonly recordings?: MemoryFolder;
+  /** What the flight recorder keeps. Default: it is off. */
+  readonly flightRecorder?: MasterSettings['flightRecorder'];
   /** Trusted modules. Default: none. */
   readonly library?: readonly ProcessingModule[];
   /** Asset sets of trusted modules. Default: none. */
@@ -65,6 +72,7 @@ export class TestMaster {
   readonly storage: MemoryStorage;
   readonly grants: MemoryDocuments;
   readonly audit: MemoryAudit;
+  readonly recordings: MemoryFolder;
   readonly logTail: LogTail;
   readonly master: Master;
 
@@ -75,6 +83,7 @@ export class TestMaster {
     this.storage = options.storage ?? new MemoryStorage();
     this.grants = options.grants ?? new MemoryDocuments();
     this.audit = options.audit ?? new MemoryAudit();
+    this.recordings = options.recordings ?? new MemoryFolder();
     this.master = createMaster(
       {
         clock: this.clock,
@@ -92,11 +101,17 @@ export class TestMaster {
         sandboxes: sandboxes ?? createInlineSandboxes(),
         ...(options.assets && { assets: options.assets }),
         storage: this.storage,
+        recorder: new RecorderEngine({
+          folder: this.recordings,
+          clock: this.clock,
+          limits: { ...DEFAULT_LIMITS, ...limits },
+        }),
         library: () => library,
       },
       {
         version: '1.2.3',
         limits,
+        flightRecorder: options.flightRecorder ?? { isOn: false },
         ...(options.checks && { checks: options.checks }),
         endpoints: () => ({
           ipEthernet: '',

@@ -36,6 +36,8 @@ export interface EdgeMasterOptions extends Pick<MasterParts, 'clock' | 'keepAliv
   readonly workerFile?: URL;
   /** The built thread that decodes large requests; without it the main thread does. */
   readonly decodeWorkerFile?: URL;
+  /** The built thread that records; without it the main thread does. */
+  readonly recorderWorkerFile?: URL;
 }
 
 export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<EdgeMaster> {
@@ -65,6 +67,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
     ...(options.models && { models: options.models }),
     decodeWorkerFile: options.decodeWorkerFile,
+    recorderWorkerFile: options.recorderWorkerFile,
   });
   onTestFinished(() => master.close());
   return {

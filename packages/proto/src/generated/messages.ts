@@ -1646,7 +1646,7 @@ export interface FlightRecorder {
   maxBytes: number;
   /** Whether it keeps images. */
   withImages: boolean;
-  /** From its oldest record to now, milliseconds. */
+  /** From its oldest record to its newest, milliseconds. */
   heldMs: number;
   /** Bytes of its records. */
   heldBytes: number;

@@ -19,6 +19,7 @@ import type { OptionValues, ProgramOptions, ReadOptions } from '@ubii/program';
 
 import { ORIGINAL_PORTS, type LegacyPorts } from './legacy-ports.ts';
 import {
+  parseFlightMinutes,
   parseHost,
   parseLegacyPorts,
   parseLimits,
@@ -29,6 +30,8 @@ import {
 } from './parse-values.ts';
 
 import { DEFAULT_CHECKS } from '../../core/checks/check-settings.ts';
+import { MIB } from '../../core/limits/limit.ts';
+import { DEFAULT_FLIGHT_RECORDER } from '../../core/recordings/flight-settings.ts';
 import type { Limits } from '../../core/limits/index.ts';
 
 /** Every option. */
@@ -125,6 +128,19 @@ export const OPTIONS = {
     parse: parseMirror,
   }),
   config: pathOption('<file>', 'none', 'JSON file with options: { "port": 9000, "lan": false }.'),
+  flightRecorder: option<number | undefined>({
+    placeholder: 'off|<minutes>',
+    fallback: DEFAULT_FLIGHT_RECORDER.minutes,
+    description:
+      'Minutes of all topics that the master keeps in memory, so that they can still be recorded afterwards; off keeps nothing. Admins can change it while the master runs.',
+    parse: parseFlightMinutes,
+  }),
+  flightRecorderMib: option({
+    placeholder: '<number>',
+    fallback: DEFAULT_FLIGHT_RECORDER.maxBytes / MIB,
+    description: 'Memory that the flight recorder takes at most, MiB.',
+    parse: parseNumber(1, 512),
+  }),
   legacyPorts: option<LegacyPorts | undefined>({
     placeholder: 'on|off|<services>,<topic data>',
     fallback: ORIGINAL_PORTS,

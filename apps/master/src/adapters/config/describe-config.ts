@@ -8,6 +8,8 @@ import type { LegacyPorts } from './legacy-ports.ts';
 
 /** Options that make the program do something else than run. */
 const NO_SETTINGS: ReadonlySet<OptionName> = new Set(['help', 'version']);
+/** What no value means that it is off. */
+const OFF: ReadonlySet<OptionName> = new Set(['printEndpoints', 'flightRecorder']);
 
 /**
  * The options in force, for people who see how a master is set up from elsewhere [EX-50].
@@ -31,7 +33,7 @@ function textOf(config: Config, name: OptionName, home: string): string {
   if (isSecret && value !== undefined) return 'given';
   if (name === 'legacyPorts') return portsText(config.legacyPorts);
   if (name === 'limits') return limitsText(config.limits);
-  if (value === undefined) return name === 'printEndpoints' ? 'off' : 'none';
+  if (value === undefined) return OFF.has(name) ? 'off' : 'none';
   if (typeof value === 'boolean') return value ? 'on' : 'off';
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.join(', ');
   return withoutHome(String(value), home);

@@ -31,6 +31,14 @@ export function parseLegacyPorts(text: string): LegacyPorts | undefined {
   }
 }
 
+/** Minutes, up to an hour; undefined for off. */
+export function parseFlightMinutes(text: string): number | undefined {
+  if (text === 'off' || text === 'false' || text === '0') return undefined;
+  const minutes = Number(text);
+  if (minutes > 0 && minutes <= 60) return minutes;
+  throw new Error('off, or a number of minutes up to 60');
+}
+
 export function parseOrigins(text: string): readonly string[] {
   const origins = parseList(text.toLowerCase()).map((origin) => origin.replace(/\/$/, ''));
   if (origins.includes('null')) {

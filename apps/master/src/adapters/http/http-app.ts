@@ -18,6 +18,7 @@ import { guardOrigins } from './cross-origin.ts';
 import { replyErrors } from './error-replies.ts';
 import { addFrontend } from './frontend.ts';
 import { guardPaths } from './path-rights.ts';
+import { addRecordings } from './recording-routes.ts';
 import { RequestCounts } from './request-counts.ts';
 import { addServices } from './services-routes.ts';
 import { addStatus } from './status-routes.ts';
@@ -36,6 +37,8 @@ export interface HttpAppOptions {
   /** The built frontend. */
   readonly frontendFolder: string;
   readonly assets: AssetFolders;
+  /** Path of the folder of the recordings. */
+  readonly recordingsFolder: string;
   /** Certificate of the master's own authority, PEM; undefined while it has none. */
   readonly authority: () => string | undefined;
 }
@@ -69,6 +72,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   addAuthorityFacts(app, options.authority);
   addAuthority(app, options.authority);
   addAssets(app, options.assets);
+  addRecordings(app, options);
   await addFrontend(app, frontendFolder);
   await app.ready();
   return app;

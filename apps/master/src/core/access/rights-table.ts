@@ -86,6 +86,8 @@ export const PATH_RIGHTS: readonly PathRight[] = [
   path('GET', '/ca.mobileconfig', 'the same, for iOS'),
   path('GET', '/ca.json', 'its fingerprint and end'),
   path('GET', '/health', 'whether the master runs; id, name and version for those who joined'),
+  path('GET', '/recordings/:id.mcap', 'file of a recording', PARTICIPANTS),
+  path('POST', '/recordings', 'uploads a recording', PARTICIPANTS),
   path('GET', '/metrics', 'counters for Prometheus', READERS),
   path('POST', '/services', 'services, each with its own row above'),
   path('POST', '/services/json', 'the same, as JSON'),

@@ -5,6 +5,7 @@ import { createLibrary, type LibraryArea } from './library.ts';
 import { createMonitoring, type MonitoringArea } from './monitoring.ts';
 import { createNodes, type NodeArea } from './nodes.ts';
 import { createSessions, type SessionArea } from './sessions.ts';
+import { createRecordings, type RecordingArea } from './recordings.ts';
 import type { MasterPorts, MasterSettings } from './settings.ts';
 import { createTopics, type TopicArea } from './topics.ts';
 
@@ -25,6 +26,7 @@ export interface Core
     NodeArea,
     SessionArea,
     AccessArea,
+    RecordingArea,
     MonitoringArea {}
 
 /** Creates the areas of a master in order. Each is given the parts of those before it. */
@@ -36,5 +38,6 @@ export function createCore(ports: MasterPorts, settings: MasterSettings): Core {
   const nodes = { ...library, ...createNodes(library) };
   const sessions = { ...nodes, ...createSessions(nodes) };
   const access = { ...sessions, ...createAccess(sessions) };
-  return { ...access, ...createMonitoring(access) };
+  const recordings = { ...access, ...createRecordings(access) };
+  return { ...recordings, ...createMonitoring(recordings) };
 }

@@ -1,6 +1,6 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
-import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
+import type { FlightRecorderSettings, Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
 import type { PreciseClock } from '@ubii/timing';
 import type { AssetSets } from '../ports/asset-sets.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
@@ -9,6 +9,7 @@ import type { DocumentStore, SessionStorage } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Lan } from '../ports/lan.ts';
 import type { Log } from '../ports/log.ts';
+import type { Recorder } from '../ports/recorder.ts';
 import type { ResourceUsage } from '../ports/resource-usage.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
 import type { CheckSettings } from '../checks/check-settings.ts';
@@ -39,6 +40,8 @@ export interface MasterPorts {
   /** Available asset sets, and downloads of further ones. [EX-57] [EX-58] */
   readonly assetSets: AssetSets;
   readonly storage: SessionStorage;
+  /** Writes recordings; the core closes it. */
+  readonly recorder: Recorder;
   /** Trusted modules: those that came with the program, and the operator's [PM-51]. The same list as long as nothing changes. */
   readonly library: () => readonly ProcessingModule[];
 }
@@ -71,6 +74,8 @@ export interface MasterSettings {
   readonly capacity?: number;
   /** Check settings that differ from `DEFAULT_CHECKS` [EX-48]. */
   readonly checks?: Partial<CheckSettings>;
+  /** What the flight recorder keeps, as far as it differs from `DEFAULT_FLIGHT_RECORDER` [RC-30]. */
+  readonly flightRecorder?: Partial<FlightRecorderSettings>;
   /** Start options of the program, for people, without secrets [EX-50]. Default: none. */
   readonly startedWith?: Init<SettingList>;
   /** Limits that differ from `DEFAULT_LIMITS`. */

@@ -4,6 +4,7 @@ import { Accounts } from '../shares/accounts.ts';
 import { ExpiringValues } from '../topics/expiring-values.ts';
 import { KeptValues } from '../topics/kept-values.ts';
 import { PatternTable } from '../topics/pattern-table.ts';
+import { RecordTap } from '../topics/record-tap.ts';
 import { SelectionTable } from '../topics/selection-table.ts';
 import { subscriberFactory } from '../topics/subscriber-factory.ts';
 import { SubscriptionTable } from '../topics/subscription-table.ts';
@@ -38,6 +39,7 @@ export function createTopics(dependencies: TopicDependencies) {
     accounts,
   });
   const kept = new KeptValues({ clock, limits, topics, accounts });
+  const tap = new RecordTap();
   const batches = new TurnBatches();
   const endOfTurn = new EndOfTurn(clock, () => batches.renew());
   const expiring = new ExpiringValues({ clock, topics });
@@ -52,11 +54,13 @@ export function createTopics(dependencies: TopicDependencies) {
     accounts,
     topics,
     kept,
+    /** Where records are picked up to be recorded. */
+    tap,
     patternTable: patterns,
     selectionTable: selections,
     subscriptions,
     endOfTurn,
     createSubscriber: subscriberFactory({ clock, limits, counters, endOfTurn, batches, topics }),
-    publisher: new MasterPublisher({ topics, limits, accounts, counters, kept }, clock),
+    publisher: new MasterPublisher({ topics, limits, accounts, counters, kept, tap }, clock),
   };
 }

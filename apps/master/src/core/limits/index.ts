@@ -8,6 +8,7 @@ import { CONNECTION_LIMITS } from './connections.ts';
 import { ACCESS_LIMITS } from './access.ts';
 import { SUBSCRIPTION_LIMITS } from './subscriptions.ts';
 import { DELIVERY_LIMITS } from './delivery.ts';
+import { RECORDING_LIMITS } from './recordings.ts';
 import { SESSION_LIMITS } from './sessions.ts';
 
 /**
@@ -26,6 +27,7 @@ export const LIMITS = {
   ...SUBSCRIPTION_LIMITS,
   ...DELIVERY_LIMITS,
   ...SESSION_LIMITS,
+  ...RECORDING_LIMITS,
 } as const satisfies Record<string, LimitInfo>;
 
 /** Name of a limit, as in errors, metrics and problems. */

@@ -1,4 +1,5 @@
-import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
+import { StatusEventKind, type Recording, type ServiceRequest } from '@ubii/proto';
+import { makerOf } from '../access/caller.ts';
 import { openTerminal } from '../access/open-terminal.ts';
 import type { Role } from '../access/roles.ts';
 import { createCore } from '../areas/core.ts';
@@ -68,6 +69,11 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     metrics(): MasterMetrics {
       return readMetrics(core);
     },
+    recordings: core.recordings,
+    adoptRecording(id: string, name: string, facts: CallerFacts): Promise<Recording> {
+      const makerId = makerOf(core.access.identify(facts));
+      return core.recordings.adopt(id, { name, notes: '', author: '', makerId });
+    },
     sessionsAtStop(): SessionsAtStop {
       return core.sessions.atStop();
     },
@@ -76,6 +82,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     },
     async close(): Promise<void> {
       core.onClose.emit();
+      await core.recordings.close();
       await core.localNode.close();
       await ports.sandboxes.close();
     },

@@ -1,10 +1,11 @@
-import type { ServiceRequest } from '@ubii/proto';
+import type { Recording, ServiceRequest } from '@ubii/proto';
 import type { Role } from '../access/roles.ts';
 export type { Role } from '../access/roles.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
 import type { OpenConnection, TransportPeer } from '../connections/open-connection.ts';
+import type { Recordings } from '../recordings/recordings.ts';
 import type { IncomingRequest } from '../services/incoming-request.ts';
 import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
 import type { TerminalAccess } from '../access/terminal-access.ts';
@@ -67,6 +68,10 @@ export interface Master {
    * @throws Error when it cannot be kept
    */
   openTerminal(isReachable: boolean): Promise<TerminalAccess>;
+  /** Finished recordings, for adapters that serve their files. */
+  readonly recordings: Pick<Recordings, 'get' | 'requireRoomFor'>;
+  /** Takes the uploaded file of this id into the recordings. [RC-41] @throws ServiceError when it is no recording */
+  adoptRecording(id: string, name: string, caller: CallerFacts): Promise<Recording>;
   /** Returns which running sessions would restart and which would end if the master stopped now [SE-24]. */
   sessionsAtStop(): SessionsAtStop;
   /** Resolves to the results of the sessions that this master had to restart [SE-24]. */

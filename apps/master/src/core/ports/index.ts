@@ -9,6 +9,20 @@ export type { ResumeTokens } from './resume-tokens.ts';
 export type { Lan } from './lan.ts';
 export type { Log, LogFields } from './log.ts';
 export type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
+export { FLIGHT_TARGET } from './recorder.ts';
+export type {
+  FlightJob,
+  KeptRecording,
+  MarkerJob,
+  Recorder,
+  RecorderList,
+  RecorderState,
+  RecordingJob,
+  RecordingTexts,
+  RecordSource,
+  RecordToKeep,
+  RunningJob,
+} from './recorder.ts';
 export type { ResourceUsage, UsageMeasurement } from './resource-usage.ts';
 export type { BatchEncoder, RecordBatch } from './record-batch.ts';
 export type { ClientConnection } from './client-connection.ts';

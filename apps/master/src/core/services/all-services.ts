@@ -7,6 +7,7 @@ import { DEVICE_SERVICES } from './devices.ts';
 import { listingServices } from './listings.ts';
 import { MODULE_SERVICES } from './modules.ts';
 import { MONITORING_SERVICES } from './monitoring.ts';
+import { RECORDING_SERVICES } from './recordings.ts';
 import { SERVER_SERVICES } from './server.ts';
 import { STORED_SESSION_SERVICES } from './session-database.ts';
 import { SESSION_SERVICES } from './sessions.ts';
@@ -26,6 +27,7 @@ export const ALL_SERVICES: readonly Service[] = [
   ...ACCESS_SERVICES,
   ...MONITORING_SERVICES,
   ...ASSET_SET_SERVICES,
+  ...RECORDING_SERVICES,
 ];
 
 const BY_TOPIC: ReadonlyMap<string, Service> = new Map(

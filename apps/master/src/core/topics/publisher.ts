@@ -6,6 +6,7 @@ import type { Counters } from '../counters/counters.ts';
 import { isOwnFarewell } from './farewell.ts';
 import type { KeptValues } from './kept-values.ts';
 import type { Publication, PublishingClient } from './publication.ts';
+import type { RecordTap } from './record-tap.ts';
 import { REFUSALS, type Refusal } from './refusals.ts';
 import { isEventField } from './topic-entry.ts';
 import { topicFault } from './topic-names.ts';
@@ -18,6 +19,7 @@ export interface PublishContext {
   readonly accounts: Accounts;
   readonly counters: Counters;
   readonly kept: KeptValues;
+  readonly tap: RecordTap;
 }
 
 /**
@@ -166,6 +168,7 @@ function storeAndDeliver(context: PublishContext, publication: Publication): voi
   context.topics.store(entry, record, valueField, publication.nowMs);
   const { client } = publication;
   entry.publisherId = client?.id ?? '';
+  if (context.tap.isOn) context.tap.take(entry, record); // [RC-50]
   if (client !== undefined) {
     const { traffic } = client; // [EX-27]
     const receivers = direct.length + sampled.length;

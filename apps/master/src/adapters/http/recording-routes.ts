@@ -1,0 +1,92 @@
+import { randomUUID } from 'node:crypto';
+import { createReadStream } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
+import { RecordingState, ServiceError, toJson } from '@ubii/proto';
+
+import type { Limits } from '../../core/limits/index.ts';
+import type { Master } from '../../core/master/master.ts';
+import type { CallerReader } from '../access/caller-reader.ts';
+import { recordingPath } from '../recording/disk-folder.ts';
+import { receiveUpload } from '../recording/receive-upload.ts';
+import { parseByteRange } from './byte-range.ts';
+
+export interface RecordingRoutesOptions {
+  readonly master: Pick<Master, 'recordings' | 'adoptRecording'>;
+  readonly callers: Pick<CallerReader, 'read'>;
+  readonly recordingsFolder: string;
+  readonly limits: Pick<Limits, 'recordingUploadBytes' | 'nameCharacters'>;
+}
+
+/** Files of recordings: to download, in ranges as well, and to upload. [RC-40] [RC-41] */
+export function addRecordings(app: FastifyInstance, options: RecordingRoutesOptions): void {
+  app.get('/recordings/:id.mcap', (request, reply) => sendFile(request, reply, options));
+  app.post('/recordings', async (request, reply) => {
+    const recording = await takeFile(request, options);
+    return reply
+      .header('cache-control', 'no-store')
+      .type('application/json; charset=utf-8')
+      .send(JSON.stringify(toJson('ubii.extension.Recording', recording)));
+  });
+}
+
+async function sendFile(
+  { params, headers }: FastifyRequest,
+  reply: FastifyReply,
+  { master, recordingsFolder }: RecordingRoutesOptions,
+): Promise<FastifyReply> {
+  const { id } = params as { readonly id: string };
+  const { name, state } = (await master.recordings.get(id)).recording;
+  if (state === RecordingState.RECORDING_STATE_RECORDING) {
+    throw new ServiceError(
+      'failed_precondition',
+      'This recording is running. Stop it before you download its file.',
+    );
+  }
+  const path = recordingPath(recordingsFolder, id);
+  const { size, mtimeMs } = await stat(path);
+  const etag = `"${size.toString(16)}-${Math.round(mtimeMs * 1000).toString(16)}"`;
+  reply
+    .header('etag', etag)
+    .header('accept-ranges', 'bytes')
+    .header('cache-control', 'no-cache')
+    .header('x-content-type-options', 'nosniff')
+    .header('content-security-policy', "default-src 'none'")
+    .header('content-disposition', `attachment; filename*=UTF-8''${encodeURIComponent(name)}.mcap`)
+    .type('application/octet-stream');
+  if (headers['if-none-match'] === etag) return reply.code(304).send();
+  // A part of another version would not fit to what the caller has (RFC 9110, section 13.1.5).
+  const isOther = headers['if-range'] !== undefined && headers['if-range'] !== etag;
+  const range = isOther ? undefined : parseByteRange(headers.range, size);
+  if (range === 'unsatisfiable') {
+    return reply.code(416).header('content-range', `bytes */${size}`).send();
+  }
+  if (range === undefined) {
+    return reply.header('content-length', size).send(createReadStream(path));
+  }
+  const { start, end } = range;
+  return reply
+    .code(206)
+    .header('content-range', `bytes ${start}-${end}/${size}`)
+    .header('content-length', end - start + 1)
+    .send(createReadStream(path, range));
+}
+
+async function takeFile(
+  { raw, query }: FastifyRequest,
+  { master, callers, recordingsFolder, limits }: RecordingRoutesOptions,
+): ReturnType<Master['adoptRecording']> {
+  const { name = '' } = query as { readonly name?: unknown };
+  if (typeof name !== 'string' || name.length > limits.nameCharacters) {
+    throw new ServiceError(
+      'invalid_argument',
+      `The query name is one text of at most ${limits.nameCharacters} characters.`,
+    );
+  }
+  const declared = Number(raw.headers['content-length'] ?? 0);
+  await master.recordings.requireRoomFor(declared);
+  const id = randomUUID();
+  const maxBytes = limits.recordingUploadBytes;
+  await receiveUpload(raw, { folder: recordingsFolder, id, declared, maxBytes });
+  return master.adoptRecording(id, name, callers.read(raw));
+}

@@ -1,0 +1,49 @@
+import { parentPort, workerData } from 'node:worker_threads';
+import { ServiceError } from '@ubii/proto';
+import { SystemClock } from '@ubii/timing/system';
+
+import type { RecordSource } from '../../core/ports/index.ts';
+import { RecorderEngine } from '../../core/recorder/recorder-engine.ts';
+import { decodeBatch } from './batch-codec.ts';
+import { DiskFolder } from './disk-folder.ts';
+import type { FromThread, RecorderThreadData, ToThread } from './thread-messages.ts';
+
+/* The thread that records: it holds the last minutes, and writes files. [RC-50] */
+const { folder, limits } = workerData as RecorderThreadData;
+const recorder = new RecorderEngine({
+  folder: new DiskFolder(folder),
+  clock: new SystemClock(),
+  limits,
+});
+const send = (message: FromThread): void => parentPort!.postMessage(message);
+let sources: RecordSource[] = [];
+
+recorder.onState((state) => send({ kind: 'state', state }));
+parentPort!.on('message', (message: ToThread) => {
+  switch (message.kind) {
+    case 'batch':
+      return takeBatch(message);
+    case 'event':
+      return recorder.addEvent(message.event, message.targets);
+    case 'call':
+      return void answer(message);
+  }
+});
+
+function takeBatch({ batch, sources: added, isFresh }: Extract<ToThread, { kind: 'batch' }>): void {
+  if (isFresh) sources = [];
+  sources.push(...added);
+  const bytes = batch.buffer.byteLength;
+  void recorder.take(decodeBatch(batch, sources)).then(() => send({ kind: 'taken', bytes }));
+}
+
+async function answer({ id, method, args }: Extract<ToThread, { kind: 'call' }>): Promise<void> {
+  try {
+    // The other side calls it by the types of the port.
+    const call = recorder[method].bind(recorder) as (...args: unknown[]) => Promise<unknown>;
+    send({ kind: 'reply', id, value: await call(...args) });
+  } catch (error) {
+    const { code, message, details, cause } = ServiceError.from(error);
+    send({ kind: 'refusal', id, code, message, details, cause: String(cause ?? '') });
+  }
+}

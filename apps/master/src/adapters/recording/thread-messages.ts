@@ -1,0 +1,50 @@
+import type { ServiceErrorCode } from '@ubii/proto';
+import type { RecordingEvent } from '@ubii/recording';
+
+import type { Recorder, RecorderState, RecordSource } from '../../core/ports/index.ts';
+import type { RecorderLimits } from '../../core/recorder/recorder-engine.ts';
+import type { EncodedBatch } from './batch-codec.ts';
+
+/** What the thread starts with. */
+export interface RecorderThreadData {
+  /** Path of the folder of the recordings. */
+  readonly folder: string;
+  readonly limits: RecorderLimits;
+}
+
+/** What is called of the recorder, and answered. */
+export type RecorderCalls = Omit<Recorder, 'waitingBytes' | 'add' | 'addEvent' | 'onState'>;
+export type RecorderMethod = keyof RecorderCalls;
+
+/** To the thread. */
+export type ToThread =
+  | {
+      readonly kind: 'batch';
+      readonly batch: EncodedBatch;
+      /** Sources that are new, in the order of their numbers. */
+      readonly sources: readonly RecordSource[];
+      /** True: earlier sources are forgotten, and numbers begin again. */
+      readonly isFresh: boolean;
+    }
+  | { readonly kind: 'event'; readonly event: RecordingEvent; readonly targets: number }
+  | {
+      readonly kind: 'call';
+      readonly id: number;
+      readonly method: RecorderMethod;
+      readonly args: readonly unknown[];
+    };
+
+/** From the thread. */
+export type FromThread =
+  | { readonly kind: 'taken'; readonly bytes: number }
+  | { readonly kind: 'state'; readonly state: RecorderState }
+  | { readonly kind: 'reply'; readonly id: number; readonly value: unknown }
+  | {
+      readonly kind: 'refusal';
+      readonly id: number;
+      readonly code: ServiceErrorCode;
+      readonly message: string;
+      readonly details: Readonly<Record<string, unknown>>;
+      /** What caused it, for the log; empty when there is nothing to say. */
+      readonly cause: string;
+    };

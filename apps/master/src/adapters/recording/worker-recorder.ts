@@ -1,0 +1,265 @@
+import { Worker } from 'node:worker_threads';
+import {
+  ServiceError,
+  type FlightRecorder,
+  type Recording,
+  type RecordingMarker,
+} from '@ubii/proto';
+import type { RecordingEvent } from '@ubii/recording';
+import type { Clock } from '@ubii/timing';
+
+import type {
+  FlightJob,
+  KeptRecording,
+  Log,
+  MarkerJob,
+  Recorder,
+  RecorderList,
+  RecorderState,
+  RecordingJob,
+  RecordingTexts,
+  RecordSource,
+  RecordToKeep,
+  RunningJob,
+} from '../../core/ports/index.ts';
+import { encodeBatch } from './batch-codec.ts';
+import type {
+  FromThread,
+  RecorderCalls,
+  RecorderMethod,
+  RecorderThreadData,
+  ToThread,
+} from './thread-messages.ts';
+
+export interface WorkerRecorderOptions extends RecorderThreadData {
+  /** The built thread. */
+  readonly workerFile: URL;
+  readonly clock: Clock;
+  readonly log: Log;
+}
+
+interface Call {
+  readonly resolve: (value: unknown) => void;
+  readonly reject: (error: ServiceError) => void;
+}
+
+/** Heap of the thread; the flight recorder has its memory besides. */
+const HEAP_MIB = 512;
+/** Time after a failure until the thread may start again. */
+const PAUSE_MS = 5_000;
+/** From so many sources on, the thread forgets all that it knows. */
+const MAX_SOURCES = 100_000;
+const OFF: FlightRecorder = {
+  ...{ isOn: false, minutes: 0, maxBytes: 0, withImages: false, heldMs: 0, heldBytes: 0 },
+  ...{ topicCount: 0, recordCount: 0, recordsPerSecond: [], lostCount: 0 },
+};
+
+/** A recorder on a thread of its own, which starts when it is first needed. [RC-50] */
+export class WorkerRecorder implements Recorder {
+  readonly #options: WorkerRecorderOptions;
+  readonly #calls = new Map<number, Call>();
+  #worker: Worker | undefined = undefined;
+  #numbers = new Map<RecordSource, number>();
+  #isFresh = true;
+  #nextCall = 0;
+  #waitingBytes = 0;
+  /** Until then, the thread is not started again, monotonic milliseconds. */
+  #pausedUntilMs = 0;
+  /** What the flight recorder keeps, for the next thread. */
+  #flightJob: FlightJob | undefined = undefined;
+  #listRevision = 0;
+  #listener: (state: RecorderState) => void = () => undefined;
+
+  constructor(options: WorkerRecorderOptions) {
+    this.#options = options;
+  }
+
+  get waitingBytes(): number {
+    return this.#waitingBytes;
+  }
+
+  add(records: readonly RecordToKeep[]): void {
+    if (this.#isPaused) return;
+    if (this.#numbers.size > MAX_SOURCES) {
+      this.#numbers = new Map();
+      this.#isFresh = true;
+    }
+    const sources: RecordSource[] = [];
+    const batch = encodeBatch(records, (source) => {
+      let number = this.#numbers.get(source);
+      if (number === undefined) {
+        number = this.#numbers.size;
+        this.#numbers.set(source, number);
+        sources.push({ topic: source.topic, clientId: source.clientId });
+      }
+      return number;
+    });
+    this.#waitingBytes += batch.buffer.byteLength;
+    this.#send({ kind: 'batch', batch, sources, isFresh: this.#isFresh }, [batch.buffer]);
+    this.#isFresh = false;
+  }
+
+  addEvent(event: RecordingEvent, targets: number): void {
+    if (!this.#isPaused) this.#send({ kind: 'event', event, targets });
+  }
+
+  start(job: RunningJob): Promise<Recording> {
+    return this.#call('start', job);
+  }
+
+  stop(id: string): Promise<Recording> {
+    return this.#call('stop', id);
+  }
+
+  list(): Promise<RecorderList> {
+    return this.#call('list');
+  }
+
+  get(id: string): Promise<KeptRecording> {
+    return this.#call('get', id);
+  }
+
+  change(id: string, texts: RecordingTexts): Promise<Recording> {
+    return this.#call('change', id, texts);
+  }
+
+  delete(id: string): Promise<void> {
+    return this.#call('delete', id);
+  }
+
+  mark(job: MarkerJob): Promise<RecordingMarker> {
+    return this.#call('mark', job);
+  }
+
+  setFlight(job: FlightJob): Promise<FlightRecorder> {
+    this.#flightJob = job;
+    return this.#call('setFlight', job);
+  }
+
+  flight(): Promise<FlightRecorder> {
+    return this.#call('flight');
+  }
+
+  keep(job: RecordingJob): Promise<Recording> {
+    return this.#call('keep', job);
+  }
+
+  adopt(job: RecordingJob): Promise<Recording> {
+    return this.#call('adopt', job);
+  }
+
+  onState(listener: (state: RecorderState) => void): void {
+    this.#listener = listener;
+  }
+
+  async close(): Promise<void> {
+    const worker = this.#worker;
+    if (worker === undefined) return;
+    worker.ref(); // Nothing else may keep the process until the files are closed.
+    await this.#call('close').catch(() => undefined);
+    this.#worker = undefined;
+    await worker.terminate();
+  }
+
+  get #isPaused(): boolean {
+    return this.#options.clock.monotonicMs() < this.#pausedUntilMs;
+  }
+
+  #call<M extends RecorderMethod>(
+    method: M,
+    ...args: Parameters<RecorderCalls[M]>
+  ): ReturnType<RecorderCalls[M]> {
+    const id = this.#nextCall++;
+    return new Promise<unknown>((resolve, reject) => {
+      if (this.#isPaused) return reject(unavailable());
+      this.#calls.set(id, { resolve, reject });
+      this.#send({ kind: 'call', id, method, args });
+    }) as ReturnType<RecorderCalls[M]>;
+  }
+
+  #send(message: ToThread, transfer: ArrayBuffer[] = []): void {
+    try {
+      this.#worker ??= this.#startThread();
+      this.#worker.postMessage(message, transfer);
+    } catch (error) {
+      this.#fail(String(error));
+    }
+  }
+
+  #startThread(): Worker {
+    const { workerFile, folder, limits } = this.#options;
+    const workerData: RecorderThreadData = { folder, limits };
+    const worker = new Worker(workerFile, {
+      name: 'ubii recorder',
+      workerData,
+      env: {},
+      argv: [],
+      execArgv: [],
+      resourceLimits: { maxOldGenerationSizeMb: HEAP_MIB },
+    });
+    const isCurrent = (): boolean => this.#worker === worker;
+    worker.on('message', (message: FromThread) => {
+      if (isCurrent()) this.#handle(message);
+    });
+    worker.on('error', (error) => {
+      if (isCurrent()) this.#fail(error.message);
+    });
+    worker.on('exit', () => {
+      if (isCurrent()) this.#fail('its thread ended');
+    });
+    worker.unref();
+    return worker;
+  }
+
+  #handle(message: FromThread): void {
+    switch (message.kind) {
+      case 'taken':
+        this.#waitingBytes -= message.bytes;
+        return;
+      case 'state':
+        this.#listRevision = message.state.listRevision;
+        return this.#listener(message.state);
+      case 'reply':
+        return this.#takeCall(message.id)?.resolve(message.value);
+      case 'refusal':
+        return this.#refuse(message);
+    }
+  }
+
+  #refuse({ id, code, message, details, cause }: Extract<FromThread, { kind: 'refusal' }>): void {
+    if (code === 'internal') this.#options.log.error('the recorder failed', { reason: cause });
+    this.#takeCall(id)?.reject(new ServiceError(code, message, { details }));
+  }
+
+  #takeCall(id: number): Call | undefined {
+    const call = this.#calls.get(id);
+    this.#calls.delete(id);
+    return call;
+  }
+
+  /** What was recorded is repaired by the next thread. The master goes on. */
+  #fail(reason: string): void {
+    const worker = this.#worker;
+    this.#worker = undefined;
+    void worker?.terminate();
+    this.#options.log.error('recording stopped, because its thread failed', { reason });
+    this.#pausedUntilMs = this.#options.clock.monotonicMs() + PAUSE_MS;
+    this.#numbers = new Map();
+    this.#isFresh = true;
+    this.#waitingBytes = 0;
+    for (const { reject } of this.#calls.values()) reject(unavailable());
+    this.#calls.clear();
+    const listRevision = ++this.#listRevision;
+    this.#listener({ running: [], targets: 0, flight: OFF, listRevision });
+    const job = this.#flightJob;
+    if (job === undefined) return;
+    this.#options.clock.after(PAUSE_MS, () => void this.setFlight(job).catch(() => undefined));
+  }
+}
+
+function unavailable(): ServiceError {
+  return new ServiceError(
+    'unavailable',
+    'The recorder failed and starts again within seconds. Try again; the log of the master says why.',
+  );
+}

@@ -1,0 +1,33 @@
+import { DEFAULT_FLIGHT_RECORDER } from '../recordings/flight-settings.ts';
+import { RecordCollector } from '../recordings/record-collector.ts';
+import { Recordings } from '../recordings/recordings.ts';
+import type { ClientArea } from './clients.ts';
+import type { Foundation } from './foundation.ts';
+import type { SessionArea } from './sessions.ts';
+import { nameOf, type MasterPorts } from './settings.ts';
+import type { TopicArea } from './topics.ts';
+
+/** Recordings of topics, and the flight recorder. */
+export type RecordingArea = ReturnType<typeof createRecordings>;
+
+export type RecordingDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'patterns' | 'recorder'> &
+  Pick<Foundation, 'settings' | 'limits' | 'limitWatch' | 'onClose'> &
+  Pick<TopicArea, 'topics' | 'tap' | 'publisher'> &
+  Pick<ClientArea, 'clients' | 'devices'> &
+  Pick<SessionArea, 'sessions'>;
+
+export function createRecordings(dependencies: RecordingDependencies) {
+  const { settings, limitWatch: limits, sessions, onClose } = dependencies;
+  const collector = new RecordCollector(dependencies);
+  const recordings = new Recordings({
+    ...dependencies,
+    limits,
+    collector,
+    sessions: () => sessions.list(),
+    flight: { ...DEFAULT_FLIGHT_RECORDER, ...settings.flightRecorder },
+    masterName: nameOf(settings),
+    version: settings.version,
+  });
+  onClose.add(() => collector.close());
+  return { recordings };
+}

@@ -1,0 +1,63 @@
+import { KIB, MIB, limit } from './limit.ts';
+
+const GIB = KIB * MIB;
+
+/** Limits of recordings and of the flight recorder. */
+export const RECORDING_LIMITS = {
+  runningRecordings: limit(
+    8,
+    'recordings',
+    'storage',
+    'Recordings that run at the same time. Each is compressed and written on its own.',
+  ),
+  recordings: limit(
+    5_000,
+    'recordings',
+    'storage',
+    'Recordings that are kept. The master reads the end of each file when it starts to list them.',
+  ),
+  recordingsBytes: limit(
+    20 * GIB,
+    'bytes',
+    'storage',
+    'Files of all recordings. Beyond it, the master deletes the oldest keepings of the flight recorder, and then stops recording.',
+  ),
+  recordingBytes: limit(
+    8 * GIB,
+    'bytes',
+    'storage',
+    'File of one recording, at which it stops. A day of a party without images.',
+  ),
+  recordingMs: limit(86_400_000, 'ms', 'time', 'Duration at which a recording stops.'),
+  recordingFreeBytes: limit(
+    GIB,
+    'bytes',
+    'storage',
+    'Free space on the disk below which recordings stop, so that other programs can go on.',
+  ),
+  recordingUploadBytes: limit(8 * GIB, 'bytes', 'storage', 'One uploaded recording.'),
+  recorderQueueBytes: limit(
+    32 * MIB,
+    'bytes',
+    'queues',
+    'Records that wait for the recorder. Records beyond are counted as lost. Enough for a second of raw camera images.',
+  ),
+  markersPerRecording: limit(
+    10_000,
+    'markers',
+    'storage',
+    'Markers of one recording, with their changes. Each of them is in its list.',
+  ),
+  flightRecorderMs: limit(
+    3_600_000,
+    'ms',
+    'storage',
+    'Longest time that the flight recorder can be set to keep.',
+  ),
+  flightRecorderBytes: limit(
+    512 * MIB,
+    'bytes',
+    'storage',
+    'Most memory that the flight recorder can be set to keep.',
+  ),
+} as const;

@@ -1,0 +1,132 @@
+import type {
+  FlightRecorder,
+  FlightRecorderSettings,
+  Recording,
+  RecordingBudget,
+  RecordingMarker,
+  RecordingSelection,
+} from '@ubii/proto';
+import type { RecordingEvent } from '@ubii/recording';
+
+/** Who publishes what. The same object for all records of one publisher on one topic. */
+export interface RecordSource {
+  readonly topic: string;
+  /** Id of the client that publishes; empty for the master. */
+  readonly clientId: string;
+}
+
+/** A record on its way into recordings. */
+export interface RecordToKeep {
+  readonly source: RecordSource;
+  /** Encoded `ubii.topicData.TopicDataRecord`; not modified any more. */
+  readonly record: Uint8Array;
+  /** When it came, epoch milliseconds. */
+  readonly timeMs: number;
+  /** Bits of what records it: `FLIGHT_TARGET`, and the targets of recordings. */
+  readonly targets: number;
+}
+
+/** Target of the flight recorder. */
+export const FLIGHT_TARGET = 1;
+
+/** A recording to start, or to keep of the flight recorder. */
+export interface RecordingJob {
+  readonly id: string;
+  readonly name: string;
+  readonly notes: string;
+  readonly author: string;
+  /** Id of the invitation of who started it; empty when none was needed [RC-5]. */
+  readonly makerId: string;
+  readonly masterName: string;
+  readonly version: string;
+}
+
+/** A recording to start. */
+export interface RunningJob extends RecordingJob {
+  /** Its bit in `RecordToKeep.targets`, from 2 to 2^15. */
+  readonly target: number;
+  readonly selection: RecordingSelection;
+  /** All members are set. */
+  readonly budget: RecordingBudget;
+  /** Clients and sessions as they are. */
+  readonly present: readonly RecordingEvent[];
+}
+
+/** Limits of the flight recorder; `present` are clients and sessions as they are. */
+export interface FlightJob extends FlightRecorderSettings {
+  readonly present: readonly RecordingEvent[];
+}
+
+/** A finished or running recording, with the invitation that it belongs to. */
+export interface KeptRecording {
+  readonly recording: Recording;
+  readonly makerId: string;
+}
+
+/** All recordings. */
+export interface RecorderList {
+  /** The newest first. */
+  readonly recordings: readonly Recording[];
+  readonly sizeBytes: number;
+  /** Free space on the disk, bytes; 0 when unknown. */
+  readonly freeBytes: number;
+}
+
+/** What is recorded now. */
+export interface RecorderState {
+  /** The newest first. */
+  readonly running: readonly Recording[];
+  /** Targets of those that run. */
+  readonly targets: number;
+  readonly flight: FlightRecorder;
+  /** Grows with each recording that is added, changed, finished or deleted. */
+  readonly listRevision: number;
+}
+
+/** A change of name and notes. */
+export interface RecordingTexts {
+  readonly name: string;
+  readonly notes: string;
+}
+
+/** A marker to add, change or remove. */
+export interface MarkerJob {
+  /** `recordingId` empty: all that run and the flight recorder. `id` and `timeMs` are set. */
+  readonly marker: RecordingMarker;
+  /** Finished recordings, and markers of others, as well [RC-21]. */
+  readonly mayChangeAll: boolean;
+}
+
+/**
+ * Writes recordings and keeps the last minutes. Calls are carried out in the order in which they come. Promises are rejected with
+ * a `ServiceError`.
+ */
+export interface Recorder {
+  /** Bytes of records that were added and are not taken in yet. */
+  readonly waitingBytes: number;
+  /** Records a batch. Never throws, and never waits; the bytes are copied at once. */
+  add(records: readonly RecordToKeep[]): void;
+  /** Records an event in these targets. Never throws. */
+  addEvent(event: RecordingEvent, targets: number): void;
+  /** Resolves when the file is open. */
+  start(job: RunningJob): Promise<Recording>;
+  /** Closes the file. A recording that is finished stays as it is. */
+  stop(id: string): Promise<Recording>;
+  list(): Promise<RecorderList>;
+  /** With topics and markers. */
+  get(id: string): Promise<KeptRecording>;
+  change(id: string, texts: RecordingTexts): Promise<Recording>;
+  /** Deletes the file; stops a running recording first. */
+  delete(id: string): Promise<void>;
+  mark(job: MarkerJob): Promise<RecordingMarker>;
+  setFlight(job: FlightJob): Promise<FlightRecorder>;
+  flight(): Promise<FlightRecorder>;
+  /** Writes what the flight recorder holds. */
+  keep(job: RecordingJob): Promise<Recording>;
+  /** Takes a file that was uploaded as `id` into the list. Deletes it when it is no recording. */
+  adopt(job: RecordingJob): Promise<Recording>;
+  /** Calls `listener` when a recording starts or ends, and each second while something is recorded. For one listener. */
+  onState(listener: (state: RecorderState) => void): void;
+  /** Closes all files. */
+  close(): Promise<void>;
+}

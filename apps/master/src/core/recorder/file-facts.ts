@@ -1,0 +1,123 @@
+import { RecordingKind, RecordingState, type Recording, type RecordingSelection } from '@ubii/proto';
+import type { RecordingHeader, RecordingSummary } from '@ubii/recording';
+import type { RecordingJob } from '../ports/recorder.ts';
+import { msOf } from './nanoseconds.ts';
+
+/** What the master keeps in the header of a file, besides what every reader knows. */
+export interface FileFacts {
+  readonly name: string;
+  readonly notes: string;
+  readonly kind: RecordingKind;
+  readonly masterName: string;
+  readonly version: string;
+  readonly author: string;
+  readonly makerId: string;
+  readonly startedMs: number;
+  readonly state: RecordingState;
+  readonly problem: string;
+  readonly selection: RecordingSelection | undefined;
+}
+
+const KINDS: { readonly [K in RecordingKind]?: RecordingHeader['kind'] } = {
+  [RecordingKind.RECORDING_KIND_RECORDING]: 'recording',
+  [RecordingKind.RECORDING_KIND_FLIGHT_RECORDER]: 'flight-recorder',
+  [RecordingKind.RECORDING_KIND_IMPORT]: 'import',
+};
+
+/** What the file of a new recording begins with. */
+export function factsOf(
+  { name, notes, author, makerId, masterName, version }: RecordingJob,
+  kind: RecordingKind,
+  startedMs: number,
+  selection?: RecordingSelection,
+): FileFacts {
+  const state = RecordingState.RECORDING_STATE_COMPLETE;
+  const texts = { name, notes, author, makerId, masterName, version };
+  return { ...texts, kind, startedMs, state, problem: '', selection };
+}
+
+/** The header for a file. The member `selection` of it is JSON with all that has no member of its own. */
+export function formatHeader(facts: FileFacts): RecordingHeader {
+  const { name, notes, kind, masterName, version, selection, ...rest } = facts;
+  return {
+    ...{ name, notes, masterName, version },
+    kind: KINDS[kind] ?? 'recording',
+    selection: JSON.stringify({ ...selection, ...rest }),
+  };
+}
+
+/** What a file says of itself; of files of other programs, little. */
+export function parseFacts(summary: RecordingSummary): FileFacts {
+  const { name, notes, masterName, version, kind } = summary;
+  const { author, makerId, startedMs, state, problem, ...selection } = parseObject(summary.selection);
+  const kinds = Object.entries(KINDS).find(([, word]) => word === kind);
+  return {
+    ...{ name, notes, masterName, version },
+    kind: summary.isForeign ? RecordingKind.RECORDING_KIND_IMPORT : (Number(kinds?.[0] ?? 0) as RecordingKind),
+    author: textOf(author),
+    makerId: textOf(makerId),
+    startedMs: typeof startedMs === 'number' ? startedMs : 0,
+    state: typeof state === 'number' ? (state as RecordingState) : RecordingState.RECORDING_STATE_COMPLETE,
+    problem: textOf(problem),
+    selection: selectionOf(selection),
+  };
+}
+
+/** A finished recording, as services describe it. */
+export function describeFile(
+  id: string,
+  facts: FileFacts,
+  summary: RecordingSummary,
+  sizeBytes: number,
+): Recording {
+  const startMs = summary.startNs === 0n ? facts.startedMs : msOf(summary.startNs);
+  return {
+    id,
+    name: facts.name === '' ? id : facts.name,
+    kind: facts.kind,
+    state: facts.state,
+    startedMs: startMs,
+    durationMs: msOf(summary.endNs - summary.startNs),
+    sizeBytes,
+    recordCount: summary.records,
+    lostCount: summary.gaps.reduce((sum, { records }) => sum + records, 0),
+    topicCount: new Set(summary.topics.map(({ topic }) => topic)).size,
+    markerCount: summary.markers.length,
+    problem: facts.problem,
+    notes: facts.notes,
+    author: facts.author,
+    selection: facts.selection,
+    budget: undefined,
+    topics: [],
+    markers: [],
+  };
+}
+
+function parseObject(json: string): Record<string, unknown> {
+  try {
+    const value: unknown = JSON.parse(json);
+    return typeof value === 'object' && value !== null ? { ...value } : {};
+  } catch {
+    return {};
+  }
+}
+
+function textOf(value: unknown): string {
+  return typeof value === 'string' ? value : '';
+}
+
+function selectionOf(value: Readonly<Record<string, unknown>>): RecordingSelection {
+  const texts = (name: keyof RecordingSelection): string[] => {
+    const list = value[name];
+    return Array.isArray(list) ? list.filter((each) => typeof each === 'string') : [];
+  };
+  return {
+    topics: texts('topics'),
+    patterns: texts('patterns'),
+    clients: texts('clients'),
+    devices: texts('devices'),
+    sessions: texts('sessions'),
+    excludedPatterns: texts('excludedPatterns'),
+    withoutImages: value['withoutImages'] === true,
+  };
+}

@@ -1,0 +1,228 @@
+import { RecordingKind, RecordingState, ServiceError, type Recording } from '@ubii/proto';
+import {
+  changeRecording,
+  RecordingError,
+  RecordingReader,
+  repairRecording,
+  type RecordingSummary,
+} from '@ubii/recording';
+import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from '../ports/recorder.ts';
+import { describeFile, factsOf, formatHeader, parseFacts } from './file-facts.ts';
+import type { FileFacts } from './file-facts.ts';
+import { describeMarker, MarkerList } from './marker-list.ts';
+import { msOf } from './nanoseconds.ts';
+import type { OpenFile, RecordingFolder } from './recording-folder.ts';
+
+interface ListedFile {
+  readonly facts: FileFacts;
+  readonly recording: Recording;
+}
+
+/** What the list works with. */
+export interface FileListContext {
+  readonly folder: RecordingFolder;
+  readonly maxMarkers: number;
+  /** The list changed. */
+  onChange(): void;
+}
+
+/** Finished recordings: files of the folder, which are read once. */
+export class FileList {
+  readonly #context: FileListContext;
+  readonly #files = new Map<string, ListedFile>();
+  /** Files that are being written. */
+  readonly #busy = new Set<string>();
+  #scanned: Promise<void> | undefined = undefined;
+  #queue: Promise<unknown> = Promise.resolve();
+
+  constructor(context: FileListContext) {
+    this.#context = context;
+  }
+
+  /** Reads and repairs what earlier runs left, once. [RC-7] */
+  scan(): Promise<void> {
+    this.#scanned ??= this.#scan();
+    return this.#scanned;
+  }
+
+  /** Creates a file, which is not in the list until it is released and read. */
+  create(id: string): Promise<OpenFile> {
+    this.#busy.add(id);
+    return this.#context.folder.create(id);
+  }
+
+  release(id: string): void {
+    this.#busy.delete(id);
+  }
+
+  /** The newest first. */
+  values(): Recording[] {
+    return [...this.#files.values()]
+      .map(({ recording }) => recording)
+      .sort((a, b) => b.startedMs - a.startedMs);
+  }
+
+  get sizeBytes(): number {
+    return this.values().reduce((sum, { sizeBytes }) => sum + sizeBytes, 0);
+  }
+
+  /** With topics and markers. @throws ServiceError when there is none of this id */
+  async get(id: string): Promise<KeptRecording> {
+    await this.scan();
+    const { facts, recording } = this.#require(id);
+    const file = await this.#context.folder.open(id);
+    try {
+      const { summary } = await RecordingReader.open(file);
+      const topics = summary.topics.map(({ topic, clientId, clientName, format, records }) => ({
+        ...{ topic, clientId, clientName, dataFormat: format, recordCount: records },
+      }));
+      const markers = summary.markers.map((marker) => describeMarker(id, marker));
+      return { recording: { ...recording, topics, markers }, makerId: facts.makerId };
+    } finally {
+      await file.close();
+    }
+  }
+
+  /** [RC-6] */
+  async change(id: string, { name, notes }: RecordingTexts): Promise<Recording> {
+    await this.scan();
+    await this.#edit(id, (file) => {
+      const facts = { ...this.#require(id).facts, name, notes };
+      return changeRecording(file, { header: formatHeader(facts) });
+    });
+    return this.read(id);
+  }
+
+  /** [RC-22] */
+  async mark(job: MarkerJob): Promise<void> {
+    const { recordingId } = job.marker;
+    await this.scan();
+    await this.#edit(recordingId, async (file) => {
+      const { summary } = await RecordingReader.open(file);
+      const list = new MarkerList(summary.markers, this.#context.maxMarkers);
+      await changeRecording(file, { events: [list.apply(job)] });
+    });
+    await this.read(recordingId);
+  }
+
+  async delete(id: string): Promise<void> {
+    await this.scan();
+    this.#require(id);
+    await this.#context.folder.delete(id);
+    this.#files.delete(id);
+    this.#context.onChange();
+  }
+
+  /** Takes in a file that was uploaded. [RC-41] */
+  async adopt(job: RecordingJob, nowMs: number): Promise<Recording> {
+    const { folder } = this.#context;
+    await this.scan();
+    await folder.takeUpload(job.id);
+    try {
+      await this.#edit(job.id, async (file) => {
+        await repairRecording(file);
+        const { summary } = await RecordingReader.open(file);
+        const own = parseFacts(summary);
+        const name = job.name || own.name;
+        const facts = factsOf({ ...job, name, notes: own.notes }, RecordingKind.RECORDING_KIND_IMPORT, nowMs);
+        await changeRecording(file, { header: formatHeader(facts) });
+      });
+      return await this.read(job.id);
+    } catch (cause) {
+      await folder.delete(job.id);
+      if (!(cause instanceof RecordingError)) throw cause;
+      const text = `The file is no recording: ${cause.message} Upload an MCAP file.`;
+      throw new ServiceError('invalid_argument', text);
+    }
+  }
+
+  /** Reads a file whose writing is finished. */
+  async read(id: string): Promise<Recording> {
+    const file = await this.#context.folder.open(id);
+    try {
+      const { summary } = await RecordingReader.open(file);
+      const recording = this.#add(id, summary, Number(await file.size()));
+      this.#context.onChange();
+      return recording;
+    } finally {
+      await file.close();
+    }
+  }
+
+  /** Lists a recording whose file cannot be read any more. */
+  addUnreadable(recording: Recording, job: RecordingJob): void {
+    const { kind, startedMs, problem, state, selection } = recording;
+    const facts = { ...factsOf(job, kind, startedMs, selection), problem, state };
+    this.#files.set(recording.id, { recording, facts });
+    this.#context.onChange();
+  }
+
+  /** Deletes the oldest keepings of the flight recorder as long as there is too much. [RC-18] */
+  async makeRoom(maxBytes: number, runningBytes: number): Promise<void> {
+    await this.scan();
+    const keepings = this.values().filter(({ kind }) => kind === RecordingKind.RECORDING_KIND_FLIGHT_RECORDER);
+    // The newest one stays: somebody has just kept it.
+    for (const { id } of keepings.slice(1).reverse()) {
+      if (this.sizeBytes + runningBytes <= maxBytes) return;
+      await this.delete(id);
+    }
+  }
+
+  #require(id: string): ListedFile {
+    const listed = this.#files.get(id);
+    if (listed !== undefined) return listed;
+    throw new ServiceError('not_found', `No recording has the id "${id}".`);
+  }
+
+  #add(id: string, summary: RecordingSummary, sizeBytes: number): Recording {
+    const facts = parseFacts(summary);
+    const recording = describeFile(id, facts, summary, sizeBytes);
+    this.#files.set(id, { facts, recording });
+    return recording;
+  }
+
+  async #scan(): Promise<void> {
+    for (const id of await this.#context.folder.list()) {
+      if (this.#busy.has(id) || this.#files.has(id)) continue;
+      try {
+        await this.#repair(id);
+        await this.read(id);
+      } catch {
+        // No recording, or not readable: it is left alone. [RC-7]
+      }
+    }
+  }
+
+  /** [RC-7] */
+  async #repair(id: string): Promise<void> {
+    await this.#edit(id, async (file) => {
+      const repair = await repairRecording(file);
+      if (repair === undefined) return;
+      const { summary } = await RecordingReader.open(file);
+      const problem = problemOf(repair.lostAfterNs);
+      const facts = { ...parseFacts(summary), state: RecordingState.RECORDING_STATE_REPAIRED, problem };
+      await changeRecording(file, { header: formatHeader(facts) });
+    });
+  }
+
+  /** Changes a file of the list, one after the other. */
+  #edit(id: string, change: (file: OpenFile) => Promise<void>): Promise<void> {
+    const done = this.#queue.then(async () => {
+      const file = await this.#context.folder.edit(id);
+      try {
+        await change(file);
+      } finally {
+        await file.close();
+      }
+    });
+    this.#queue = done.catch(() => undefined);
+    return done;
+  }
+}
+
+function problemOf(lostAfterNs: bigint | undefined): string {
+  const why = 'The program that wrote the file ended before it closed it.';
+  if (lostAfterNs === undefined) return `${why} There is no record in it.`;
+  const time = new Date(msOf(lostAfterNs)).toISOString();
+  return `${why} Records after ${time} may be missing, at most a second.`;
+}

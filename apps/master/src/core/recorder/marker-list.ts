@@ -1,0 +1,69 @@
+import { ServiceError, type RecordingMarker } from '@ubii/proto';
+import type { Marker, RecordingEvent } from '@ubii/recording';
+import type { MarkerJob } from '../ports/recorder.ts';
+import { nsOf } from './nanoseconds.ts';
+
+/** Markers of one recording. [RC-20] */
+export class MarkerList {
+  readonly #markers: Map<string, Marker>;
+  readonly #max: number;
+  #changes: number;
+
+  constructor(markers: readonly Marker[], max: number) {
+    this.#markers = new Map(markers.map((marker) => [marker.id, marker]));
+    this.#max = max;
+    this.#changes = markers.length;
+  }
+
+  get size(): number {
+    return this.#markers.size;
+  }
+
+  /** By time. */
+  values(): readonly Marker[] {
+    return [...this.#markers.values()].sort((a, b) => a.timeMs - b.timeMs);
+  }
+
+  /**
+   * Adds, changes or removes a marker.
+   *
+   * @returns the event for the file
+   * @throws ServiceError when it is a marker of others, or there are too many
+   */
+  apply({ marker: wanted, mayChangeAll }: MarkerJob): RecordingEvent<'marker'> {
+    const before = this.#markers.get(wanted.id);
+    if (before !== undefined && !mayChangeAll && before.authorId !== wanted.clientId) {
+      throw new ServiceError(
+        'permission_denied', // [RC-21]
+        'This marker is of another client. Participants and admins may change it.',
+      );
+    }
+    if (this.#changes >= this.#max) throw tooMany(this.#max);
+    this.#changes++;
+    const { id, timeMs, text, isRemoved } = wanted;
+    const { author, authorId, kind } = before ?? {
+      author: wanted.author,
+      authorId: wanted.clientId,
+      kind: 'service',
+    };
+    const marker: Marker = { id, timeMs, text, author, authorId, kind, isRemoved };
+    if (isRemoved) this.#markers.delete(id);
+    else this.#markers.set(id, marker);
+    return { kind: 'marker', timeNs: nsOf(timeMs), value: marker };
+  }
+}
+
+/** A marker as services describe it. */
+export function describeMarker(recordingId: string, marker: Marker): RecordingMarker {
+  const { id, timeMs, text, author, authorId: clientId, isRemoved = false } = marker;
+  return { recordingId, id, timeMs, text, author, clientId, isRemoved };
+}
+
+/** [RC-23] */
+function tooMany(max: number): ServiceError {
+  return new ServiceError(
+    'resource_exhausted',
+    `This recording has ${max} markers, which is the limit markersPerRecording of this master.`,
+    { details: { limit: 'markersPerRecording', max } },
+  );
+}

@@ -1,0 +1,15 @@
+import { describeRecord, type RecordedRecord } from '@ubii/recording';
+import type { RecordSource } from '../ports/recorder.ts';
+import { nsOf } from './nanoseconds.ts';
+
+/** A record as it stands in files, with the time of its publisher. */
+export function recordedOf(
+  { topic, clientId }: RecordSource,
+  record: Uint8Array,
+  timeMs: number,
+): RecordedRecord {
+  const logTimeNs = nsOf(timeMs);
+  const { timestampMs } = describeRecord(record);
+  const publishTimeNs = timestampMs === undefined ? logTimeNs : nsOf(timestampMs);
+  return { topic, clientId, record, logTimeNs, publishTimeNs };
+}

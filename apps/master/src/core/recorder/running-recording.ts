@@ -1,0 +1,130 @@
+import { RecordingKind, RecordingState, type Recording } from '@ubii/proto';
+import {
+  changeRecording,
+  RecordingWriter,
+  repairRecording,
+  type RecordedRecord,
+  type RecordingEvent,
+} from '@ubii/recording';
+import type { RecordingTexts, RunningJob } from '../ports/recorder.ts';
+import { factsOf, formatHeader, type FileFacts } from './file-facts.ts';
+import { MarkerList } from './marker-list.ts';
+import type { OpenFile } from './recording-folder.ts';
+
+/** A recording whose file is being written. */
+export class RunningRecording {
+  readonly job: RunningJob;
+  readonly markers: MarkerList;
+  readonly #file: OpenFile;
+  readonly #writer: RecordingWriter;
+  #facts: FileFacts;
+  #isChanged = false;
+  #lost = 0;
+  #waiting: Promise<void> | undefined = undefined;
+
+  private constructor(
+    job: RunningJob,
+    parts: { file: OpenFile; writer: RecordingWriter; facts: FileFacts; maxMarkers: number },
+  ) {
+    this.job = job;
+    this.#file = parts.file;
+    this.#writer = parts.writer;
+    this.#facts = parts.facts;
+    this.markers = new MarkerList([], parts.maxMarkers);
+  }
+
+  /** @throws the error of the file */
+  static async create(
+    job: RunningJob,
+    file: OpenFile,
+    startedMs: number,
+    maxMarkers: number,
+  ): Promise<RunningRecording> {
+    const facts = factsOf(job, RecordingKind.RECORDING_KIND_RECORDING, startedMs, job.selection);
+    const writer = await RecordingWriter.create(file, formatHeader(facts));
+    for (const event of job.present) writer.addEvent(event);
+    return new RunningRecording(job, { file, writer, facts, maxMarkers });
+  }
+
+  get sizeBytes(): number {
+    return this.#writer.statistics.bytes;
+  }
+
+  get startedMs(): number {
+    return this.#facts.startedMs;
+  }
+
+  /** @throws the error of the file */
+  addRecord(record: RecordedRecord): void {
+    this.#waiting = this.#writer.addRecord(record) ?? this.#waiting;
+  }
+
+  /** @throws the error of the file */
+  addEvent(event: RecordingEvent): void {
+    if (event.kind === 'gap') this.#lost += event.value.records;
+    this.#writer.addEvent(event);
+  }
+
+  /** Waits until the file took what it was given. @throws the error of the file */
+  async taken(): Promise<void> {
+    const waiting = this.#waiting;
+    this.#waiting = undefined;
+    await waiting;
+  }
+
+  /** @throws the error of the file */
+  flush(): Promise<void> {
+    return this.#writer.flush();
+  }
+
+  change({ name, notes }: RecordingTexts): void {
+    this.#facts = { ...this.#facts, name, notes };
+    this.#isChanged = true;
+  }
+
+  /** Closes the file. @param problem why it stopped by itself @throws the error of the file */
+  async finish(problem = ''): Promise<void> {
+    await this.#writer.end();
+    if (problem !== '' || this.#isChanged) {
+      const header = formatHeader({ ...this.#facts, problem });
+      await changeRecording(this.#file, { header });
+    }
+    await this.#file.close();
+  }
+
+  /** Keeps what was written before the file failed. [RC-17] */
+  async salvage(problem: string): Promise<void> {
+    const header = formatHeader({ ...this.#facts, problem, state: RecordingState.RECORDING_STATE_FAILED });
+    try {
+      await repairRecording(this.#file);
+      await changeRecording(this.#file, { header });
+    } finally {
+      await this.#file.close();
+    }
+  }
+
+  /** @param state `RECORDING`, or what became of it */
+  toMessage(
+    nowMs: number,
+    state: RecordingState = RecordingState.RECORDING_STATE_RECORDING,
+    problem = '',
+  ): Recording {
+    const { job, startedMs } = this;
+    const { records, topics, bytes } = this.#writer.statistics;
+    const { name, notes, kind } = this.#facts;
+    return {
+      ...{ id: job.id, name, notes, kind, state, problem, startedMs },
+      durationMs: nowMs - startedMs,
+      sizeBytes: bytes,
+      recordCount: records,
+      lostCount: this.#lost + this.#writer.statistics.refusedRecords,
+      topicCount: topics,
+      markerCount: this.markers.size,
+      author: job.author,
+      selection: job.selection,
+      budget: job.budget,
+      topics: [],
+      markers: [],
+    };
+  }
+}

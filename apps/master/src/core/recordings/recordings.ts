@@ -1,0 +1,274 @@
+import {
+  ServiceError,
+  type FlightRecorder,
+  type FlightRecorderSettings,
+  type Recording,
+  type RecordingBudget,
+  type RecordingEstimate,
+  type RecordingList,
+  type RecordingMarker,
+  type RecordingSelection,
+} from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
+import type { ClientRegistry } from '../clients/client-registry.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
+import type { MasterPublisher } from '../info/master-publisher.ts';
+import type { IdSource } from '../ports/id-source.ts';
+import type { KeptRecording, Recorder, RecorderState, RecordingJob } from '../ports/recorder.ts';
+import type { TopicTable } from '../topics/topic-table.ts';
+import { budgetOf } from './budget.ts';
+import { estimate } from './estimate.ts';
+import { FlightSettings } from './flight-settings.ts';
+import { clockEvent, presentEvents } from './present-facts.ts';
+import type { RecordCollector } from './record-collector.ts';
+import { publishStatus } from './recording-news.ts';
+import { CompiledSelection, type SelectionContext } from './selection.ts';
+
+/** What recordings work with. */
+export interface RecordingsContext extends SelectionContext {
+  readonly clock: Clock;
+  readonly ids: IdSource;
+  readonly limits: LimitWatch;
+  readonly clients: ClientRegistry;
+  readonly topics: TopicTable;
+  readonly publisher: MasterPublisher;
+  readonly recorder: Recorder;
+  readonly collector: RecordCollector;
+  readonly flight: FlightRecorderSettings;
+  readonly masterName: string;
+  readonly version: string;
+}
+
+/** Who does something, as far as recordings keep it. */
+export interface RecordingAuthor {
+  /** Name of the client; empty when none asks. */
+  readonly author: string;
+  /** Id of its invitation; empty when it needs none. */
+  readonly makerId: string;
+}
+
+/** A recording to be made. */
+export interface RecordingWish extends RecordingAuthor {
+  readonly name: string;
+  readonly notes: string;
+}
+
+/** The first target of recordings; that before is the flight recorder's. */
+const FIRST_TARGET = 2;
+
+/** All that can be done with recordings and the flight recorder. */
+export class Recordings {
+  readonly #context: RecordingsContext;
+  readonly #flight: FlightSettings;
+  /** Targets of recordings that are started and are in no state of the recorder yet. */
+  readonly #starting = new Set<number>();
+  #targets = 0;
+  /** When clocks were looked at last, monotonic milliseconds. */
+  #clocksMs = 0;
+
+  constructor(context: RecordingsContext) {
+    this.#context = context;
+    const { recorder, collector, flight } = context;
+    recorder.onState((state) => this.#handleState(state));
+    this.#flight = new FlightSettings(flight, context.limits);
+    collector.onFirstOfFlight.add(() => this.#tellFlight());
+    collector.setFlight(flight.isOn, flight.withImages);
+  }
+
+  async list(): Promise<RecordingList> {
+    const { recorder, limits } = this.#context;
+    const { recordings, sizeBytes, freeBytes } = await recorder.list();
+    const maxBytes = limits.limits.recordingsBytes;
+    return { elements: [...recordings], sizeBytes, maxBytes, freeBytes };
+  }
+
+  get(id: string): Promise<KeptRecording> {
+    return this.#context.recorder.get(id);
+  }
+
+  /** [RC-4] */
+  async start(
+    wish: RecordingWish,
+    selection: RecordingSelection,
+    budget: RecordingBudget | undefined,
+  ): Promise<Recording> {
+    const { recorder, collector, limits } = this.#context;
+    const full = budgetOf(budget, limits.limits);
+    await this.#requireRoom();
+    const target = this.#freeTarget();
+    this.#starting.add(target);
+    const job = { ...this.#jobOf(wish), target, selection, budget: full, present: this.#present() };
+    collector.flush();
+    try {
+      const started = recorder.start(job);
+      collector.add(target, new CompiledSelection(selection, this.#context));
+      return await started;
+    } catch (cause) {
+      collector.remove(target);
+      throw cause;
+    } finally {
+      this.#starting.delete(target);
+    }
+  }
+
+  /** [RC-5] */
+  stop(id: string): Promise<Recording> {
+    this.#context.collector.flush();
+    return this.#context.recorder.stop(id);
+  }
+
+  delete(id: string): Promise<void> {
+    return this.#context.recorder.delete(id);
+  }
+
+  /** [RC-6] */
+  change(id: string, name: string, notes: string): Promise<Recording> {
+    if (name === '') {
+      throw new ServiceError('invalid_argument', 'The recording needs a name. Set `name`.');
+    }
+    return this.#context.recorder.change(id, { name, notes });
+  }
+
+  /** [RC-20] @param author name of the client that asks */
+  mark(wanted: RecordingMarker, author: string, mayChangeAll: boolean): Promise<RecordingMarker> {
+    const { clock, ids, recorder, collector } = this.#context;
+    const { timeMs } = wanted;
+    if (!(timeMs >= 0 && Number.isFinite(timeMs))) {
+      throw new ServiceError(
+        'invalid_argument',
+        `The member time_ms is ${timeMs}, but a marker has a time in milliseconds since the Unix epoch, or 0 for now.`,
+      );
+    }
+    collector.flush();
+    const id = wanted.id === '' ? ids.uuid() : wanted.id;
+    const marker = { ...wanted, id, author, timeMs: timeMs === 0 ? clock.nowMs() : timeMs };
+    return this.#withFlight(() => recorder.mark({ marker, mayChangeAll }));
+  }
+
+  /** [RC-15] */
+  async estimate(selection: RecordingSelection): Promise<RecordingEstimate> {
+    const { freeBytes } = await this.#context.recorder.list();
+    const measured = await estimate(
+      this.#context,
+      new CompiledSelection(selection, this.#context),
+    );
+    return { ...measured, freeBytes };
+  }
+
+  flight(): Promise<FlightRecorder> {
+    return this.#withFlight(() => this.#context.recorder.flight());
+  }
+
+  /** [RC-31] */
+  setFlight(wanted: FlightRecorderSettings): Promise<FlightRecorder> {
+    const { collector, recorder } = this.#context;
+    const settings = this.#flight.change(wanted);
+    collector.setFlight(settings.isOn, settings.withImages);
+    return recorder.setFlight({ ...settings, present: this.#present() });
+  }
+
+  /** [RC-32] */
+  async keep(wish: RecordingWish): Promise<Recording> {
+    if (!this.#flight.settings.isOn) {
+      throw new ServiceError(
+        'failed_precondition',
+        'The flight recorder is off, so there is nothing to keep. Turn it on first.',
+      );
+    }
+    await this.#requireRoom();
+    this.#context.collector.flush();
+    return this.#withFlight(() => this.#context.recorder.keep(this.#jobOf(wish)));
+  }
+
+  /** Takes in an upload. [RC-41] @param id of the uploaded file */
+  adopt(id: string, wish: RecordingWish): Promise<Recording> {
+    return this.#context.recorder.adopt({ ...this.#jobOf(wish), id, name: wish.name });
+  }
+
+  /** @throws ServiceError when no further recording may be stored */
+  async requireRoomFor(bytes: number): Promise<void> {
+    const { recorder, limits } = this.#context;
+    const { recordings, recordingsBytes } = limits.limits;
+    const { recordings: known, sizeBytes } = await recorder.list();
+    if (known.length >= recordings) {
+      throw limits.refusal('recordings', `more than ${recordings} recordings`);
+    }
+    if (sizeBytes + bytes >= recordingsBytes) {
+      const text = `more than ${recordingsBytes} bytes of recordings`;
+      throw limits.refusal('recordingsBytes', text);
+    }
+  }
+
+  /** Closes all files. */
+  async close(): Promise<void> {
+    this.#context.collector.close();
+    await this.#context.recorder.close();
+  }
+
+  #requireRoom(): Promise<void> {
+    return this.requireRoomFor(0);
+  }
+
+  /** The recorder is told of the flight recorder when it is first needed: it takes no memory before. */
+  #withFlight<T>(work: () => Promise<T>): Promise<T> {
+    this.#tellFlight();
+    return work();
+  }
+
+  /** Tells the recorder to keep the last minutes, unless it knows. [RC-30] */
+  #tellFlight(): void {
+    const settings = this.#flight.takeUntold();
+    if (settings === undefined) return;
+    const present = this.#present();
+    void this.#context.recorder.setFlight({ ...settings, present }).catch(() => undefined);
+  }
+
+  #present() {
+    const { clients, sessions, clock } = this.#context;
+    return presentEvents(clients.values(), sessions(), clock.nowMs());
+  }
+
+  #jobOf({ name, notes, author, makerId }: RecordingWish): RecordingJob {
+    const { ids, clock, masterName, version } = this.#context;
+    const time = new Date(clock.nowMs()).toISOString().slice(0, 19).replace('T', ' ');
+    return {
+      ...{ id: ids.uuid(), notes, author, makerId, masterName, version },
+      name: name === '' ? `${time} UTC` : name,
+    };
+  }
+
+  /** @throws ServiceError when as many run as may */
+  #freeTarget(): number {
+    const { limits } = this.#context;
+    const max = limits.limits.runningRecordings;
+    const used = [...this.#starting].reduce((bits, target) => bits | target, this.#targets);
+    for (let index = 0; index < max; index++) {
+      const target = FIRST_TARGET << index;
+      if ((used & target) === 0) return target;
+    }
+    throw limits.refusal('runningRecordings', `more than ${max} recordings at once`);
+  }
+
+  #handleState(state: RecorderState): void {
+    const { collector, publisher } = this.#context;
+    const ended = this.#targets & ~state.targets;
+    for (let target = FIRST_TARGET; target <= ended; target <<= 1) {
+      if ((ended & target) !== 0) collector.remove(target);
+    }
+    this.#targets = state.targets;
+    this.#recordClocks();
+    publishStatus(publisher, state);
+  }
+
+  /** [RC-14] */
+  #recordClocks(): void {
+    const { clients, clock, recorder, collector } = this.#context;
+    const sinceMs = this.#clocksMs;
+    this.#clocksMs = clock.monotonicMs();
+    for (const client of clients.values()) {
+      if (client.clock === undefined || client.clock.toldMs < sinceMs) continue;
+      const event = clockEvent(client, clock.nowMs());
+      if (event !== undefined) recorder.addEvent(event, collector.targets);
+    }
+  }
+}

@@ -1,0 +1,56 @@
+import { MemoryFile } from '@ubii/recording/testing';
+import type { OpenFile, RecordingFolder } from '../core/recorder/recording-folder.ts';
+
+/** A file in memory that stays when it is closed. */
+export class MemoryRecording extends MemoryFile implements OpenFile {
+  close(): Promise<void> {
+    return Promise.resolve();
+  }
+}
+
+/** Files of recordings in memory. */
+export class MemoryFolder implements RecordingFolder {
+  readonly files = new Map<string, MemoryRecording>();
+  readonly uploads = new Map<string, MemoryRecording>();
+  /** Free space, bytes. */
+  free = 1e12;
+  /** Writes beyond this many bytes of a file fail, as on a full disk. */
+  maxBytes = Infinity;
+
+  list(): Promise<string[]> {
+    return Promise.resolve([...this.files.keys()]);
+  }
+
+  create(id: string): Promise<OpenFile> {
+    const file = new MemoryRecording();
+    file.maxBytes = this.maxBytes;
+    this.files.set(id, file);
+    return Promise.resolve(file);
+  }
+
+  open(id: string): Promise<OpenFile> {
+    const file = this.files.get(id);
+    return file === undefined ? Promise.reject(new Error('no such file')) : Promise.resolve(file);
+  }
+
+  edit(id: string): Promise<OpenFile> {
+    return this.open(id);
+  }
+
+  delete(id: string): Promise<void> {
+    this.files.delete(id);
+    return Promise.resolve();
+  }
+
+  takeUpload(id: string): Promise<void> {
+    const file = this.uploads.get(id);
+    if (file === undefined) return Promise.reject(new Error('no such upload'));
+    this.files.set(id, file);
+    this.uploads.delete(id);
+    return Promise.resolve();
+  }
+
+  freeBytes(): Promise<number> {
+    return Promise.resolve(this.free);
+  }
+}
