@@ -1,6 +1,12 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
-import type { FlightRecorderSettings, Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
+import type {
+  FlightRecorderSettings,
+  Init,
+  MasterAddress,
+  ProcessingModule,
+  SettingList,
+} from '@ubii/proto';
 import type { PreciseClock } from '@ubii/timing';
 import type { AssetSets } from '../ports/asset-sets.ts';
 import type { AuditStore } from '../ports/audit-store.ts';

@@ -1,4 +1,9 @@
-import { RecordingKind, RecordingState, type Recording, type RecordingSelection } from '@ubii/proto';
+import {
+  RecordingKind,
+  RecordingState,
+  type Recording,
+  type RecordingSelection,
+} from '@ubii/proto';
 import type { RecordingHeader, RecordingSummary } from '@ubii/recording';
 import type { RecordingJob } from '../ports/recorder.ts';
 import { msOf } from './nanoseconds.ts';
@@ -49,15 +54,22 @@ export function formatHeader(facts: FileFacts): RecordingHeader {
 /** What a file says of itself; of files of other programs, little. */
 export function parseFacts(summary: RecordingSummary): FileFacts {
   const { name, notes, masterName, version, kind } = summary;
-  const { author, makerId, startedMs, state, problem, ...selection } = parseObject(summary.selection);
+  const { author, makerId, startedMs, state, problem, ...selection } = parseObject(
+    summary.selection,
+  );
   const kinds = Object.entries(KINDS).find(([, word]) => word === kind);
   return {
     ...{ name, notes, masterName, version },
-    kind: summary.isForeign ? RecordingKind.RECORDING_KIND_IMPORT : (Number(kinds?.[0] ?? 0) as RecordingKind),
+    kind: summary.isForeign
+      ? RecordingKind.RECORDING_KIND_IMPORT
+      : (Number(kinds?.[0] ?? 0) as RecordingKind),
     author: textOf(author),
     makerId: textOf(makerId),
     startedMs: typeof startedMs === 'number' ? startedMs : 0,
-    state: typeof state === 'number' ? (state as RecordingState) : RecordingState.RECORDING_STATE_COMPLETE,
+    state:
+      typeof state === 'number'
+        ? (state as RecordingState)
+        : RecordingState.RECORDING_STATE_COMPLETE,
     problem: textOf(problem),
     selection: selectionOf(selection),
   };

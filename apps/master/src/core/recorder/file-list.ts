@@ -1,11 +1,5 @@
 import { RecordingKind, RecordingState, ServiceError, type Recording } from '@ubii/proto';
-import {
-  changeRecording,
-  RecordingError,
-  RecordingReader,
-  repairRecording,
-  type RecordingSummary,
-} from '@ubii/recording';
+import { changeRecording, RecordingError, RecordingReader, repairRecording } from '@ubii/recording';
 import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from '../ports/recorder.ts';
 import { describeFile, factsOf, formatHeader, parseFacts } from './file-facts.ts';
 import type { FileFacts } from './file-facts.ts';
@@ -17,6 +11,15 @@ interface ListedFile {
   readonly facts: FileFacts;
   readonly recording: Recording;
 }
+
+/** What became of a recording. */
+type Outcome = Pick<FileFacts, 'state' | 'problem'>;
+
+const NOT_REPAIRED: Outcome = {
+  state: RecordingState.RECORDING_STATE_FAILED,
+  problem:
+    'The end of the file is missing, and it could not be repaired, as on a full disk. The next start tries again.',
+};
 
 /** What the list works with. */
 export interface FileListContext {
@@ -59,6 +62,7 @@ export class FileList {
   values(): Recording[] {
     return [...this.#files.values()]
       .map(({ recording }) => recording)
+      .reverse()
       .sort((a, b) => b.startedMs - a.startedMs);
   }
 
@@ -124,7 +128,11 @@ export class FileList {
         const { summary } = await RecordingReader.open(file);
         const own = parseFacts(summary);
         const name = job.name || own.name;
-        const facts = factsOf({ ...job, name, notes: own.notes }, RecordingKind.RECORDING_KIND_IMPORT, nowMs);
+        const facts = factsOf(
+          { ...job, name, notes: own.notes },
+          RecordingKind.RECORDING_KIND_IMPORT,
+          nowMs,
+        );
         await changeRecording(file, { header: formatHeader(facts) });
       });
       return await this.read(job.id);
@@ -136,12 +144,14 @@ export class FileList {
     }
   }
 
-  /** Reads a file whose writing is finished. */
-  async read(id: string): Promise<Recording> {
+  /** Reads a file whose writing is finished. @param outcome what became of it, where the file itself cannot say it */
+  async read(id: string, outcome?: Outcome): Promise<Recording> {
     const file = await this.#context.folder.open(id);
     try {
       const { summary } = await RecordingReader.open(file);
-      const recording = this.#add(id, summary, Number(await file.size()));
+      const facts = { ...parseFacts(summary), ...(summary.isDamaged && NOT_REPAIRED), ...outcome };
+      const recording = describeFile(id, facts, summary, Number(await file.size()));
+      this.#files.set(id, { facts, recording });
       this.#context.onChange();
       return recording;
     } finally {
@@ -149,18 +159,12 @@ export class FileList {
     }
   }
 
-  /** Lists a recording whose file cannot be read any more. */
-  addUnreadable(recording: Recording, job: RecordingJob): void {
-    const { kind, startedMs, problem, state, selection } = recording;
-    const facts = { ...factsOf(job, kind, startedMs, selection), problem, state };
-    this.#files.set(recording.id, { recording, facts });
-    this.#context.onChange();
-  }
-
   /** Deletes the oldest keepings of the flight recorder as long as there is too much. [RC-18] */
   async makeRoom(maxBytes: number, runningBytes: number): Promise<void> {
     await this.scan();
-    const keepings = this.values().filter(({ kind }) => kind === RecordingKind.RECORDING_KIND_FLIGHT_RECORDER);
+    const keepings = this.values().filter(
+      ({ kind }) => kind === RecordingKind.RECORDING_KIND_FLIGHT_RECORDER,
+    );
     // The newest one stays: somebody has just kept it.
     for (const { id } of keepings.slice(1).reverse()) {
       if (this.sizeBytes + runningBytes <= maxBytes) return;
@@ -174,18 +178,12 @@ export class FileList {
     throw new ServiceError('not_found', `No recording has the id "${id}".`);
   }
 
-  #add(id: string, summary: RecordingSummary, sizeBytes: number): Recording {
-    const facts = parseFacts(summary);
-    const recording = describeFile(id, facts, summary, sizeBytes);
-    this.#files.set(id, { facts, recording });
-    return recording;
-  }
-
   async #scan(): Promise<void> {
     for (const id of await this.#context.folder.list()) {
       if (this.#busy.has(id) || this.#files.has(id)) continue;
       try {
-        await this.#repair(id);
+        // A full disk has no room for it: it can be read anyway.
+        await this.#repair(id).catch(() => undefined);
         await this.read(id);
       } catch {
         // No recording, or not readable: it is left alone. [RC-7]
@@ -200,7 +198,11 @@ export class FileList {
       if (repair === undefined) return;
       const { summary } = await RecordingReader.open(file);
       const problem = problemOf(repair.lostAfterNs);
-      const facts = { ...parseFacts(summary), state: RecordingState.RECORDING_STATE_REPAIRED, problem };
+      const facts = {
+        ...parseFacts(summary),
+        state: RecordingState.RECORDING_STATE_REPAIRED,
+        problem,
+      };
       await changeRecording(file, { header: formatHeader(facts) });
     });
   }

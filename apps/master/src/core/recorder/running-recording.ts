@@ -94,7 +94,11 @@ export class RunningRecording {
 
   /** Keeps what was written before the file failed. [RC-17] */
   async salvage(problem: string): Promise<void> {
-    const header = formatHeader({ ...this.#facts, problem, state: RecordingState.RECORDING_STATE_FAILED });
+    const header = formatHeader({
+      ...this.#facts,
+      problem,
+      state: RecordingState.RECORDING_STATE_FAILED,
+    });
     try {
       await repairRecording(this.#file);
       await changeRecording(this.#file, { header });
@@ -103,17 +107,13 @@ export class RunningRecording {
     }
   }
 
-  /** @param state `RECORDING`, or what became of it */
-  toMessage(
-    nowMs: number,
-    state: RecordingState = RecordingState.RECORDING_STATE_RECORDING,
-    problem = '',
-  ): Recording {
+  toMessage(nowMs: number): Recording {
     const { job, startedMs } = this;
     const { records, topics, bytes } = this.#writer.statistics;
     const { name, notes, kind } = this.#facts;
     return {
-      ...{ id: job.id, name, notes, kind, state, problem, startedMs },
+      ...{ id: job.id, name, notes, kind, startedMs, problem: '' },
+      state: RecordingState.RECORDING_STATE_RECORDING,
       durationMs: nowMs - startedMs,
       sizeBytes: bytes,
       recordCount: records,

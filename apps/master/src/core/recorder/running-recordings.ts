@@ -70,7 +70,8 @@ export class RunningRecordings {
 
   addRecord(record: RecordedRecord, targets: number): void {
     for (const running of this.#running.values()) {
-      if ((targets & running.job.target) !== 0) this.#write(running, () => running.addRecord(record));
+      if ((targets & running.job.target) !== 0)
+        this.#write(running, () => running.addRecord(record));
     }
   }
 
@@ -167,16 +168,12 @@ export class RunningRecordings {
       const { id } = running.job;
       if (!this.#running.delete(id)) continue;
       const problem = `The file could not be written: ${textOf(cause)}. What was written before is kept.`;
-      const failed = running.toMessage(this.#nowMs(), RecordingState.RECORDING_STATE_FAILED, problem);
       const { files } = this.#context;
-      try {
-        await running.salvage(problem);
-        await files.read(id);
-      } catch {
-        // The disk has no room for the end of the file either: the next start repairs it. [RC-7]
-        files.addUnreadable(failed, running.job);
-      }
+      // The disk may have no room for the end of the file either: the next start repairs it. [RC-7]
+      await running.salvage(problem).catch(() => undefined);
       files.release(id);
+      const state = RecordingState.RECORDING_STATE_FAILED;
+      await files.read(id, { state, problem }).catch(() => undefined);
     }
   }
 

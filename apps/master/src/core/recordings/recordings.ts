@@ -148,10 +148,7 @@ export class Recordings {
   /** [RC-15] */
   async estimate(selection: RecordingSelection): Promise<RecordingEstimate> {
     const { freeBytes } = await this.#context.recorder.list();
-    const measured = await estimate(
-      this.#context,
-      new CompiledSelection(selection, this.#context),
-    );
+    const measured = await estimate(this.#context, new CompiledSelection(selection, this.#context));
     return { ...measured, freeBytes };
   }
 

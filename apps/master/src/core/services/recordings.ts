@@ -105,7 +105,11 @@ function wishOf(core: Parts, { clientId, name, notes }: Wish, call: ServiceCall)
 }
 
 /** @throws ServiceError when a participant has not made it [RC-5] */
-async function requireOwn({ recordings }: Parts, id: string, { caller }: ServiceCall): Promise<void> {
+async function requireOwn(
+  { recordings }: Parts,
+  id: string,
+  { caller }: ServiceCall,
+): Promise<void> {
   if (caller.role === 'admin') return;
   const { makerId } = await recordings.get(id);
   if (makerId === makerOf(caller)) return;

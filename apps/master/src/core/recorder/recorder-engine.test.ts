@@ -1,0 +1,154 @@
+import { RecordingState } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
+import { describe, expect, it } from 'vitest';
+import { recorderSuite, recordsToKeep, runningJob } from '../../testing/acceptance/index.ts';
+import { MemoryFolder } from '../../testing/index.ts';
+import { readRecording } from '../../testing/read-recording.ts';
+import { RecorderEngine, type RecorderLimits } from './recorder-engine.ts';
+
+const LIMITS: RecorderLimits = { recordingsBytes: 1e9, markersPerRecording: 100 };
+
+function openEngine({
+  folder = new MemoryFolder(),
+  limits = LIMITS,
+}: { folder?: MemoryFolder; limits?: RecorderLimits } = {}) {
+  const clock = new FakeClock();
+  return { folder, clock, recorder: new RecorderEngine({ folder, clock, limits }) };
+}
+
+recorderSuite('RecorderEngine in memory', () => {
+  const { folder, recorder } = openEngine();
+  return {
+    recorder,
+    file: (id) => folder.open(id),
+    reopen: () => openEngine({ folder }).recorder,
+  };
+});
+
+/** Lets time pass, and what it caused happen. */
+async function pass(clock: FakeClock, ms: number): Promise<void> {
+  for (let passed = 0; passed < ms; passed += 500) {
+    clock.advanceSync(500);
+    for (let i = 0; i < 100; i++) await Promise.resolve();
+  }
+}
+
+describe('RecorderEngine', () => {
+  it('[RC-16] stops recordings that reached their duration, their size or too little free space', async () => {
+    const { recorder, clock, folder } = openEngine();
+    const budget = { maxDurationMs: 1e9, maxBytes: 1e9, minFreeBytes: 0 };
+    await recorder.start(runningJob('long', { budget: { ...budget, maxDurationMs: 1_000 } }));
+    await recorder.start(
+      runningJob('large', { target: 4, budget: { ...budget, maxBytes: 2_000 } }),
+    );
+    await recorder.start(runningJob('full', { target: 8, budget: { ...budget, minFreeBytes: 5 } }));
+    recorder.add(recordsToKeep('/x', 500, 4));
+    folder.free = 4;
+    await pass(clock, 2_000);
+    const { recordings } = await recorder.list();
+    const problems = Object.fromEntries(recordings.map(({ id, problem }) => [id, problem]));
+    expect(problems).toEqual({
+      long: 'The recording stopped by itself: it reached its longest duration.',
+      large: 'The recording stopped by itself: its file reached its largest size.',
+      full: 'The recording stopped by itself: little space is free on the disk.',
+    });
+    for (const { state } of recordings) expect(state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
+  });
+
+  it('[RC-17] keeps what was written before the disk was full, and goes on with others', async () => {
+    const { recorder, folder, clock } = openEngine();
+    folder.maxBytes = 40_000;
+    await recorder.start(runningJob('full'));
+    folder.maxBytes = Infinity;
+    await recorder.start(runningJob('other', { target: 4 }));
+    recorder.add(recordsToKeep('/first', 10, 2 | 4));
+    await pass(clock, 500);
+    for (let i = 0; i < 20; i++) {
+      recorder.add(recordsToKeep(`/lab/${i}/${'x'.repeat(i)}`, 100, 2 | 4));
+      await pass(clock, 500);
+    }
+    const { recordings } = await recorder.list();
+    const full = recordings.find(({ id }) => id === 'full')!;
+    expect(full.state).toBe(RecordingState.RECORDING_STATE_FAILED);
+    expect(full.problem).toContain('ENOSPC');
+    expect(await recorder.stop('other')).toMatchObject({ recordCount: 2_010 });
+    const { recorder: next } = openEngine({ folder });
+    const listed = (await next.list()).recordings.find(({ id }) => id === 'full')!;
+    expect(listed.recordCount).toBeGreaterThanOrEqual(10);
+    const { values } = await readRecording(await folder.open('full'));
+    expect(values.length).toBe(listed.recordCount);
+  });
+
+  it('[RC-7] repairs what an earlier run left open, and says what is missing', async () => {
+    const { recorder, folder, clock } = openEngine();
+    await recorder.start(runningJob('cut'));
+    recorder.add(recordsToKeep('/x', 10));
+    await pass(clock, 500);
+    recorder.add(recordsToKeep('/lost', 10));
+    const { recorder: next } = openEngine({ folder });
+    const [cut] = (await next.list()).recordings;
+    expect(cut).toMatchObject({ id: 'cut', recordCount: 10, topicCount: 1 });
+    expect(cut!.state).toBe(RecordingState.RECORDING_STATE_REPAIRED);
+    expect(cut!.problem).toContain('may be missing');
+    const { recorder: third } = openEngine({ folder });
+    expect((await third.list()).recordings).toMatchObject([{ id: 'cut', state: cut!.state }]);
+  });
+
+  it('[RC-7] leaves files alone that are no recordings', async () => {
+    const { recorder, folder } = openEngine();
+    const file = await folder.create('text');
+    await file.write(new TextEncoder().encode('Not a recording at all.'));
+    expect((await recorder.list()).recordings).toEqual([]);
+    expect(folder.files.has('text')).toBe(true);
+  });
+
+  it('[RC-18] deletes the oldest keepings of the flight recorder, and nothing else', async () => {
+    const { recorder: first, folder } = openEngine();
+    await first.start(runningJob('wanted'));
+    first.add(recordsToKeep('/x', 20));
+    const { sizeBytes: bytesOfOne } = await first.stop('wanted');
+    const recordingsBytes = 4 * bytesOfOne;
+    const { recorder, clock } = openEngine({ folder, limits: { ...LIMITS, recordingsBytes } });
+    const flight = { isOn: true, minutes: 5, maxBytes: 1e6, withImages: true, present: [] };
+    await recorder.setFlight(flight);
+    recorder.add(recordsToKeep('/x', 20, 1));
+    for (const id of ['k1', 'k2', 'k3', 'k4', 'k5', 'k6']) {
+      await recorder.keep(runningJob(id));
+      await pass(clock, 500);
+    }
+    const { recordings, sizeBytes } = await recorder.list();
+    const ids = recordings.map(({ id }) => id);
+    expect(ids).toContain('wanted');
+    expect(ids).toContain('k6');
+    expect(ids).not.toContain('k1');
+    expect(sizeBytes).toBeLessThanOrEqual(recordingsBytes);
+    expect(folder.files.size).toBe(ids.length);
+  });
+
+  it('[RC-23] refuses more markers than a recording may have', async () => {
+    const { recorder } = openEngine({ limits: { ...LIMITS, markersPerRecording: 2 } });
+    await recorder.start(runningJob('a'));
+    const job = (id: string) => ({
+      marker: {
+        ...{ recordingId: 'a', id, timeMs: 1, text: '', author: '', clientId: '' },
+        isRemoved: false,
+      },
+      mayChangeAll: true,
+    });
+    await recorder.mark(job('1'));
+    await recorder.mark(job('2'));
+    await expect(recorder.mark(job('3'))).rejects.toMatchObject({ code: 'resource_exhausted' });
+  });
+
+  it('[RC-30] counts records per second in slots', async () => {
+    const { recorder, clock } = openEngine();
+    const flight = { isOn: true, minutes: 1, maxBytes: 1e6, withImages: true, present: [] };
+    await recorder.setFlight(flight);
+    const timeMs = clock.nowMs();
+    recorder.add(recordsToKeep('/x', 30, 1).map((record) => ({ ...record, timeMs })));
+    const { recordsPerSecond } = await recorder.flight();
+    expect(recordsPerSecond).toHaveLength(60);
+    expect(recordsPerSecond.at(-1)).toBe(30);
+    expect(recordsPerSecond.at(-2)).toBe(0);
+  });
+});
