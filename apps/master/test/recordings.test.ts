@@ -1,0 +1,399 @@
+import {
+  AccessRole,
+  decode,
+  encode,
+  RecordingKind,
+  RecordingState,
+  RECORDING_STATUS_TOPIC,
+  type Init,
+  type RecordingSelection,
+  type RecordingStatus,
+  type ServiceRequest,
+} from '@ubii/proto';
+import { RecordingReader } from '@ubii/recording';
+import { describe, expect, it } from 'vitest';
+import { LOCAL_CALLER } from '../src/index.ts';
+import { MemoryFolder, TestMaster, type TestClient } from '../src/testing/index.ts';
+import { readRecording } from '../src/testing/read-recording.ts';
+import { joinAs } from './access-world.ts';
+
+const SERVICES = '/services/ubii/';
+const { ACCESS_ROLE_ADMIN, ACCESS_ROLE_PARTICIPANT, ACCESS_ROLE_PLAYER, ACCESS_ROLE_VIEWER } =
+  AccessRole;
+const FLIGHT = { isOn: true, minutes: 5, maxBytes: 1_000_000, withImages: true };
+
+async function start(
+  master: TestMaster,
+  selection: Init<RecordingSelection> = {},
+  name = 'Lesson',
+): Promise<string> {
+  const { recording, error } = await master.call({
+    topic: `${SERVICES}recording_start`,
+    recordingStartRequest: { name, selection },
+  });
+  if (recording === undefined) throw new Error(error?.message);
+  return recording.id;
+}
+
+async function stop(master: TestMaster, id: string) {
+  await master.pass(100);
+  const request = { topic: `${SERVICES}recording_stop`, recordingRequest: { id } };
+  return (await master.call(request)).recording!;
+}
+
+/** What a recording holds, as topics with values. */
+async function contentOf(master: TestMaster, id: string) {
+  return readRecording(await master.recordings.open(id));
+}
+
+async function topicsOf(master: TestMaster, id: string): Promise<string[]> {
+  await stop(master, id);
+  return (await contentOf(master, id)).values.map(([topic]) => topic).sort();
+}
+
+describe('a recording', () => {
+  it('[RC-1] [RC-4] [RC-5] holds all that was published from its start to its stop', async () => {
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    ada.publish('/lab/before', 'double', 1);
+    const id = await start(master);
+    ada.publish('/lab/x', 'double', 2);
+    ada.publish('/lab/name', 'string', 'Lab');
+    const stopped = await stop(master, id);
+    ada.publish('/lab/after', 'double', 3);
+    expect(stopped).toMatchObject({ id, name: 'Lesson', recordCount: 2, lostCount: 0 });
+    expect(stopped.state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
+    const { summary, values } = await contentOf(master, id);
+    expect(values).toEqual([
+      ['/lab/x', 2],
+      ['/lab/name', 'Lab'],
+    ]);
+    expect(summary.topics).toMatchObject([
+      { topic: '/lab/x', clientId: ada.id, clientName: 'ada', format: 'double' },
+      { topic: '/lab/name', clientId: ada.id, format: 'string' },
+    ]);
+  });
+
+  it('[RC-12] tells of clients and sessions with their code, and not of topics of the master', async () => {
+    const master = new TestMaster();
+    await master.legacy('early');
+    const id = await start(master);
+    await master.legacy('late');
+    const session = {
+      name: 'Lights',
+      processingModules: [{ name: 'm', onProcessingStringified: '() => ({ secret: 42 })' }],
+    };
+    await master.call({ topic: '/services/session/runtime/add', session });
+    await stop(master, id);
+    const file = await master.recordings.open(id);
+    const { summary, values } = await readRecording(file);
+    expect(values).toEqual([]);
+    expect(summary.clients.map(({ name }) => name).sort()).toEqual(['early', 'late']);
+    const sessions = await sessionsOf(master, id);
+    expect(sessions).toMatchObject([{ name: 'Lights', state: 'created' }]);
+    expect(sessions[0]!.session).toContain('secret: 42');
+  });
+
+  it('[RC-10] [RC-13] holds what any member of its selection names, and nothing excluded', async () => {
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    const bob = await master.legacy('bob');
+    const phone = { name: 'phone', tags: ['sensor'], clientId: ada.id };
+    const component = { topic: '/phone/touch', messageFormat: 'double' };
+    await ada.call({
+      topic: '/services/device/registration',
+      device: { ...phone, components: [component] },
+    });
+    const publishAll = (): void => {
+      for (const topic of ['/lab/x', '/lab/y/z', '/phone/touch', '/other']) {
+        ada.publish(topic, 'double', 1);
+      }
+      bob.publish('/bob/x', 'double', 1);
+    };
+    const recorded = async (selection: Init<RecordingSelection>): Promise<string[]> => {
+      const id = await start(master, selection);
+      publishAll();
+      return topicsOf(master, id);
+    };
+    expect(await recorded({ topics: ['/other'] })).toEqual(['/other']);
+    expect(await recorded({ patterns: ['/lab/*'] })).toEqual(['/lab/x']);
+    expect(await recorded({ clients: ['bob'] })).toEqual(['/bob/x']);
+    expect(await recorded({ clients: [bob.id], topics: ['/lab/x'] })).toEqual(['/bob/x', '/lab/x']);
+    expect(await recorded({ devices: ['sensor'] })).toEqual(['/phone/touch']);
+    const excludedPatterns = ['/lab/**', '/phone/*'];
+    expect(await recorded({ excludedPatterns })).toEqual(['/bob/x', '/other']);
+  });
+
+  it('[RC-13] leaves out images', async () => {
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    const id = await start(master, { withoutImages: true });
+    ada.publish('/camera', 'image2D', {
+      ...{ width: 1, height: 1, dataFormat: 0, data: Uint8Array.of(1) },
+    });
+    ada.publish('/x', 'double', 1);
+    expect(await topicsOf(master, id)).toEqual(['/x']);
+  });
+
+  it('[RC-10] [RC-11] holds topics of a session, and of devices and clients that come later', async () => {
+    const master = new TestMaster();
+    const bySession = await start(master, { sessions: ['Lights'] });
+    const byDevice = await start(master, { devices: ['phone'] });
+    const byName = await start(master, { clients: ['Eve'] });
+    const ada = await master.legacy('ada');
+    for (const topic of ['/in', '/phone/touch']) ada.publish(topic, 'double', 1);
+    await master.pass(100);
+    const module = { id: 'm1', name: 'm', onProcessingStringified: '() => ({})' };
+    const inputs = [{ internalName: 'x', messageFormat: 'double' }];
+    const inputMappings = [{ inputName: 'x', topic: '/in' }];
+    await master.call({
+      topic: '/services/session/runtime/add',
+      session: {
+        name: 'Lights',
+        processingModules: [{ ...module, inputs }],
+        ioMappings: [{ processingModuleId: 'm1', inputMappings }],
+      },
+    });
+    const components = [{ topic: '/phone/touch', messageFormat: 'double' }];
+    await ada.call({
+      topic: '/services/device/registration',
+      device: { name: 'phone', clientId: ada.id, components },
+    });
+    const eve = await master.legacy('Eve');
+    for (const topic of ['/in', '/phone/touch', '/other']) ada.publish(topic, 'double', 2);
+    eve.publish('/eve', 'double', 2);
+    expect(await topicsOf(master, bySession)).toEqual(['/in']);
+    expect(await topicsOf(master, byDevice)).toEqual(['/phone/touch']);
+    expect(await topicsOf(master, byName)).toEqual(['/eve']);
+  });
+
+  it('[RC-14] holds the clocks that clients report', async () => {
+    const master = new TestMaster();
+    const ada = await master.extension('ada');
+    const id = await start(master);
+    ada.socket.handleText('PING 1 12.5 0.5 30');
+    ada.publish('/x', 'double', 1);
+    await master.pass(2_000);
+    await stop(master, id);
+    const clocks = await clocksOf(master, id);
+    expect(clocks.map(({ value }) => value)).toContainEqual({
+      ...{ clientId: ada.id, offsetMs: -12.5, errorMs: 0.5, driftPpm: 30 },
+    });
+  });
+
+  it('[RC-7] is closed when the master ends, and listed by the next run', async () => {
+    const recordings = new MemoryFolder();
+    const master = new TestMaster({ recordings });
+    const ada = await master.legacy('ada');
+    const id = await start(master);
+    ada.publish('/x', 'double', 1);
+    await master.master.close();
+    const next = new TestMaster({ recordings });
+    const { recordingList } = await next.call({ topic: `${SERVICES}recording_list` });
+    expect(recordingList!.elements).toMatchObject([{ id, name: 'Lesson', recordCount: 1 }]);
+    expect(recordingList!.elements[0]!.state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
+  });
+
+  it('[RC-8] is announced while it runs', async () => {
+    const master = new TestMaster();
+    const page = await master.extension('page');
+    await page.subscribe({ subscribeTopics: [RECORDING_STATUS_TOPIC] });
+    const id = await start(master);
+    page.publish('/x', 'double', 1);
+    await master.pass(2_000);
+    const statuses = takeStatuses(page);
+    expect(statuses[0]!.running).toMatchObject([{ id, name: 'Lesson' }]);
+    expect(statuses.at(-1)!.running).toMatchObject([{ recordCount: 1 }]);
+    await stop(master, id);
+    await master.pass();
+    const last = takeStatuses(page).at(-1)!;
+    expect(last.running).toEqual([]);
+    expect(last.listRevision).toBeGreaterThan(statuses[0]!.listRevision);
+  });
+
+  it('[RC-15] is estimated before it starts', async () => {
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    ada.publish('/x', 'double', 0);
+    const request = decodedRequest({
+      topic: `${SERVICES}recording_estimate`,
+      recordingSelection: { patterns: ['/x'] },
+    });
+    const reply = master.master.handleServiceRequest(request, LOCAL_CALLER);
+    await master.pass();
+    for (let i = 0; i < 50; i++) ada.publish('/x', 'double', i);
+    ada.publish('/y', 'double', 0);
+    await master.pass(1_000);
+    const { recordingEstimate, error } = (await reply).reply;
+    expect(error).toBeUndefined();
+    expect(recordingEstimate!.topics).toMatchObject([{ topic: '/x', dataFormat: 'double' }]);
+    expect(recordingEstimate!.recordsPerSecond).toBeCloseTo(50, 0);
+  });
+
+  it('[RC-19] has a gap where the recorder could not follow, and the master goes on', async () => {
+    const master = new TestMaster({ limits: { recorderQueueBytes: 1 } });
+    const ada = await master.legacy('ada');
+    const bob = await master.legacy('bob');
+    await bob.subscribe({ subscribeTopics: ['/x'] });
+    const id = await start(master);
+    const publishBatch = (): void => {
+      ada.publish('/x', 'double', 1);
+      master.clock.advanceSync(60);
+    };
+    publishBatch();
+    publishBatch(); // The recorder has had no turn yet.
+    expect(bob.takeValues()).toHaveLength(2);
+    await master.pass(100);
+    publishBatch();
+    const { recordCount, lostCount } = await stop(master, id);
+    expect({ recordCount, lostCount }).toEqual({ recordCount: 2, lostCount: 1 });
+  });
+
+  it('[RC-4] is refused beyond the limits', async () => {
+    const master = new TestMaster({ limits: { runningRecordings: 1 } });
+    await start(master);
+    await expect(start(master)).rejects.toThrow('runningRecordings');
+    const full = new TestMaster({ limits: { recordings: 1 } });
+    await stop(full, await start(full));
+    await expect(start(full)).rejects.toThrow('limit recordings');
+    const large = new TestMaster({ limits: { recordingsBytes: 10 } });
+    await stop(large, await start(large));
+    await expect(start(large)).rejects.toThrow('recordingsBytes');
+  });
+});
+
+describe('the flight recorder', () => {
+  it('[RC-30] [RC-32] [RC-33] keeps the last minutes with clients, and goes on', async () => {
+    const master = new TestMaster({ flightRecorder: FLIGHT });
+    const ada = await master.legacy('ada');
+    ada.publish('/x', 'double', 1);
+    ada.publish('/y', 'double', 2);
+    await master.pass(1_000);
+    const keep = { topic: `${SERVICES}flight_recorder_keep`, flightRecorderKeepRequest: {} };
+    const { recording } = await master.call(keep);
+    expect(recording).toMatchObject({ recordCount: 2, topicCount: 2 });
+    expect(recording!.kind).toBe(RecordingKind.RECORDING_KIND_FLIGHT_RECORDER);
+    const { summary } = await contentOf(master, recording!.id);
+    expect(summary.clients).toMatchObject([{ name: 'ada' }]);
+    ada.publish('/x', 'double', 3);
+    expect((await master.call(keep)).recording).toMatchObject({ recordCount: 3 });
+    const { flightRecorder } = await master.call({ topic: `${SERVICES}flight_recorder_get` });
+    expect(flightRecorder).toMatchObject({ ...FLIGHT, recordCount: 3, topicCount: 2 });
+  });
+
+  it('[RC-31] is turned off and on by admins, within limits', async () => {
+    const master = new TestMaster({ flightRecorder: FLIGHT });
+    const ada = await master.legacy('ada');
+    const set = (flightRecorderSettings: Init<typeof FLIGHT>) =>
+      master.call({ topic: `${SERVICES}flight_recorder_set`, flightRecorderSettings });
+    ada.publish('/x', 'double', 1);
+    expect((await set({ isOn: false })).flightRecorder).toMatchObject({
+      ...{ isOn: false, minutes: 5, recordCount: 0 },
+    });
+    ada.publish('/x', 'double', 2);
+    const keep = { topic: `${SERVICES}flight_recorder_keep`, flightRecorderKeepRequest: {} };
+    expect((await master.call(keep)).error!.code).toBe('failed_precondition');
+    expect((await set({ isOn: true, minutes: 2 })).flightRecorder).toMatchObject({
+      ...{ isOn: true, minutes: 2, maxBytes: FLIGHT.maxBytes, recordCount: 0 },
+    });
+    ada.publish('/x', 'double', 3);
+    expect((await master.call(keep)).recording).toMatchObject({ recordCount: 1 });
+    expect((await set({ isOn: true, minutes: 61 })).error!.code).toBe('resource_exhausted');
+    expect((await set({ isOn: true, minutes: -1 })).error!.code).toBe('invalid_argument');
+  });
+});
+
+describe('rights on recordings', () => {
+  it('[RC-20] [RC-21] let players mark what runs, and change only their own markers', async () => {
+    const master = new TestMaster();
+    const ada = await joinAs(master, ACCESS_ROLE_PLAYER);
+    const bob = await joinAs(master, ACCESS_ROLE_PLAYER);
+    const mark = (client: TestClient, recordingMarker: Init<object>) =>
+      client.call({
+        topic: `${SERVICES}recording_mark`,
+        recordingMarker: { clientId: client.id, ...recordingMarker },
+      });
+    expect((await mark(ada, { text: 'x' })).error!.code).toBe('failed_precondition');
+    const id = await start(master);
+    const { recordingMarker } = await mark(ada, { text: 'Look here' });
+    expect(recordingMarker).toMatchObject({
+      ...{ text: 'Look here', author: 'phone', clientId: ada.id, timeMs: master.clock.nowMs() },
+    });
+    const change = { ...recordingMarker, text: 'Mine' };
+    expect((await mark(bob, change)).error!.code).toBe('permission_denied');
+    expect((await mark(ada, change)).error).toBeUndefined();
+    await stop(master, id);
+    expect((await mark(ada, { ...change, recordingId: id })).error!.code).toBe('permission_denied');
+    const recordingRequest = { id };
+    const { recording } = await master.call({
+      topic: `${SERVICES}recording_get`,
+      recordingRequest,
+    });
+    expect(recording!.markers).toMatchObject([{ text: 'Mine', author: 'phone' }]);
+  });
+
+  it('[RC-5] let participants delete what their invitation recorded, and admins all', async () => {
+    const master = new TestMaster();
+    const ada = await joinAs(master, ACCESS_ROLE_PARTICIPANT);
+    const bob = await joinAs(master, ACCESS_ROLE_PARTICIPANT);
+    const admin = await joinAs(master, ACCESS_ROLE_ADMIN);
+    const startAs = async (client: TestClient): Promise<string> => {
+      const recordingStartRequest = { clientId: client.id, name: 'Mine' };
+      const topic = `${SERVICES}recording_start`;
+      return (await client.call({ topic, recordingStartRequest })).recording!.id;
+    };
+    const remove = (client: TestClient, id: string) =>
+      client.call({ topic: `${SERVICES}recording_delete`, recordingRequest: { id } });
+    const first = await startAs(ada);
+    expect((await remove(bob, first)).error!.code).toBe('permission_denied');
+    expect((await remove(ada, first)).error).toBeUndefined();
+    expect((await remove(admin, await startAs(bob))).error).toBeUndefined();
+    expect(master.recordings.files.size).toBe(0);
+  });
+
+  it('[RC-31] let viewers look, and change nothing', async () => {
+    const master = new TestMaster();
+    const viewer = await joinAs(master, ACCESS_ROLE_VIEWER);
+    const list = await viewer.call({ topic: `${SERVICES}recording_list` });
+    expect(list.recordingList).toMatchObject({ elements: [], maxBytes: 20 * 1024 ** 3 });
+    const topic = `${SERVICES}recording_start`;
+    const refused = await viewer.call({ topic, recordingStartRequest: {} });
+    expect(refused.error!.code).toBe('permission_denied');
+  });
+
+  it('[EX-90] leave entries in the audit log', async () => {
+    const master = new TestMaster();
+    await stop(master, await start(master));
+    const { auditLog } = await master.call({
+      topic: `${SERVICES}audit_log`,
+      auditLogRequest: { service: 'recording' },
+    });
+    expect(auditLog!.entries.map(({ service }) => service)).toEqual([
+      `${SERVICES}recording_stop`,
+      `${SERVICES}recording_start`,
+    ]);
+  });
+});
+
+function decodedRequest(init: Init<ServiceRequest>): ServiceRequest {
+  return decode('ubii.services.ServiceRequest', encode('ubii.services.ServiceRequest', init));
+}
+
+async function sessionsOf(master: TestMaster, id: string) {
+  const reader = await openReader(master, id);
+  return [...(await reader.sessionsAt(2n ** 62n)).values()];
+}
+
+async function clocksOf(master: TestMaster, id: string) {
+  return (await openReader(master, id)).clocks();
+}
+
+async function openReader(master: TestMaster, id: string): Promise<RecordingReader> {
+  return RecordingReader.open(await master.recordings.open(id));
+}
+
+function takeStatuses(client: TestClient): RecordingStatus[] {
+  return client
+    .takeRecords()
+    .flatMap(({ format, value }) => (format === 'recordingStatus' ? [value] : []));
+}
