@@ -6,11 +6,13 @@ import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { temporaryFolder } from '@ubii/program/testing';
+import { decodeTopicData, encode, RECORDING_STATUS_TOPIC, type RecordingList } from '@ubii/proto';
 import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
 
 // A whole master each: minutes on a busy machine are no fault of it.
 vi.setConfig({ testTimeout: 60_000 });
+const WAIT = { timeout: 30_000 };
 
 const packageFolder = fileURLToPath(new URL('../..', import.meta.url));
 /** The program as `npm start` runs it, built from the sources as they are now. */
@@ -80,6 +82,92 @@ async function takePort(): Promise<number> {
   onTestFinished(() => void server.close());
   return (server.address() as AddressInfo).port;
 }
+
+/** A publisher of a master, which is told what is recorded. */
+class Publisher {
+  /** Records in the running recording, as the master said last: they are in its file. */
+  recordCount = 0;
+  readonly #socket: WebSocket;
+
+  private constructor(socket: WebSocket) {
+    this.#socket = socket;
+    socket.binaryType = 'arraybuffer';
+    socket.on('message', (data, isBinary) => {
+      if (!isBinary) return;
+      for (const record of decodeTopicData(new Uint8Array(data as ArrayBuffer)).records) {
+        if (record.format !== 'recordingStatus') continue;
+        this.recordCount = record.value.running[0]?.recordCount ?? 0;
+      }
+    });
+    socket.on('error', () => undefined);
+  }
+
+  static async open({ servicesJson, topicDataWs }: Endpoints): Promise<Publisher> {
+    const registration = { name: 'publisher', extension: { recordLists: true } };
+    const { client } = await callJson<{
+      client: { id: string; extension: { resumeToken: string } };
+    }>(servicesJson, { topic: '/services/client/registration', client: registration });
+    const { id, extension } = client;
+    const query = `?token=${extension.resumeToken}&clientID=${id}`;
+    const socket = new WebSocket(`${topicDataWs}${query}`);
+    await new Promise((resolve) => socket.once('open', resolve));
+    await callJson(servicesJson, {
+      topic: '/services/topic_subscription',
+      topicSubscription: { clientId: id, subscribeTopics: [RECORDING_STATUS_TOPIC] },
+    });
+    return new Publisher(socket);
+  }
+
+  /** Publishes as fast as the socket takes it, until it closes. */
+  publishAtFullSpeed(): void {
+    const frame = encode('ubii.topicData.TopicData', {
+      topicDataRecordList: {
+        elements: Array.from({ length: 100 }, (_, index) => ({
+          topic: `/lab/${index % 10}`,
+          double: index,
+        })),
+      },
+    });
+    const send = (): void => {
+      if (this.#socket.readyState !== WebSocket.OPEN) return;
+      this.#socket.send(frame, () => setImmediate(send));
+    };
+    send();
+  }
+}
+
+async function callJson<T>(url: string, request: object): Promise<T> {
+  const headers = { 'content-type': 'application/json' };
+  const response = await fetch(url, { method: 'POST', body: JSON.stringify(request), headers });
+  return (await response.json()) as T;
+}
+
+describe('a master that is killed while it records', () => {
+  it('[RC-7] has all but the last moment in the file when it starts again', async () => {
+    const flags = ['--data-dir', temporaryFolder()];
+    const master = start(flags);
+    const endpoints = await master.ready();
+    const publisher = await Publisher.open(endpoints);
+    await callJson(endpoints.servicesJson, {
+      topic: '/services/ubii/recording_start',
+      recordingStartRequest: { name: 'Cut' },
+    });
+    publisher.publishAtFullSpeed();
+    await vi.waitFor(() => expect(publisher.recordCount).toBeGreaterThan(1_000), WAIT);
+    master.child.kill('SIGKILL');
+    await master.ended();
+    const written = publisher.recordCount;
+    const next = await start(flags).ready();
+    const { recordingList } = await callJson<{ recordingList: RecordingList }>(next.servicesJson, {
+      topic: '/services/ubii/recording_list',
+    });
+    const [cut] = recordingList.elements;
+    expect(cut).toMatchObject({ name: 'Cut', problem: expect.stringContaining('may be missing') });
+    expect(cut!.recordCount).toBeGreaterThanOrEqual(written);
+    const response = await fetch(`${next.url}/recordings/${cut!.id}.mcap`);
+    expect(new Uint8Array(await response.arrayBuffer()).length).toBe(cut!.sizeBytes);
+  });
+});
 
 describe('the master as a process', () => {
   it('prints one line of JSON when it is ready, and everything else on standard error', async () => {

@@ -1,0 +1,174 @@
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { temporaryFolder } from '@ubii/program/testing';
+import { fromJson, RecordingKind, type Recording } from '@ubii/proto';
+import { RecordingWriter } from '@ubii/recording';
+import { DiskFile } from '@ubii/recording/node';
+import { MemoryFile } from '@ubii/recording/testing';
+import { SystemClock } from '@ubii/timing/system';
+import { build } from 'esbuild';
+import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
+
+import { DiskFolder, recordingPath } from '../../src/adapters/recording/disk-folder.ts';
+import { WorkerRecorder } from '../../src/adapters/recording/worker-recorder.ts';
+import { DEFAULT_LIMITS } from '../../src/index.ts';
+import { recorderSuite, recordsToKeep, runningJob } from '../../src/testing/acceptance/index.ts';
+import { RecordingLog } from '../../src/testing/index.ts';
+import { startEdgeMaster, type EdgeMaster } from './edge-master.ts';
+
+const built = temporaryFolder(afterAll);
+let workerFile: URL;
+
+beforeAll(async () => {
+  const outfile = join(built, 'recorder-worker.mjs');
+  const source = new URL('../../src/adapters/recording/recorder-worker.ts', import.meta.url);
+  await build({
+    entryPoints: [fileURLToPath(source)],
+    ...{ outfile, bundle: true, platform: 'node', format: 'esm', logLevel: 'warning' },
+    banner: {
+      js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);",
+    },
+  });
+  workerFile = pathToFileURL(outfile);
+}, 60_000);
+
+function openWorker(folder: string, file = workerFile) {
+  const log = new RecordingLog();
+  const options = { folder, limits: DEFAULT_LIMITS, clock: new SystemClock(), log };
+  return { log, recorder: new WorkerRecorder({ ...options, workerFile: file }) };
+}
+
+recorderSuite('WorkerRecorder', () => {
+  const folder = temporaryFolder();
+  return {
+    recorder: openWorker(folder).recorder,
+    file: (id) => DiskFile.open(recordingPath(folder, id)),
+    reopen: () => openWorker(folder).recorder,
+  };
+});
+
+describe('WorkerRecorder', () => {
+  it('[RC-19] goes on without recording when its thread cannot be had', async () => {
+    const { recorder, log } = openWorker(temporaryFolder(), new URL('file:///not/there.mjs'));
+    await expect(recorder.list()).rejects.toMatchObject({ code: 'unavailable' });
+    recorder.add(recordsToKeep('/x', 3));
+    expect(recorder.waitingBytes).toBe(0);
+    expect(log.lines.filter(({ level }) => level === 'error')).toHaveLength(1);
+    await recorder.close();
+  });
+
+  it('takes many publishers, in batches', async () => {
+    const folder = temporaryFolder();
+    const { recorder } = openWorker(folder);
+    await recorder.start(runningJob('a'));
+    for (let i = 0; i < 50; i++) recorder.add(recordsToKeep(`/x/${i % 20}`, 100));
+    expect(await recorder.stop('a')).toMatchObject({ recordCount: 5_000, topicCount: 20 });
+    await vi.waitFor(() => expect(recorder.waitingBytes).toBe(0));
+    await recorder.close();
+  });
+});
+
+/** A recording of this master that is finished. */
+async function record(master: EdgeMaster): Promise<Recording> {
+  const call = async (request: object): Promise<{ recording: Recording }> => {
+    const response = await fetch(`${master.url}/services/json`, {
+      ...{ method: 'POST', body: JSON.stringify(request) },
+      headers: { 'content-type': 'application/json' },
+    });
+    return (await response.json()) as { recording: Recording };
+  };
+  const recordingStartRequest = { name: 'Größe 1' };
+  const topic = '/services/ubii/recording_start';
+  const { recording } = await call({ topic, recordingStartRequest });
+  await call({ topic: '/services/ubii/recording_stop', recordingRequest: { id: recording.id } });
+  return recording;
+}
+
+/** A small MCAP file. */
+async function mcapFile(): Promise<Uint8Array<ArrayBuffer>> {
+  const file = new MemoryFile();
+  const writer = await RecordingWriter.create(file, {
+    ...{ name: 'Elsewhere', kind: 'recording', masterName: 'Other', version: '1', notes: '' },
+    selection: '',
+  });
+  for (const { source, record } of recordsToKeep('/x', 5)) {
+    const timeNs = 1_750_000_000_000_000_000n;
+    await writer.addRecord({ ...source, record, logTimeNs: timeNs, publishTimeNs: timeNs });
+  }
+  await writer.end();
+  return Uint8Array.from(file.bytes);
+}
+
+describe('files of recordings over HTTP', () => {
+  it('[RC-40] are sent as a whole, in ranges, and not twice', async () => {
+    const master = await startEdgeMaster({ recorderWorkerFile: workerFile });
+    const { id } = await record(master);
+    const url = `${master.url}/recordings/${id}.mcap`;
+    const whole = await fetch(url);
+    const bytes = new Uint8Array(await whole.arrayBuffer());
+    expect(whole.headers.get('content-disposition')).toContain('Gr%C3%B6%C3%9Fe%201.mcap');
+    const etag = whole.headers.get('etag')!;
+    const asked = async (headers: Record<string, string>) => {
+      const response = await fetch(url, { headers });
+      const body = new Uint8Array(await response.arrayBuffer());
+      return { status: response.status, body, range: response.headers.get('content-range') };
+    };
+    const total = bytes.length;
+    expect(await asked({ range: 'bytes=0-7' })).toEqual({
+      ...{ status: 206, body: bytes.slice(0, 8), range: `bytes 0-7/${total}` },
+    });
+    expect(await asked({ range: 'bytes=-8' })).toMatchObject({ body: bytes.slice(-8) });
+    expect(await asked({ range: 'bytes=8-' })).toMatchObject({ body: bytes.slice(8) });
+    expect(await asked({ range: `bytes=${total}-` })).toMatchObject({
+      ...{ status: 416, range: `bytes */${total}` },
+    });
+    expect(await asked({ range: 'lines=1-2' })).toMatchObject({ status: 200, body: bytes });
+    const other = { range: 'bytes=0-7', 'if-range': '"other"' };
+    expect(await asked(other)).toMatchObject({ status: 200, body: bytes });
+    expect(await asked({ 'if-none-match': etag })).toMatchObject({ status: 304 });
+    expect((await fetch(url, { method: 'HEAD' })).headers.get('content-length')).toBe(`${total}`);
+    expect((await fetch(`${master.url}/recordings/..%2Fnothing.mcap`)).status).toBe(404);
+  });
+
+  it('[RC-41] are uploaded, and listed as imports', async () => {
+    const dataDir = temporaryFolder();
+    const master = await startEdgeMaster({ dataDir, recorderWorkerFile: workerFile });
+    const url = `${master.url}/recordings`;
+    const upload = async (body: BodyInit, query = '') => {
+      const response = await fetch(url + query, { method: 'POST', body });
+      return { status: response.status, json: await response.json() };
+    };
+    const { status, json } = await upload(await mcapFile(), '?name=Mine');
+    expect(status).toBe(200);
+    const recording = fromJson('ubii.extension.Recording', json);
+    expect(recording).toMatchObject({ name: 'Mine', recordCount: 5, topicCount: 1 });
+    expect(recording.kind).toBe(RecordingKind.RECORDING_KIND_IMPORT);
+    expect((await fetch(`${url}/${recording.id}.mcap`)).status).toBe(200);
+    expect((await upload('no recording')).status).toBe(400);
+    expect(readdirSync(join(dataDir, 'recordings'))).toEqual([`${recording.id}.mcap`]);
+  });
+
+  it('[RC-41] are refused when they are too large', async () => {
+    const dataDir = temporaryFolder();
+    const flags = ['--limits', 'recordingUploadBytes=1000'];
+    const master = await startEdgeMaster({ dataDir, flags, recorderWorkerFile: workerFile });
+    const send = (body: BodyInit, more: object = {}) =>
+      fetch(`${master.url}/recordings`, { method: 'POST', body, ...more });
+    expect((await send('x'.repeat(1_001))).status).toBe(429);
+    const unknownLength = new Blob(['x'.repeat(2_000)]).stream();
+    expect((await send(unknownLength, { duplex: 'half' })).status).toBe(429);
+    expect(readdirSync(join(dataDir, 'recordings'))).toEqual([]);
+  });
+});
+
+it('[RC-7] [RC-42] DiskFolder forgets uploads of earlier runs, and lists recordings only', async () => {
+  const folder = join(temporaryFolder(), 'recordings');
+  const disk = new DiskFolder(folder);
+  expect(await disk.list()).toEqual([]);
+  expect(await disk.freeBytes()).toBeGreaterThan(0);
+  mkdirSync(folder);
+  for (const name of ['a.mcap', 'b.upload', 'notes.txt']) writeFileSync(join(folder, name), '');
+  expect(await disk.list()).toEqual(['a']);
+  expect(readdirSync(folder).sort()).toEqual(['a.mcap', 'notes.txt']);
+});
