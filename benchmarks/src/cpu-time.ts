@@ -49,11 +49,11 @@ function parentOf(pid: number): number | undefined {
 }
 
 /**
- * CPU time that the main thread of this process has used so far, user and system, microseconds, with
- * fractions.
+ * CPU time that the main thread of a process has used so far, user and system, microseconds, with
+ * fractions. @param pid this process by default
  */
-export function mainThreadCpuUs(): number {
-  const schedstat = readFileSync(`/proc/self/task/${process.pid}/schedstat`, 'latin1');
+export function mainThreadCpuUs(pid = process.pid): number {
+  const schedstat = readFileSync(`/proc/${pid}/task/${pid}/schedstat`, 'latin1');
   return Number(schedstat.split(' ', 1)[0]) / 1000;
 }
 

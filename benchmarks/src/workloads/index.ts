@@ -11,6 +11,7 @@ import { LOCKSTEPS } from './lockstep.ts';
 import { modules100 } from './modules-100.ts';
 import { party } from './party.ts';
 import { partyScreen } from './party-screen.ts';
+import { recording } from './recording.ts';
 import { roundTrip } from './round-trip.ts';
 import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
@@ -34,6 +35,7 @@ export const WORKLOADS: readonly Workload[] = [
   partyScreen,
   masterTime,
   hostileBodies,
+  recording,
   graphEditor,
   topicsPage,
   clientsPage,

@@ -48,14 +48,14 @@ describe('RecorderEngine', () => {
     const { recordings } = await recorder.list();
     const problems = Object.fromEntries(recordings.map(({ id, problem }) => [id, problem]));
     expect(problems).toEqual({
-      long: 'The recording stopped by itself: it reached its longest duration.',
-      large: 'The recording stopped by itself: its file reached its largest size.',
-      full: 'The recording stopped by itself: little space is free on the disk.',
+      long: 'The recording stopped: it reached its longest duration.',
+      large: 'The recording stopped: its file reached its largest size.',
+      full: 'The recording stopped: little space is free on the disk.',
     });
     for (const { state } of recordings) expect(state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
   });
 
-  it('[RC-17] keeps what was written before the disk was full, and goes on with others', async () => {
+  it('[RC-17] keeps what was written before the disk was full, and records others', async () => {
     const { recorder, folder, clock } = openEngine();
     folder.maxBytes = 40_000;
     await recorder.start(runningJob('full'));

@@ -130,7 +130,7 @@ export class RunningRecordings {
     const freeBytes = await this.#context.folder.freeBytes();
     for (const [id, running] of [...this.#running]) {
       const reason = this.#reasonToStop(running, freeBytes);
-      if (reason !== undefined) await this.stop(id, `The recording stopped by itself: ${reason}.`);
+      if (reason !== undefined) await this.stop(id, `The recording stopped: ${reason}.`);
     }
   }
 
@@ -186,7 +186,7 @@ export class RunningRecordings {
 export function notWritten(cause: unknown): ServiceError {
   return new ServiceError(
     'failed_precondition',
-    `The recording could not be written: ${textOf(cause)}. Make room on the disk, or use another data directory.`,
+    `The recording could not be written: ${textOf(cause)}. Delete files on the disk, or use another data directory.`,
   );
 }
 
