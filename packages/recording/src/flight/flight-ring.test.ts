@@ -123,7 +123,7 @@ it('keeps sessions as they were, and markers of the window', async () => {
   expect((await reader.sessionsAt(reader.summary.startNs)).get('s')).toEqual(session);
 });
 
-it('begins anew when the clock is set back', () => {
+it('starts over when the clock is set back', () => {
   const ring = new FlightRing(WHOLE);
   ring.addRecord(sampleRecord('/a', 10_000_000));
   ring.addRecord(sampleRecord('/a', 0));

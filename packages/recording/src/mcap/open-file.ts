@@ -7,11 +7,11 @@ import { salvage } from './salvage.ts';
 export interface OpenFile {
   readonly index: FileIndex;
   readonly source: RecordingSource;
-  /** The end of the file is missing, and was made anew in memory. */
+  /** The end of the file is missing, and was rebuilt in memory. */
   readonly isDamaged: boolean;
 }
 
-/** Opens a file by its index, which is made anew when the file has none. @throws RecordingError when it is no MCAP file */
+/** Opens a file by its index, which is rebuilt when the file has none. @throws RecordingError when it is no MCAP file */
 export async function openFile(source: RecordingSource): Promise<OpenFile> {
   await expectMcap(source);
   const whole = await readIndex(source);

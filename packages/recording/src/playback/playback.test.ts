@@ -141,7 +141,7 @@ it('plays a loop again and again', async () => {
   expect(playback.state.status).toBe('ended');
 });
 
-it('begins anew when it is played at its end', async () => {
+it('starts over when it is played at its end', async () => {
   const { playback, played, seeks, settled } = await open();
   playback.play();
   await settled(2_500);

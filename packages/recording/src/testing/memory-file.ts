@@ -4,7 +4,7 @@ import type { RecordingFile } from '../storage/recording-storage.ts';
 export class MemoryFile implements RecordingFile {
   #bytes = new Uint8Array(1024);
   #length = 0;
-  /** Bytes handed out by `read` so far. */
+  /** Bytes that `read` returned so far. */
   readBytes = 0;
   /** Writes beyond this many bytes fail, as on a full disk. */
   maxBytes = Infinity;

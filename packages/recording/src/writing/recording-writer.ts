@@ -73,7 +73,7 @@ export class RecordingWriter {
     return writer;
   }
 
-  /** Goes on with a file whose end was cut off; the sink is where the data ended. @param file what it holds, which is changed */
+  /** Continues a file whose end was cut off; the sink is where the data ended. @param file what it holds, which is changed */
   static resume(sink: RecordingSink, file: FileIndex): RecordingWriter {
     return new RecordingWriter(sink, file);
   }
