@@ -12,6 +12,7 @@ import { modules100 } from './modules-100.ts';
 import { party } from './party.ts';
 import { partyScreen } from './party-screen.ts';
 import { recording } from './recording.ts';
+import { recordingSeek, recordingWrite } from './recording-files.ts';
 import { roundTrip } from './round-trip.ts';
 import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
@@ -36,6 +37,8 @@ export const WORKLOADS: readonly Workload[] = [
   masterTime,
   hostileBodies,
   recording,
+  recordingWrite,
+  recordingSeek,
   graphEditor,
   topicsPage,
   clientsPage,
