@@ -7,7 +7,7 @@ const TAG = {
   streamFooter: 6,
 } as const;
 
-/** Time stamps are doubles of 8 bytes. */
+/** Timestamps are doubles of 8 bytes. */
 const TIME_BYTES = 8;
 
 const text = new TextEncoder();
