@@ -1,0 +1,96 @@
+import { formatLook } from '../../formats/families.ts';
+import type { DataFormat, DataFormatFamily } from '@ubii/proto';
+import { trackKind, type TrackKind } from './sample.ts';
+
+/** A topic of a recording, as a row of the timeline. */
+export interface Track {
+  readonly topic: string;
+  /** The last level of the topic. */
+  readonly name: string;
+  readonly owner: string;
+  readonly format: DataFormat | undefined;
+  readonly formatText: string;
+  readonly family: DataFormatFamily;
+  readonly kind: TrackKind;
+  readonly records: number;
+  readonly hz: number;
+  readonly heightPx: number;
+}
+
+/** What a recording says of a topic. */
+export interface RecordedTopic {
+  readonly topic: string;
+  readonly clientName: string;
+  readonly format: string;
+  readonly records: number;
+}
+
+const HEIGHTS: Readonly<Record<TrackKind, number>> = {
+  ticks: 34,
+  lines: 34,
+  frames: 56,
+  bars: 34,
+  text: 30,
+  bytes: 30,
+};
+/** Values of three numbers stand one below the other at their lines. */
+const TALL_PX = 68;
+const TALL: ReadonlySet<string> = new Set(['vector2', 'vector3']);
+
+/** The tracks of a recording, one for each topic, those of one family and publisher together. */
+export function tracksOf(topics: readonly RecordedTopic[], durationMs: number): Track[] {
+  const byTopic = new Map<string, RecordedTopic[]>();
+  for (const one of topics) byTopic.set(one.topic, [...(byTopic.get(one.topic) ?? []), one]);
+  const tracks = [...byTopic].map(([topic, parts]) => trackOf(topic, parts, durationMs));
+  return tracks.sort(
+    (a, b) => ORDER.indexOf(a.family) - ORDER.indexOf(b.family) || a.topic.localeCompare(b.topic),
+  );
+}
+
+const ORDER: readonly DataFormatFamily[] = [
+  ...(['event', 'vector', 'rotation', 'pose', 'number', 'image'] as const),
+  ...(['objects', 'text', 'system'] as const),
+];
+
+function trackOf(topic: string, parts: readonly RecordedTopic[], durationMs: number): Track {
+  const records = parts.reduce((sum, one) => sum + one.records, 0);
+  const { format, family, text } = formatLook(parts[0]?.format ?? '');
+  const kind = trackKind(format);
+  return {
+    topic,
+    name: topic.split('/').findLast((level) => level !== '') ?? topic,
+    owner: [...new Set(parts.map(({ clientName }) => clientName).filter(Boolean))].join(', '),
+    ...{ format, family, kind, records },
+    formatText: text,
+    hz: durationMs > 0 ? (records / durationMs) * 1000 : 0,
+    heightPx: format !== undefined && TALL.has(format) ? TALL_PX : HEIGHTS[kind],
+  };
+}
+
+/** Rows from the top, and which of them can be seen. */
+export interface TrackRow {
+  readonly track: Track;
+  readonly topPx: number;
+}
+
+export function rowsOf(tracks: readonly Track[]): {
+  readonly rows: readonly TrackRow[];
+  readonly heightPx: number;
+} {
+  let topPx = 0;
+  const rows = tracks.map((track) => {
+    const row = { track, topPx };
+    topPx += track.heightPx;
+    return row;
+  });
+  return { rows, heightPx: topPx };
+}
+
+/** The rows of a stretch of the list, and one more at either end. */
+export function rowsIn(rows: readonly TrackRow[], topPx: number, heightPx: number): TrackRow[] {
+  return rows.filter(
+    (row) =>
+      row.topPx + 2 * row.track.heightPx > topPx &&
+      row.topPx - row.track.heightPx < topPx + heightPx,
+  );
+}
