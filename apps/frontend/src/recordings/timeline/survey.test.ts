@@ -12,7 +12,7 @@ describe('the survey of a recording', () => {
       builder.add('/a', timeMs, aRecord('double', Math.sin(timeMs / 500)));
     builder.add('/b', 3000, aRecord('string', 'rest'));
     builder.add('/b', 5000, aRecord('string', 'swipe'));
-    builder.add('/c', 4000, aRecord('image2D', {}));
+    builder.addFrame('/c', 4000);
     builder.add('/d', 4000, undefined);
     const { tracks, density, isWhole } = builder.survey(true);
     const [a, b, c, d] = tracks;

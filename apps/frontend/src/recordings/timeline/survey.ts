@@ -52,14 +52,18 @@ export class SurveyBuilder {
 
   /** @param record undefined when it cannot be decoded: it only counts */
   add(topic: string, timeMs: number, record: TopicRecord | undefined): void {
-    this.#readMs = Math.max(this.#readMs, timeMs);
-    const bucket = Math.floor((timeMs / this.#durationMs) * SURVEY_BUCKETS);
-    this.#density[Math.min(Math.max(bucket, 0), SURVEY_BUCKETS - 1)]! += 1;
-    let track = this.#tracks.get(topic);
-    if (track === undefined) this.#tracks.set(topic, (track = this.#openTrack(record)));
+    this.#count(timeMs);
+    const track = this.#trackOf(topic, trackKind(record?.format));
     const { numbers, states } = record ? sampleOf(record) : { numbers: [], states: undefined };
     track.builder.add(timeMs, { numbers });
     if (states) track.runs?.add(timeMs, states);
+  }
+
+  /** Adds a picture, which is only counted. */
+  addFrame(topic: string, timeMs: number): void {
+    const track = this.#trackOf(topic, 'frames');
+    this.#count(timeMs);
+    track.builder.add(timeMs, { numbers: [] });
     if (track.frames && track.frames.length < MAX_FRAMES) track.frames.push(timeMs);
   }
 
@@ -74,8 +78,19 @@ export class SurveyBuilder {
     return { tracks, density: this.#density.slice(), readMs, isWhole };
   }
 
-  #openTrack(record: TopicRecord | undefined): OpenTrack {
-    const kind = trackKind(record?.format);
+  #count(timeMs: number): void {
+    this.#readMs = Math.max(this.#readMs, timeMs);
+    const bucket = Math.floor((timeMs / this.#durationMs) * SURVEY_BUCKETS);
+    this.#density[Math.min(Math.max(bucket, 0), SURVEY_BUCKETS - 1)]! += 1;
+  }
+
+  #trackOf(topic: string, kind: TrackKind): OpenTrack {
+    let track = this.#tracks.get(topic);
+    if (track === undefined) this.#tracks.set(topic, (track = this.#openTrack(kind)));
+    return track;
+  }
+
+  #openTrack(kind: TrackKind): OpenTrack {
     // The last record lies at the very end
     const bucketMs = (this.#durationMs * 1.0001) / SURVEY_BUCKETS;
     const hasRuns = kind === 'bars' || kind === 'text' || kind === 'ticks';

@@ -1,0 +1,35 @@
+import type { RecordingEvent, RecordingSummary } from '@ubii/recording';
+import type { OpenedRecording } from './recording-messages.ts';
+import { TimeBase } from './recording-time-base.ts';
+
+/** What the page shows of a file that was opened. */
+export function openedRecording(
+  summary: RecordingSummary,
+  clocks: readonly RecordingEvent<'clock'>[],
+): OpenedRecording {
+  const base = new TimeBase(summary.startNs);
+  const errors = clocks.map(({ value }) => value.errorMs);
+  return {
+    name: summary.name,
+    notes: summary.notes,
+    masterName: summary.masterName,
+    startMs: base.startMs,
+    durationMs: base.toMs(summary.endNs),
+    records: summary.records,
+    topics: summary.topics.map(({ topic, clientName, format, records, isRaw, schemaName }) => ({
+      ...{ topic, clientName, records },
+      format: isRaw ? schemaName : format,
+    })),
+    markers: summary.markers.map(({ id, timeMs, text, author }) => ({
+      ...{ id, text, author },
+      timeMs: base.placed(timeMs),
+    })),
+    gaps: summary.gaps.map(({ topic, fromMs, untilMs, records, reason }) => ({
+      ...{ topic, records, reason },
+      fromMs: base.placed(fromMs),
+      untilMs: base.placed(untilMs),
+    })),
+    clockErrorMs: errors.length === 0 ? undefined : Math.max(...errors),
+    isDamaged: summary.isDamaged,
+  };
+}

@@ -1,0 +1,135 @@
+import {
+  Playback,
+  type PlaybackState,
+  type RecordedRecord,
+  type RecordingReader,
+} from '@ubii/recording';
+import type { Clock } from '@ubii/timing';
+import { openedRecording } from './opened-recording.ts';
+import { readFrame } from './frame-reader.ts';
+import type { PlayedValue, RecordingCommand, RecordingReport } from './recording-messages.ts';
+import { TimeBase } from './recording-time-base.ts';
+import { readSurvey, type Turns } from './survey-reader.ts';
+import { readTiles } from './tile-reader.ts';
+
+/** Says something to the page. @param transfer what it may take over */
+export type Tell = (report: RecordingReport, transfer?: Transferable[]) => void;
+
+/** How often sessions are looked up while it plays, milliseconds of the recording. */
+const SESSIONS_EVERY_MS = 1000;
+
+/** Everything but opening. */
+export type DeskCommand = Exclude<RecordingCommand, { kind: 'open' }>;
+
+/** Answers what a page asks of one recording. */
+export class RecordingDesk {
+  readonly #reader: RecordingReader;
+  readonly #tell: Tell;
+  readonly #base: TimeBase;
+  readonly #playback: Playback;
+  #tilesAsked = 0;
+  #sessionsMs = -Infinity;
+  #sessionsTold = '';
+
+  constructor(reader: RecordingReader, clock: Clock, tell: Tell) {
+    this.#reader = reader;
+    this.#tell = tell;
+    this.#base = new TimeBase(reader.summary.startNs);
+    this.#playback = new Playback({
+      clock,
+      reader,
+      sink: {
+        onRecords: (records) => this.#tellValues(newestOf(records), false),
+        onSeek: (latest) => this.#tellValues(latest, true),
+        onState: (state) => this.#tellState(state),
+        onError: (error) => tell({ kind: 'failed', message: sentenceOf(error) }),
+      },
+    });
+  }
+
+  /** Tells what the recording is and, bit by bit, what is in it. */
+  async begin(turns: Turns): Promise<void> {
+    const clocks = await this.#reader.clocks();
+    this.#tell({ kind: 'opened', recording: openedRecording(this.#reader.summary, clocks) });
+    this.#tellState(this.#playback.state);
+    await this.#playback.seek(this.#reader.summary.startNs);
+    await readSurvey(this.#reader, turns, (survey) => this.#tell({ kind: 'survey', survey }));
+  }
+
+  async handle(command: DeskCommand): Promise<void> {
+    switch (command.kind) {
+      case 'tiles': {
+        const asked = ++this.#tilesAsked;
+        const { request } = command;
+        const isWanted = (): boolean => asked === this.#tilesAsked;
+        return readTiles(this.#reader, request, isWanted, (topic, index, tile) =>
+          this.#tell({ kind: 'tile', topic, level: request.level, index, tile }),
+        );
+      }
+      case 'frame': {
+        const { topic, timeMs } = command;
+        const picture = await readFrame(this.#reader, topic, timeMs);
+        this.#tell({ kind: 'frame', topic, timeMs, picture }, picture ? [picture] : []);
+        return;
+      }
+      case 'play':
+        return this.#playback.play();
+      case 'pause':
+        return this.#playback.pause();
+      case 'rate':
+        return this.#playback.setRate(command.rate);
+      case 'loop': {
+        const { loop } = command;
+        return this.#playback.setLoop(
+          loop && { fromNs: this.#base.toNs(loop.fromMs), untilNs: this.#base.toNs(loop.untilMs) },
+        );
+      }
+      case 'seek':
+        return this.#playback.seek(this.#base.toNs(command.timeMs));
+      case 'stepRecord':
+        return this.#playback.stepRecord(command.topic, command.direction);
+      case 'stepTime':
+        return this.#playback.stepTime(command.deltaMs);
+    }
+  }
+
+  #tellValues(records: ReadonlyMap<string, RecordedRecord>, isAll: boolean): void {
+    const values = Array.from(records.values(), ({ topic, record, logTimeNs }): PlayedValue => {
+      return { topic, timeMs: this.#base.toMs(logTimeNs), record: record.slice() };
+    });
+    this.#tell(
+      { kind: 'values', isAll, values },
+      values.map(({ record }) => record.buffer),
+    );
+  }
+
+  #tellState({ status, positionNs, rate, loop, isBuffering }: PlaybackState): void {
+    const timeMs = this.#base.toMs(positionNs);
+    const placedLoop = loop && {
+      fromMs: this.#base.toMs(loop.fromNs),
+      untilMs: this.#base.toMs(loop.untilNs),
+    };
+    const player = { status, timeMs, rate, loop: placedLoop, isBuffering };
+    this.#tell({ kind: 'player', player });
+    if (Math.abs(timeMs - this.#sessionsMs) < SESSIONS_EVERY_MS && status === 'playing') return;
+    this.#sessionsMs = timeMs;
+    void this.#tellSessions(positionNs);
+  }
+
+  async #tellSessions(timeNs: bigint): Promise<void> {
+    const sessions = [...(await this.#reader.sessionsAt(timeNs)).values()];
+    const text = JSON.stringify(sessions);
+    if (text === this.#sessionsTold) return;
+    this.#sessionsTold = text;
+    this.#tell({ kind: 'sessions', sessions });
+  }
+}
+
+function newestOf(records: readonly RecordedRecord[]): Map<string, RecordedRecord> {
+  return new Map(records.map((record) => [record.topic, record]));
+}
+
+/** An error as a sentence for the page. */
+export function sentenceOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

@@ -1,0 +1,57 @@
+import type { RecordsReader } from '@ubii/recording';
+import { trackKind } from '../timeline/sample.ts';
+import { SurveyBuilder, type Survey } from '../timeline/survey.ts';
+import { formatLook } from '../../formats/families.ts';
+import { decodeRecorded } from './decode-recorded.ts';
+import { TimeBase } from './recording-time-base.ts';
+
+/** After how much reading the first part is shown, milliseconds; later parts take longer and longer. */
+const FIRST_PART_MS = 250;
+/** Without a pause no longer than this: seeking and tiles are answered in between, milliseconds. */
+const TURN_MS = 12;
+
+/** How a long read gives way to others, and what time it is. */
+export interface Turns {
+  nowMs(): number;
+  pause(): Promise<void>;
+}
+
+/** Reads a whole recording, and shows it while that takes. */
+export async function readSurvey(
+  reader: RecordsReader,
+  turns: Turns,
+  show: (survey: Survey) => void,
+): Promise<void> {
+  const { startNs, endNs, topics } = reader.summary;
+  const base = new TimeBase(startNs);
+  const builder = new SurveyBuilder(base.toMs(endNs));
+  /** Pictures are only counted: decoding them all would take as long as they took. */
+  const undecoded = new Map(
+    topics.flatMap(({ topic, format, isRaw }) =>
+      isRaw || trackKind(formatLook(format).format) === 'frames' ? [[topic, isRaw] as const] : [],
+    ),
+  );
+  let partMs = FIRST_PART_MS;
+  let shownMs = turns.nowMs();
+  let turnMs = shownMs;
+  for await (const { topic, record, logTimeNs } of reader.records()) {
+    const isRaw = undecoded.get(topic);
+    if (isRaw === false) builder.addFrame(topic, base.toMs(logTimeNs));
+    else
+      builder.add(
+        topic,
+        base.toMs(logTimeNs),
+        isRaw === true ? undefined : decodeRecorded(topic, record),
+      );
+    const nowMs = turns.nowMs();
+    if (nowMs - shownMs > partMs) {
+      show(builder.survey(false));
+      partMs *= 2;
+      shownMs = turns.nowMs();
+    }
+    if (nowMs - turnMs < TURN_MS) continue;
+    await turns.pause();
+    turnMs = turns.nowMs();
+  }
+  show(builder.survey(true));
+}
