@@ -71,6 +71,18 @@ export function provideGraphProblems(
   return live;
 }
 
+/** For a graph that is only looked at: nothing in it can be corrected. */
+export function provideNoProblems(): void {
+  const none: GraphProblems = { all: [], ofNode: new Map(), ofPort: new Map(), ofWire: new Map() };
+  provide(PROBLEMS, {
+    problems: computed(() => none),
+    ofNode: () => NONE,
+    ofPort: () => NONE,
+    ofWire: () => NONE,
+    isMissing: () => false,
+  });
+}
+
 export function useGraphProblems(): LiveProblems {
   const live = inject(PROBLEMS);
   if (!live) throw new Error('This part needs the graph page above it.');
