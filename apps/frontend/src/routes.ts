@@ -14,6 +14,7 @@ import { partyRoutes } from './party/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
 import { publishRoutes } from './publish/routes.ts';
+import { recordingsRoutes } from './recordings/routes.ts';
 import { sessionsRoutes } from './session-pages/routes.ts';
 import { settingsRoutes } from './settings/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
@@ -52,6 +53,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...callsRoutes,
   ...clientsRoutes,
   ...performanceRoutes,
+  ...recordingsRoutes,
   ...devicesRoutes,
   ...markersRoutes,
   ...examplesRoutes,

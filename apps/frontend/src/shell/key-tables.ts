@@ -13,6 +13,18 @@ export const ROW_KEYS: readonly KeyText[] = [
   { keys: 'Del', text: 'Delete a session or a stored module, disconnect a client' },
 ];
 
+/** Keys of an opened recording. `recordings/view/useTimelineKeys.ts` handles them. */
+export const RECORDING_KEYS: readonly KeyText[] = [
+  { keys: 'Space', text: 'Play or pause' },
+  { keys: '← →', text: 'Go to the previous or next record of the selected track' },
+  { keys: 'Shift ← →', text: 'Go back or forward by 1 s' },
+  { keys: ', .', text: 'Go to the previous or next picture' },
+  { keys: 'I O', text: 'Start or end the loop at the playhead' },
+  { keys: 'M', text: 'Add a marker at the playhead' },
+  { keys: '0', text: 'Show all of the recording' },
+  { keys: 'Shift', text: 'and drag: loop what is marked' },
+];
+
 /** Keys on the canvas of a graph. `graph/canvas/canvas-keys.ts` handles them. */
 export const GRAPH_KEYS: readonly KeyText[] = [
   { keys: '← → ↑ ↓', text: 'Go to the next node, to its sockets, and along wires' },

@@ -2,6 +2,7 @@ import {
   Activity,
   Blocks,
   BookOpen,
+  CircleDot,
   ConciergeBell,
   House,
   LayoutDashboard,
@@ -37,6 +38,13 @@ export const PAGES: readonly NavigationPage[] = [
     to: '/clients',
     icon: MonitorSmartphone,
     shortcut: 'G C',
+    isBehindMore: true,
+  },
+  {
+    title: 'Recordings',
+    to: '/recordings',
+    icon: CircleDot,
+    shortcut: 'G O',
     isBehindMore: true,
   },
   {

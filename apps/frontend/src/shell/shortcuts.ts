@@ -8,13 +8,15 @@ export interface Shortcut {
   readonly text: string;
   readonly does:
     | { readonly kind: 'go'; readonly to: string }
-    | { readonly kind: 'open'; readonly dialog: ShellDialog };
+    | { readonly kind: 'open'; readonly dialog: ShellDialog }
+    | { readonly kind: 'keep' };
 }
 
 export const SHORTCUTS: readonly Shortcut[] = [
   { keys: '/', text: 'Search or run a command', does: { kind: 'open', dialog: 'palette' } },
   { keys: '?', text: 'Show the keyboard shortcuts', does: { kind: 'open', dialog: 'shortcuts' } },
   { keys: 'C', text: 'Connect a phone', does: { kind: 'open', dialog: 'connect-phone' } },
+  { keys: 'K', text: 'Keep the last minutes of the flight recorder', does: { kind: 'keep' } },
   ...[...PAGES, SETTINGS_PAGE].map(({ shortcut, title, to }): Shortcut => ({
     keys: shortcut,
     text: `Go to ${title}`,

@@ -3,10 +3,12 @@ import { useRouter } from 'vue-router';
 import type { Shell } from '../page/shell.ts';
 import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
 import { useSingleKeyShortcuts } from '../ui/keys/useSingleKeyShortcuts.ts';
+import { useKeepFlight } from './useKeepFlight.ts';
 import { matchShortcut, PAIR_MS, shortcutsOn } from './shortcuts.ts';
 
 /** Handles the keyboard shortcuts that work on every page. */
 export function useGlobalShortcuts(shell: Shell): void {
+  const keep = useKeepFlight();
   const router = useRouter();
   const isEnabled = useSingleKeyShortcuts();
   let pending: string | undefined;
@@ -34,6 +36,7 @@ export function useGlobalShortcuts(shell: Shell): void {
     event.preventDefault();
     const { does } = match.shortcut;
     if (does.kind === 'go') void router.push(does.to);
-    else shell.open(does.dialog);
+    else if (does.kind === 'open') shell.open(does.dialog);
+    else keep();
   });
 }

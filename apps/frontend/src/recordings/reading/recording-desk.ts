@@ -8,6 +8,7 @@ import type { Clock } from '@ubii/timing';
 import { openedRecording } from './opened-recording.ts';
 import { readFrame } from './frame-reader.ts';
 import type { PlayedValue, RecordingCommand, RecordingReport } from './recording-messages.ts';
+import type { TileViewer } from '../timeline/tile-store.ts';
 import { TimeBase } from './recording-time-base.ts';
 import { readSurvey, type Turns } from './survey-reader.ts';
 import { readTiles } from './tile-reader.ts';
@@ -27,7 +28,7 @@ export class RecordingDesk {
   readonly #tell: Tell;
   readonly #base: TimeBase;
   readonly #playback: Playback;
-  #tilesAsked = 0;
+  readonly #tilesAsked = new Map<TileViewer, number>();
   #sessionsMs = -Infinity;
   #sessionsTold = '';
 
@@ -59,9 +60,10 @@ export class RecordingDesk {
   async handle(command: DeskCommand): Promise<void> {
     switch (command.kind) {
       case 'tiles': {
-        const asked = ++this.#tilesAsked;
         const { request } = command;
-        const isWanted = (): boolean => asked === this.#tilesAsked;
+        const asked = (this.#tilesAsked.get(request.viewer) ?? 0) + 1;
+        this.#tilesAsked.set(request.viewer, asked);
+        const isWanted = (): boolean => asked === this.#tilesAsked.get(request.viewer);
         return readTiles(this.#reader, request, isWanted, (topic, index, tile) =>
           this.#tell({ kind: 'tile', topic, level: request.level, index, tile }),
         );

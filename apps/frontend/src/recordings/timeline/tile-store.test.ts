@@ -17,7 +17,7 @@ describe('tiles of a timeline', () => {
   it('of the whole recording are enough from afar', () => {
     const { store, requests } = setUp();
     const span = { fromMs: 0, untilMs: 100_000 };
-    store.want(['/a'], span, 130);
+    store.want('timeline', ['/a'], span, 130);
     expect(requests).toEqual([]);
     expect(store.pieces('/a', span, 130)).toEqual([{ tile: WHOLE, ...span }]);
   });
@@ -26,9 +26,9 @@ describe('tiles of a timeline', () => {
     const { store, requests } = setUp();
     const length = tileLengthMs(0);
     const span = { fromMs: 100, untilMs: length + 200 };
-    store.want(['/a'], span, 1);
-    store.want(['/a'], span, 1);
-    expect(requests).toEqual([{ topics: ['/a'], level: 0, first: 0, last: 1 }]);
+    store.want('timeline', ['/a'], span, 1);
+    store.want('timeline', ['/a'], span, 1);
+    expect(requests).toEqual([{ viewer: 'timeline', topics: ['/a'], level: 0, first: 0, last: 1 }]);
     const tile = fine(0, 1);
     store.take('/a', 0, 1, tile);
     expect(store.pieces('/a', span, 1)).toEqual([
@@ -40,7 +40,7 @@ describe('tiles of a timeline', () => {
   it('are not asked for again when they are there', () => {
     const { store, requests } = setUp();
     store.take('/a', 0, 0, fine(0, 0));
-    store.want(['/a'], { fromMs: 0, untilMs: 500 }, 1);
+    store.want('timeline', ['/a'], { fromMs: 0, untilMs: 500 }, 1);
     expect(requests).toEqual([]);
   });
 });

@@ -1,8 +1,12 @@
 import type { Span } from './span.ts';
 import { levelOf, tileGrid, tilesOf, type Tile } from './tile.ts';
 
+/** Who shows tiles: a new request of a view takes the place of its last one. */
+export type TileViewer = 'timeline' | 'inspector';
+
 /** Tiles of one level that are to be read, of several topics. */
 export interface TileRequest {
+  readonly viewer: TileViewer;
   readonly topics: readonly string[];
   readonly level: number;
   /** The first and the last one, by number. */
@@ -26,7 +30,7 @@ export class TileStore {
   readonly #tiles = new Map<string, Tile>();
   /** Of the whole recording, by topic. */
   #whole: ReadonlyMap<string, Tile> = new Map();
-  #requested = '';
+  readonly #requested = new Map<TileViewer, string>();
   readonly #request: (request: TileRequest) => void;
 
   constructor(request: (request: TileRequest) => void) {
@@ -49,16 +53,16 @@ export class TileStore {
   }
 
   /** Asks for the tiles that tracks in view lack. */
-  want(topics: readonly string[], span: Span, msPerPx: number): void {
+  want(viewer: TileViewer, topics: readonly string[], span: Span, msPerPx: number): void {
     const level = levelOf(msPerPx);
     const { first, last } = tilesOf(level, span);
     const lacking = topics.filter(
       (topic) => !this.#isFineEnough(topic, level) && this.#lacks(topic, level, first, last),
     );
     const key = `${level} ${first} ${last} ${lacking.join(' ')}`;
-    if (lacking.length === 0 || key === this.#requested) return;
-    this.#requested = key;
-    this.#request({ topics: lacking, level, first, last });
+    if (lacking.length === 0 || key === this.#requested.get(viewer)) return;
+    this.#requested.set(viewer, key);
+    this.#request({ viewer, topics: lacking, level, first, last });
   }
 
   /** What is drawn of a track in a span, in the order of time. */

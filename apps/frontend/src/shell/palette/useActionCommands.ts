@@ -1,5 +1,6 @@
 import {
   Bug,
+  CircleDot,
   ConciergeBell,
   Copy,
   Cpu,
@@ -24,6 +25,7 @@ import { useDiagnostics } from '../../settings/diagnostics/useDiagnostics.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
+import { useKeepFlight } from '../useKeepFlight.ts';
 import { shortcutsOn } from '../shortcuts.ts';
 
 /** The actions that are available on every page. */
@@ -35,6 +37,7 @@ export function useActionCommands(): ComputedRef<Command[]> {
   const tab = useTabNode();
   const { master, isConnected, connect } = useConnection();
   const { copy } = useClipboard({ legacy: true });
+  const keepFlight = useKeepFlight();
   const saveDiagnostics = useDiagnostics();
   const hasPhoneKey = shortcutsOn(router.currentRoute.value.meta).some(({ keys }) => keys === 'C');
   const go = (to: string) => () => void router.push(to);
@@ -57,6 +60,11 @@ export function useActionCommands(): ComputedRef<Command[]> {
       icon: QrCode,
       ...(hasPhoneKey ? { shortcut: 'C' } : {}),
       run: () => shell.open('connect-phone'),
+    }),
+    action('keep-flight', 'Keep the last minutes of the flight recorder', {
+      icon: CircleDot,
+      shortcut: 'K',
+      run: keepFlight,
     }),
     action('new-session', 'New session', { icon: Plus, run: go('/sessions/new') }),
     action('publish', 'Publish a record', { icon: Send, run: go('/publish') }),

@@ -4,6 +4,7 @@ import {
   readonly,
   shallowRef,
   type App,
+  type Component,
   type InjectionKey,
   type ShallowRef,
 } from 'vue';
@@ -15,6 +16,8 @@ export interface Toast {
   readonly action?: { readonly text: string; readonly run: () => void } | undefined;
   /** Feature that shows it. */
   readonly place?: string | undefined;
+  /** Shown in place of the text; its event `done` dismisses the toast. */
+  readonly body?: { readonly component: Component; readonly props: object } | undefined;
 }
 
 export interface Toasts {
@@ -23,6 +26,8 @@ export interface Toasts {
   readonly lift: ShallowRef<number>;
   /** @param place its newest toast replaces the previous one, and is dismissed when the place is left */
   show(text: string, action?: Toast['action'], place?: string): void;
+  /** Shows a component that is loaded with what it is about, such as a name to be edited. */
+  showBody(component: Component, props: object): void;
   dismiss(id: number): void;
   /** Dismisses the toasts of a place. */
   leave(place: string): void;
@@ -36,15 +41,19 @@ const TOASTS: InjectionKey<Toasts> = Symbol('toasts');
 export function createToasts(): Toasts {
   const list = shallowRef<readonly Toast[]>([]);
   let lastId = 0;
+  function add(toast: Omit<Toast, 'id'>, others: readonly Toast[] = list.value): void {
+    lastId += 1;
+    // At most two at a time.
+    list.value = [...others.slice(-1), { id: lastId, ...toast }];
+  }
   return {
     list: readonly(list) as Toasts['list'],
     lift: shallowRef(0),
     show(text, action, place) {
-      lastId += 1;
       const others = list.value.filter((toast) => place === undefined || toast.place !== place);
-      // At most two at a time.
-      list.value = [...others.slice(-1), { id: lastId, text, action, place }];
+      add({ text, action, place }, others);
     },
+    showBody: (component, props) => add({ text: '', body: { component, props } }),
     dismiss(id) {
       list.value = list.value.filter((toast) => toast.id !== id);
     },

@@ -57,7 +57,7 @@ function drawNumbers(
   ink: TrackInk,
 ): void {
   const range = surveyed && rangeOf(surveyed.tile);
-  if (range === undefined) return;
+  if (surveyed === undefined || range === undefined) return;
   const count = surveyed.tile.lines.length;
   const isDense = count === 1 && (track.hz / 1000) * msPerPx(view) >= DENSE;
   if (isDense) return drawEnvelope(pen, columnsOf(pieces, 0, view), range, view);

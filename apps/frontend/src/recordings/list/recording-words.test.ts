@@ -1,0 +1,50 @@
+import { RecordingState, type Recording } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { estimateSentence, findRecordings, formatWhen, recordingLook } from './recording-words.ts';
+
+const aRecording = (changes: Partial<Recording>): Recording =>
+  ({
+    ...{ name: '', notes: '', author: '', lostCount: 0 },
+    state: RecordingState.RECORDING_STATE_COMPLETE,
+    ...changes,
+  }) as Recording;
+
+const at = (day: number, hour: number): number => new Date(2026, 10, day, hour, 2).getTime();
+
+describe('when a recording was made', () => {
+  it.each([
+    [26, 'today 14:02'],
+    [25, 'yesterday 14:02'],
+    [23, 'Monday 14:02'],
+    [2, '2 Nov 2026 14:02'],
+  ])('on day %i is "%s"', (day, text) => {
+    expect(formatWhen(at(day, 14), at(26, 20))).toBe(text);
+  });
+});
+
+it('a recording says what is wrong with it, and nothing when it is whole', () => {
+  expect(recordingLook(aRecording({}))).toBeUndefined();
+  const repaired = aRecording({ state: RecordingState.RECORDING_STATE_REPAIRED });
+  expect(recordingLook(repaired)).toEqual({ mark: 'warning', word: 'Repaired' });
+  const failed = aRecording({ state: RecordingState.RECORDING_STATE_FAILED });
+  expect(recordingLook(failed)?.word).toBe('Stopped early');
+  expect(recordingLook(aRecording({ lostCount: 1 }))?.word).toBe('1 record missing');
+});
+
+it('recordings are found by words of name, notes and author', () => {
+  const all = [
+    aRecording({ name: 'Gesture study, P07', author: 'Mara' }),
+    aRecording({ name: 'Party', notes: '24 phones' }),
+  ];
+  expect(findRecordings(all, 'mara gesture')).toEqual([all[0]]);
+  expect(findRecordings(all, 'PHONES')).toEqual([all[1]]);
+  expect(findRecordings(all, ' ')).toEqual(all);
+});
+
+it('an estimate says rate, size and how long the disk lasts', () => {
+  expect(estimateSentence(1842, 2e6, 7.2e9)).toBe(
+    '1842 records and 2.0 MB per second before compression. The disk has room for at least 1:00:00.',
+  );
+  expect(estimateSentence(0, 0, 1e9)).toMatch(/^Nothing that was selected/);
+  expect(estimateSentence(1, 10, 1e12)).toMatch(/more than two days\.$/);
+});

@@ -1,0 +1,75 @@
+import { RecordingState, type Recording } from '@ubii/proto';
+import { counted } from '@ubii/words';
+import { formatBytes } from '../../ui/readouts/format-bytes.ts';
+import { formatClock, formatDay } from '../../ui/readouts/format-clock.ts';
+import type { MarkedState } from '../../ui/UiStateMark.vue';
+import { formatLength } from '../timeline/recording-time.ts';
+
+/** How a recording is, as a mark and a word. */
+export interface RecordingLook {
+  readonly mark: MarkedState;
+  readonly word: string;
+}
+
+export const isRunning = ({ state }: Pick<Recording, 'state'>): boolean =>
+  state === RecordingState.RECORDING_STATE_RECORDING;
+
+/** Undefined for one that is as it should be. */
+export function recordingLook({ state, lostCount }: Recording): RecordingLook | undefined {
+  switch (state) {
+    case RecordingState.RECORDING_STATE_REPAIRED:
+      return { mark: 'warning', word: 'Repaired' };
+    case RecordingState.RECORDING_STATE_FAILED:
+      return { mark: 'error', word: 'Stopped early' };
+    default:
+      return lostCount > 0 && !isRunning({ state })
+        ? { mark: 'warning', word: `${counted(lostCount, 'record')} missing` }
+        : undefined;
+  }
+}
+
+const DAYS = ['Sunday', 'Monday', 'Tuesday', 'Wednesday', 'Thursday', 'Friday', 'Saturday'];
+const DAY_MS = 86_400_000;
+
+/** When it was made, as short as people say it: `today 14:02`, `Friday 20:40`, `2 Jan 2026 12:41`. */
+export function formatWhen(timeMs: number, nowMs: number): string {
+  const clock = formatClock(timeMs, 'minute');
+  const days = Math.round((startOfDay(nowMs) - startOfDay(timeMs)) / DAY_MS);
+  if (days === 0) return `today ${clock}`;
+  if (days === 1) return `yesterday ${clock}`;
+  if (days > 1 && days < 7) return `${DAYS[new Date(timeMs).getDay()]!} ${clock}`;
+  return `${formatDay(timeMs)} ${clock}`;
+}
+
+const startOfDay = (timeMs: number): number => new Date(timeMs).setHours(0, 0, 0, 0);
+
+/** A size in one word: `212 MB`. */
+export function sizeText(bytes: number): string {
+  const { digits, unit } = formatBytes(bytes);
+  return `${digits} ${unit ?? ''}`;
+}
+
+/** Recordings whose name, notes or author has all words of a search. */
+export function findRecordings(all: readonly Recording[], search: string): readonly Recording[] {
+  const words = search.toLowerCase().split(/\s+/).filter(Boolean);
+  if (words.length === 0) return all;
+  return all.filter(({ name, notes, author }) => {
+    const text = `${name} ${notes} ${author}`.toLowerCase();
+    return words.every((word) => text.includes(word));
+  });
+}
+
+/** What the master estimates, in one sentence. */
+export function estimateSentence(
+  recordsPerSecond: number,
+  bytesPerSecond: number,
+  freeBytes: number,
+): string {
+  if (recordsPerSecond === 0)
+    return 'Nothing that was selected is published now. Topics that appear later are recorded.';
+  const rate = `${counted(Math.round(recordsPerSecond), 'record')} and ${sizeText(bytesPerSecond)} per second before compression.`;
+  if (freeBytes <= 0 || bytesPerSecond <= 0) return rate;
+  const hours = freeBytes / bytesPerSecond / 3600;
+  const room = hours >= 48 ? 'more than two days' : formatLength(hours * 3_600_000);
+  return `${rate} The disk has room for ${hours >= 48 ? room : `at least ${room}`}.`;
+}

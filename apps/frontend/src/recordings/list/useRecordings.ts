@@ -1,0 +1,126 @@
+import { ConnectionError } from '@ubii/client-web';
+import {
+  RECORDING_STATUS_TOPIC,
+  ServiceError,
+  type FlightRecorder,
+  type Init,
+  type Recording,
+  type RecordingList,
+  type RecordingMarker,
+  type RecordingStartRequest,
+  type RecordingStatus,
+} from '@ubii/proto';
+import {
+  computed,
+  inject,
+  provide,
+  shallowRef,
+  watch,
+  type ComputedRef,
+  type InjectionKey,
+  type ShallowRef,
+} from 'vue';
+import { useTopic } from '../../connection/live/useTopic.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+
+/** The recordings of the master, and what people do with them. */
+export interface Recordings {
+  /** Undefined until they are known. */
+  readonly list: Readonly<ShallowRef<RecordingList | undefined>>;
+  /** The newest first, with what runs as it is now. */
+  readonly all: ComputedRef<readonly Recording[]>;
+  readonly status: ComputedRef<RecordingStatus | undefined>;
+  /** Why the last request failed, one sentence. */
+  readonly problem: ShallowRef<string | undefined>;
+  readonly isBusy: Readonly<ShallowRef<boolean>>;
+  find(id: string): Recording | undefined;
+  /** @returns undefined when it failed, as the others */
+  start(request: Init<RecordingStartRequest>): Promise<Recording | undefined>;
+  stop(id: string): Promise<Recording | undefined>;
+  rename(recording: Recording, name: string): Promise<Recording | undefined>;
+  /** @returns whether it is deleted */
+  remove(id: string): Promise<boolean>;
+  mark(marker: Init<RecordingMarker>): Promise<RecordingMarker | undefined>;
+  setFlight(settings: FlightChoice): Promise<FlightRecorder | undefined>;
+  refresh(): Promise<void>;
+}
+
+/** What people set of the flight recorder. */
+export type FlightChoice = Pick<FlightRecorder, 'isOn' | 'minutes' | 'maxBytes' | 'withImages'>;
+
+const RECORDINGS: InjectionKey<Recordings> = Symbol('recordings');
+
+export function useRecordings(): Recordings {
+  const recordings = inject(RECORDINGS);
+  if (!recordings) throw new Error('This part needs the page of recordings above it.');
+  return recordings;
+}
+
+export function provideRecordings(): Recordings {
+  const { client, isConnected } = useConnection();
+  const list = shallowRef<RecordingList>();
+  const problem = shallowRef<string>();
+  const isBusy = shallowRef(false);
+  const { newest } = useTopic(RECORDING_STATUS_TOPIC, { format: 'recordingStatus' });
+  const status = computed(() => newest.value?.value);
+  const all = computed(() => withRunning(list.value?.elements ?? [], status.value?.running ?? []));
+
+  async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
+    problem.value = undefined;
+    isBusy.value = true;
+    try {
+      return await work();
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      problem.value = cause.message;
+      return undefined;
+    } finally {
+      isBusy.value = false;
+    }
+  }
+  async function refresh(): Promise<void> {
+    const next = await attempt(() => client.call('recordingList'));
+    if (next) list.value = next;
+  }
+  watch(
+    [isConnected, () => status.value?.listRevision],
+    ([connected]) => connected && void refresh(),
+    { immediate: true },
+  );
+  async function changed<T>(work: () => Promise<T>): Promise<T | undefined> {
+    const reply = await attempt(work);
+    if (reply !== undefined) await refresh();
+    return reply;
+  }
+
+  const recordings: Recordings = {
+    ...{ list, all, status, problem, isBusy, refresh },
+    find: (id) => all.value.find((one) => one.id === id),
+    start: (request) =>
+      changed(() => client.call('recordingStart', { ...request, clientId: client.id })),
+    stop: (id) => changed(() => client.call('recordingStop', { id })),
+    rename: ({ id, notes }, name) =>
+      changed(() => client.call('recordingChange', { id, name, notes })),
+    remove: async (id) =>
+      (await changed(async () => {
+        await client.call('recordingDelete', { id });
+        return true;
+      })) === true,
+    mark: (marker) =>
+      attempt(() => client.call('recordingMark', { ...marker, clientId: client.id })),
+    setFlight: (settings) => attempt(() => client.call('flightRecorderSet', settings)),
+  };
+  provide(RECORDINGS, recordings);
+  return recordings;
+}
+
+/** The list with those that run as they are now. */
+export function withRunning(
+  list: readonly Recording[],
+  running: readonly Recording[],
+): readonly Recording[] {
+  const now = new Map(running.map((one) => [one.id, one]));
+  const known = new Set(list.map(({ id }) => id));
+  const started = running.filter(({ id }) => !known.has(id));
+  return [...started, ...list.map((one) => now.get(one.id) ?? one)];
+}

@@ -1,0 +1,34 @@
+import { formatFixed } from '../../topics/values/format-value.ts';
+import { seriesOf } from '../../topics/values/value-series.ts';
+import type { PlayedRecord } from '../opened/played-values.ts';
+import { firstFrom } from '../timeline/draw/film-strip.ts';
+import type { Track } from '../timeline/track.ts';
+
+/** Tracks that are high enough have a row for each number. */
+const MAX_ROWS = 3;
+const DECIMALS = 3;
+/** What is shown of a text in the head of a track, characters. */
+const MAX_TEXT = 14;
+
+/** The value of a track at the playhead, as rows. */
+export function headRows(
+  track: Track,
+  played: PlayedRecord | undefined,
+  frames: Float64Array | undefined,
+): readonly string[] {
+  const record = played?.record;
+  if (record === undefined) return [];
+  if (track.kind === 'frames') {
+    const number = frames === undefined ? 0 : firstFrom(frames, played!.timeMs + 1e-3);
+    return number > 0 ? [`#${number}`] : [];
+  }
+  if (track.kind === 'bars') return [`${countOf(record.value)} found`];
+  const numbers = seriesOf(record.format)?.read(record.value as never);
+  if (numbers && track.heightPx >= 60)
+    return numbers.slice(0, MAX_ROWS).map((number) => formatFixed(number, DECIMALS));
+  const text = played?.text ?? '';
+  return [text.length > MAX_TEXT ? `${text.slice(0, MAX_TEXT - 1)}…` : text];
+}
+
+const countOf = (value: unknown): number =>
+  (value as { elements?: readonly unknown[] }).elements?.length ?? 1;
