@@ -83,6 +83,8 @@ export default defineConfig({
   server: {
     proxy: {
       '/services': passOn({}),
+      // The page of a recording has the same path as its file, without the ending.
+      '^/recordings/[^/]+\\.mcap$': passOn({}),
       '/asset-sets': passOn({}),
       '/health': passOn({}),
       '/metrics': passOn({}),

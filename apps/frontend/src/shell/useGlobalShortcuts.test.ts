@@ -20,10 +20,11 @@ async function setup() {
   });
   await router.push('/');
   const push = vi.spyOn(router, 'push');
+  const keep = vi.fn();
   const wrapper = mount(
     defineComponent({
       setup() {
-        useGlobalShortcuts(shell);
+        useGlobalShortcuts(shell, keep);
         return { singleKeys: useSingleKeyShortcuts() };
       },
       render: () => h('input'),
@@ -37,7 +38,7 @@ async function setup() {
     await router.isReady();
     await Promise.resolve();
   };
-  return { shell, router, push, wrapper, press };
+  return { shell, router, push, keep, wrapper, press };
 }
 
 describe('shortcuts', () => {
@@ -56,6 +57,13 @@ describe('shortcuts', () => {
     expect(world.shell.dialog.value).toBe('palette');
     await world.press('k', { ctrlKey: true });
     expect(world.shell.dialog.value).toBeUndefined();
+  });
+
+  it('keep what the flight recorder holds', async () => {
+    await world.press('k');
+    expect(world.keep).toHaveBeenCalledOnce();
+    await world.press('k', {}, world.wrapper.element);
+    expect(world.keep).toHaveBeenCalledOnce();
   });
 
   it('leave a letter to the page that uses it itself', async () => {

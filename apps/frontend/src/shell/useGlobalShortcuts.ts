@@ -3,12 +3,10 @@ import { useRouter } from 'vue-router';
 import type { Shell } from '../page/shell.ts';
 import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
 import { useSingleKeyShortcuts } from '../ui/keys/useSingleKeyShortcuts.ts';
-import { useKeepFlight } from './useKeepFlight.ts';
 import { matchShortcut, PAIR_MS, shortcutsOn } from './shortcuts.ts';
 
-/** Handles the keyboard shortcuts that work on every page. */
-export function useGlobalShortcuts(shell: Shell): void {
-  const keep = useKeepFlight();
+/** Handles the keyboard shortcuts that work on every page. @param keep keeps what the flight recorder holds */
+export function useGlobalShortcuts(shell: Shell, keep: () => void): void {
   const router = useRouter();
   const isEnabled = useSingleKeyShortcuts();
   let pending: string | undefined;

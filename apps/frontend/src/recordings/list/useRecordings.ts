@@ -22,6 +22,7 @@ import {
 } from 'vue';
 import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
+import { uploadRecording } from './upload-recording.ts';
 
 /** The recordings of the master, and what people do with them. */
 export interface Recordings {
@@ -41,6 +42,8 @@ export interface Recordings {
   /** @returns whether it is deleted */
   remove(id: string): Promise<boolean>;
   mark(marker: Init<RecordingMarker>): Promise<RecordingMarker | undefined>;
+  /** Gives a file of this device to the master. */
+  upload(file: File): Promise<Recording | undefined>;
   setFlight(settings: FlightChoice): Promise<FlightRecorder | undefined>;
   refresh(): Promise<void>;
 }
@@ -108,6 +111,7 @@ export function provideRecordings(): Recordings {
       })) === true,
     mark: (marker) =>
       attempt(() => client.call('recordingMark', { ...marker, clientId: client.id })),
+    upload: (file) => changed(() => uploadRecording(file)),
     setFlight: (settings) => attempt(() => client.call('flightRecorderSet', settings)),
   };
   provide(RECORDINGS, recordings);

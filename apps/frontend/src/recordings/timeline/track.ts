@@ -30,8 +30,8 @@ const HEIGHTS: Readonly<Record<TrackKind, number>> = {
   lines: 34,
   frames: 56,
   bars: 34,
-  text: 30,
-  bytes: 30,
+  text: 34,
+  bytes: 34,
 };
 /** Values of three numbers stand one below the other at their lines. */
 const TALL_PX = 68;
@@ -59,12 +59,19 @@ function trackOf(topic: string, parts: readonly RecordedTopic[], durationMs: num
   return {
     topic,
     name: topic.split('/').findLast((level) => level !== '') ?? topic,
-    owner: [...new Set(parts.map(({ clientName }) => clientName).filter(Boolean))].join(', '),
+    owner: ownerOf(topic, parts),
     ...{ format, family, kind, records },
     formatText: text,
     hz: durationMs > 0 ? (records / durationMs) * 1000 : 0,
     heightPx: format !== undefined && TALL.has(format) ? TALL_PX : HEIGHTS[kind],
   };
+}
+
+/** Who published it; where that is not known, where the topic stands. */
+function ownerOf(topic: string, parts: readonly RecordedTopic[]): string {
+  const names = new Set(parts.map(({ clientName }) => clientName).filter(Boolean));
+  if (names.size > 0) return [...names].join(', ');
+  return topic.slice(0, Math.max(0, topic.lastIndexOf('/')));
 }
 
 /** Rows from the top, and which of them can be seen. */

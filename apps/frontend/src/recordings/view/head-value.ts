@@ -7,8 +7,6 @@ import type { Track } from '../timeline/track.ts';
 /** Tracks that are high enough have a row for each number. */
 const MAX_ROWS = 3;
 const DECIMALS = 3;
-/** What is shown of a text in the head of a track, characters. */
-const MAX_TEXT = 14;
 
 /** The value of a track at the playhead, as rows. */
 export function headRows(
@@ -27,8 +25,11 @@ export function headRows(
   if (numbers && track.heightPx >= 60)
     return numbers.slice(0, MAX_ROWS).map((number) => formatFixed(number, DECIMALS));
   const text = played?.text ?? '';
-  return [text.length > MAX_TEXT ? `${text.slice(0, MAX_TEXT - 1)}…` : text];
+  return [track.kind === 'ticks' ? eventWord(text) : text];
 }
 
 const countOf = (value: unknown): number =>
   (value as { elements?: readonly unknown[] }).elements?.length ?? 1;
+
+/** What happened, without where: `end`, `k down`. */
+const eventWord = (text: string): string => text.replace(/^touch_/, '').replace(/ [−-]?\d.*$/, '');

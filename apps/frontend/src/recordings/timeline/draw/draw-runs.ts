@@ -4,7 +4,7 @@ import type { Pen, TrackInk, TrackView } from './track-canvas.ts';
 
 /** Narrower bars have no room for a letter, pixels. */
 const MIN_TEXT_PX = 18;
-const TEXT_PADDING = 6;
+const TEXT_PADDING = 5;
 
 /** How bars of a track look. */
 export interface RunLook {
@@ -76,7 +76,7 @@ interface Box {
 function drawLabel(pen: Pen, text: string, { x, y, width, height }: Box): void {
   pen.save();
   pen.beginPath();
-  pen.rect(x, y, Math.max(0, width - TEXT_PADDING), height);
+  pen.rect(x, y, Math.max(0, width - 2), height);
   pen.clip();
   pen.fillText(text, x + TEXT_PADDING, y + height / 2 + 0.5);
   pen.restore();

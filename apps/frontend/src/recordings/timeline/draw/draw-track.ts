@@ -95,10 +95,22 @@ function drawFrames(
   )) {
     if (frameMs === undefined) continue;
     const picture = frames.get(track.topic, frameMs);
-    if (picture) pen.drawImage(picture, x, FILM_MARGIN, widthPx - 1, height);
+    if (picture) drawCovering(pen, picture, { x, y: FILM_MARGIN, width: widthPx - 1, height });
     else {
       pen.fillStyle = ink.color(`var(--family-${track.family}-tint)`);
       pen.fillRect(x, FILM_MARGIN, widthPx - 1, height);
     }
   }
+}
+
+/** Fills a place with the middle of a picture, which is never stretched. */
+function drawCovering(
+  pen: Pen,
+  picture: ImageBitmap,
+  { x, y, width, height }: { x: number; y: number; width: number; height: number },
+): void {
+  const scale = Math.max(width / picture.width, height / picture.height);
+  const [sw, sh] = [width / scale, height / scale];
+  const [sx, sy] = [(picture.width - sw) / 2, (picture.height - sh) / 2];
+  pen.drawImage(picture, sx, sy, sw, sh, x, y, width, height);
 }

@@ -1,0 +1,30 @@
+import { ConnectionError } from '@ubii/client-web';
+import { fromJson, ServiceError, type Recording } from '@ubii/proto';
+
+/**
+ * Uploads a file as a recording of the master. [RC-41]
+ *
+ * @throws ServiceError when the master refuses it
+ * @throws ConnectionError when there is no answer
+ */
+export async function uploadRecording(file: File): Promise<Recording> {
+  const name = file.name.replace(/\.mcap$/i, '');
+  let json: unknown;
+  let isTaken: boolean;
+  try {
+    const response = await fetch(`/recordings?name=${encodeURIComponent(name)}`, {
+      method: 'POST',
+      headers: { 'content-type': 'application/octet-stream' },
+      body: file,
+    });
+    isTaken = response.ok;
+    json = await response.json();
+  } catch (cause) {
+    throw new ConnectionError('refused', 'The master does not answer', { cause });
+  }
+  if (isTaken) return fromJson('ubii.extension.Recording', json);
+  const { error } = fromJson('ubii.services.ServiceReply', json);
+  throw error
+    ? ServiceError.fromWire(error)
+    : new ConnectionError('protocol', 'This master does not support uploads');
+}

@@ -1,0 +1,15 @@
+import type { Recording } from '@ubii/proto';
+import { expect, it } from 'vitest';
+import { withRunning } from './useRecordings.ts';
+
+const aRecording = (id: string, durationMs: number): Recording => ({ id, durationMs }) as Recording;
+
+it('what runs is shown as it is now, also before the list has it', () => {
+  const list = [aRecording('b', 10), aRecording('a', 500)];
+  const running = [aRecording('c', 1), aRecording('b', 20)];
+  expect(withRunning(list, running).map(({ id, durationMs }) => [id, durationMs])).toEqual([
+    ['c', 1],
+    ['b', 20],
+    ['a', 500],
+  ]);
+});
