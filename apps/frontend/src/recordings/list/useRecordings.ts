@@ -110,7 +110,7 @@ export function provideRecordings(): Recordings {
         return true;
       })) === true,
     mark: (marker) =>
-      attempt(() => client.call('recordingMark', { ...marker, clientId: client.id })),
+      changed(() => client.call('recordingMark', { ...marker, clientId: client.id })),
     upload: (file) => changed(() => uploadRecording(file)),
     setFlight: (settings) => attempt(() => client.call('flightRecorderSet', settings)),
   };

@@ -83,5 +83,7 @@ describe('a recording that is opened', () => {
     const { opened, tell } = setUp();
     tell({ kind: 'failed', message: 'Not an MCAP file.' });
     expect(opened.failure.value).toBe('Not an MCAP file.');
+    tell({ kind: 'opened', recording: A_RECORDING });
+    expect(opened.failure.value).toBeUndefined();
   });
 });

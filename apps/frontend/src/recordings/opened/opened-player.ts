@@ -29,6 +29,8 @@ export interface OpenedPlayer {
   readonly frames: FrameCache<ImageBitmap>;
   /** Counts up when tiles or pictures came. */
   readonly drawn: Readonly<ShallowRef<number>>;
+  /** Reads the file again, which was changed. */
+  reopen(): void;
   togglePlay(): void;
   seek(timeMs: number): void;
   setRate(rate: number): void;
@@ -74,6 +76,7 @@ export function createOpenedPlayer(
     switch (report.kind) {
       case 'opened':
         recording.value = report.recording;
+        failure.value = undefined;
         return;
       case 'failed':
         failure.value = report.message;
@@ -109,6 +112,7 @@ export function createOpenedPlayer(
   return {
     ...{ recording, failure, survey, player, values, sessions, tiles, frames, drawn },
     timeMs: computed(() => wishedMs.value ?? player.value.timeMs),
+    reopen: () => port.send({ kind: 'reopen' }),
     togglePlay: () => port.send({ kind: player.value.status === 'playing' ? 'pause' : 'play' }),
     seek(timeMs) {
       wishedMs.value = clamp(timeMs);

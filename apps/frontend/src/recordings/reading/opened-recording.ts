@@ -16,9 +16,12 @@ export function openedRecording(
     startMs: base.startMs,
     durationMs: base.toMs(summary.endNs),
     records: summary.records,
-    topics: summary.topics.map(({ topic, clientName, format, records, isRaw, schemaName }) => ({
-      ...{ topic, clientName, records },
-      format: isRaw ? schemaName : format,
+    topics: summary.topics.map((one) => ({
+      topic: one.topic,
+      clientId: one.clientId,
+      clientName: one.clientName,
+      records: one.records,
+      format: one.isRaw ? one.schemaName : one.format,
     })),
     markers: summary.markers.map(({ id, timeMs, text, author }) => ({
       ...{ id, text, author },

@@ -124,6 +124,25 @@ describe('the worker that reads a recording', () => {
     expect(last('player').player.timeMs).toBe(1000);
   });
 
+  it('goes on where it was when the file is opened again', async () => {
+    const { desk } = await setUp();
+    await desk.handle({ kind: 'seek', timeMs: 500 });
+    await desk.handle({ kind: 'rate', rate: 2 });
+    await desk.handle({ kind: 'loop', loop: { fromMs: 100, untilMs: 900 } });
+    const reports: RecordingReport[] = [];
+    const next = new RecordingDesk(await aRecording(), new FakeClock(), (report) =>
+      reports.push(report),
+    );
+    await next.resume(desk.state);
+    const told = reports.findLast((report) => report.kind === 'player');
+    expect(told?.player).toMatchObject({
+      timeMs: 500,
+      rate: 2,
+      loop: { fromMs: 100, untilMs: 900 },
+    });
+    expect(reports.filter(({ kind }) => kind === 'survey')).toEqual([]);
+  });
+
   it('tells the sessions as they were', async () => {
     const { last } = await setUp();
     expect(last('sessions').sessions).toMatchObject([{ id: 's', name: 'Study', state: 'running' }]);

@@ -20,7 +20,7 @@ export type Tell = (report: RecordingReport, transfer?: Transferable[]) => void;
 const SESSIONS_EVERY_MS = 1000;
 
 /** Everything but opening. */
-export type DeskCommand = Exclude<RecordingCommand, { kind: 'open' }>;
+export type DeskCommand = Exclude<RecordingCommand, { kind: 'open' | 'reopen' }>;
 
 /** Answers what a page asks of one recording. */
 export class RecordingDesk {
@@ -48,13 +48,29 @@ export class RecordingDesk {
     });
   }
 
+  get state(): PlaybackState {
+    return this.#playback.state;
+  }
+
   /** Tells what the recording is and, bit by bit, what is in it. */
   async begin(turns: Turns): Promise<void> {
-    const clocks = await this.#reader.clocks();
-    this.#tell({ kind: 'opened', recording: openedRecording(this.#reader.summary, clocks) });
+    await this.#tellOpened();
     this.#tellState(this.#playback.state);
     await this.#playback.seek(this.#reader.summary.startNs);
     await readSurvey(this.#reader, turns, (survey) => this.#tell({ kind: 'survey', survey }));
+  }
+
+  /** Goes on where another desk was with the same records. */
+  async resume({ positionNs, rate, loop, status }: PlaybackState): Promise<void> {
+    await this.#tellOpened();
+    this.#playback.setRate(rate);
+    this.#playback.setLoop(loop);
+    await this.#playback.seek(positionNs);
+    if (status === 'playing') this.#playback.play();
+  }
+
+  close(): void {
+    this.#playback.close();
   }
 
   async handle(command: DeskCommand): Promise<void> {
@@ -93,6 +109,11 @@ export class RecordingDesk {
       case 'stepTime':
         return this.#playback.stepTime(command.deltaMs);
     }
+  }
+
+  async #tellOpened(): Promise<void> {
+    const clocks = await this.#reader.clocks();
+    this.#tell({ kind: 'opened', recording: openedRecording(this.#reader.summary, clocks) });
   }
 
   #tellValues(records: ReadonlyMap<string, RecordedRecord>, isAll: boolean): void {

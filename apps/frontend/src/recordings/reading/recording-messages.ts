@@ -64,6 +64,8 @@ export interface PlayedSession {
 /** What the page asks of the worker that reads a recording. */
 export type RecordingCommand =
   | { readonly kind: 'open'; readonly source: Blob | string }
+  /** The file was changed: markers, or the name. */
+  | { readonly kind: 'reopen' }
   | { readonly kind: 'tiles'; readonly request: TileRequest }
   | { readonly kind: 'frame'; readonly topic: string; readonly timeMs: number }
   | { readonly kind: 'play' }

@@ -13,13 +13,34 @@ const turns = {
   pause: () => new Promise<void>((resolve) => void setTimeout(resolve)),
 };
 
-async function open(source: Blob | string): Promise<void> {
+let source: Blob | string = '';
+
+async function openDesk(): Promise<RecordingDesk> {
   const from = typeof source === 'string' ? new RangeSource(source) : new BlobSource(source);
-  desk = new RecordingDesk(await RecordingReader.open(from), systemClock, tell);
+  return new RecordingDesk(await RecordingReader.open(from), systemClock, tell);
+}
+
+async function open(from: Blob | string): Promise<void> {
+  source = from;
+  desk = await openDesk();
   await desk.begin(turns);
 }
 
+async function reopen(): Promise<void> {
+  const before = desk;
+  const next = await openDesk();
+  // It may have been opened again meanwhile
+  if (before === undefined || before !== desk) return;
+  desk = next;
+  before.close();
+  await next.resume(before.state);
+}
+
+function handle(command: RecordingCommand): Promise<void> | undefined {
+  if (command.kind === 'open') return open(command.source);
+  return command.kind === 'reopen' ? reopen() : desk?.handle(command);
+}
+
 self.addEventListener('message', ({ data }: MessageEvent<RecordingCommand>) => {
-  const work = data.kind === 'open' ? open(data.source) : desk?.handle(data);
-  work?.catch((error: unknown) => tell({ kind: 'failed', message: sentenceOf(error) }));
+  handle(data)?.catch((error: unknown) => tell({ kind: 'failed', message: sentenceOf(error) }));
 });

@@ -1,3 +1,4 @@
+import { topicParts } from '../../connection/topic-parts.ts';
 import { formatLook } from '../../formats/families.ts';
 import type { DataFormat, DataFormatFamily } from '@ubii/proto';
 import { trackKind, type TrackKind } from './sample.ts';
@@ -5,6 +6,8 @@ import { trackKind, type TrackKind } from './sample.ts';
 /** A topic of a recording, as a row of the timeline. */
 export interface Track {
   readonly topic: string;
+  /** The topic with the name of its client in place of the id. */
+  readonly label: string;
   /** The last level of the topic. */
   readonly name: string;
   readonly owner: string;
@@ -20,6 +23,8 @@ export interface Track {
 /** What a recording says of a topic. */
 export interface RecordedTopic {
   readonly topic: string;
+  /** Empty for the master. */
+  readonly clientId: string;
   readonly clientName: string;
   readonly format: string;
   readonly records: number;
@@ -58,6 +63,7 @@ function trackOf(topic: string, parts: readonly RecordedTopic[], durationMs: num
   const kind = trackKind(format);
   return {
     topic,
+    label: labelOf(topic, parts),
     name: topic.split('/').findLast((level) => level !== '') ?? topic,
     owner: ownerOf(topic, parts),
     ...{ format, family, kind, records },
@@ -65,6 +71,13 @@ function trackOf(topic: string, parts: readonly RecordedTopic[], durationMs: num
     hz: durationMs > 0 ? (records / durationMs) * 1000 : 0,
     heightPx: format !== undefined && TALL.has(format) ? TALL_PX : HEIGHTS[kind],
   };
+}
+
+function labelOf(topic: string, parts: readonly RecordedTopic[]): string {
+  const names = new Map(parts.map(({ clientId, clientName }) => [clientId, clientName]));
+  const { name, place, owner } = topicParts(topic, '', (id) => names.get(id) || undefined);
+  if (owner === undefined) return topic;
+  return `${place === '' ? name : `${place}/${name}`} · ${owner}`;
 }
 
 /** Who published it; where that is not known, where the topic stands. */
