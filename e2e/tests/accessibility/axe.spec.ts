@@ -4,6 +4,7 @@ import { callService } from '../../fixtures/call-service.ts';
 import { HostileClient } from '../../fixtures/hostile-client.ts';
 import { expect, test, type Room } from '../../fixtures/test.ts';
 import { PerformancePage } from '../../pages/performance-page.ts';
+import { RecordingsPage } from '../../pages/recordings-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
 const PAGES = [
@@ -15,6 +16,7 @@ const PAGES = [
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
   { name: 'clients', path: '/clients' },
+  { name: 'recordings', path: '/recordings' },
   { name: 'panels', path: '/panels' },
   { name: 'a panel', path: '/panels?topic=/guest/position' },
   { name: 'publish', path: '/publish?topic=/guest/position' },
@@ -141,6 +143,26 @@ for (const screen of SCREENS) {
         await expectAccessible(page);
       });
     }
+  });
+
+  test(`a recording and its timeline are accessible on a ${screen}`, async ({ room }) => {
+    const robot = await room.program('Robot');
+    robot.publish('/lab/angle', 'double', 0.25, { immediate: true });
+    robot.publish('/lab/word', 'string', 'rest', { immediate: true });
+    const { page } = await enter(room, screen);
+    const recordings = new RecordingsPage({ page });
+    await recordings.open();
+    await recordings.button('Record').click();
+    await expect(page.getByRole('dialog', { name: 'Record' })).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
+    await page.keyboard.press('Escape');
+    await recordings.record('Study');
+    await expectAccessible(page, TOOLTIP);
+    robot.publish('/lab/angle', 'double', 0.5, { immediate: true });
+    await expect(recordings.running.getByRole('definition').first()).not.toHaveText('0');
+    await recordings.button('Stop recording').click();
+    await expect(recordings.track('/lab/angle')).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
   });
 
   test(`a client and what is done to it are accessible on a ${screen}`, async ({ room }) => {

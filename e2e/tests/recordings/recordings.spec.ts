@@ -1,0 +1,114 @@
+import { SERVICES } from '@ubii/proto';
+import { callService } from '../../fixtures/call-service.ts';
+import { placedSession } from '../../fixtures/placed-session.ts';
+import { expect, test } from '../../fixtures/test.ts';
+import { RecordingsPage } from '../../pages/recordings-page.ts';
+
+test('K keeps the last minutes on any page, under a name that is edited at once', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  robot.publish('/lab/angle', 'double', 0.25, { immediate: true });
+  const anna = new RecordingsPage(await room.atDesk('Anna'));
+  await anna.open();
+  await expect(anna.keep).not.toHaveAttribute('aria-disabled');
+
+  await anna.page.goto('/clients');
+  await expect(anna.page.getByRole('row', { name: /Robot/ })).toBeVisible();
+  await anna.page.keyboard.press('k');
+  const name = anna.page.getByRole('textbox', { name: 'Name of the recording' });
+  await name.fill('The good one');
+  await name.press('Enter');
+  await expect(name).toBeHidden();
+
+  await anna.open();
+  await anna.row('The good one').getByRole('link').click();
+  await expect(anna.track('/lab/angle')).toBeVisible();
+});
+
+test('a recording is made, opened and scrubbed, and its graph shows the values of that moment', async ({
+  master,
+  room,
+}) => {
+  const id = await placedSession(master, {
+    copy: { x: 300, y: 100, reads: '/lab/angle', writes: '/lab/copied' },
+  });
+  await callService(master.addresses, {
+    topic: SERVICES.sessionRuntimeStart.topic,
+    session: { id },
+  });
+  const robot = await room.program('Robot');
+  const anna = new RecordingsPage(await room.atDesk('Anna'));
+  await anna.open();
+  await anna.record('Study');
+  for (const [index, value] of [0.25, 0.5, 0.75].entries()) {
+    robot.publish('/lab/angle', 'double', value, { immediate: true });
+    // One record of the robot, and one of the module.
+    await anna.expectRecords(2 * (index + 1));
+  }
+  robot.publish('/lab/done', 'bool', true, { immediate: true });
+  await anna.expectRecords(7);
+  await anna.button('Stop recording').click();
+
+  const angle = anna.track('/lab/angle');
+  await angle.click();
+  await anna.button('Go to the end').click();
+  await expect(angle).toHaveAccessibleName('/lab/angle: 0.75');
+  await expect(anna.inspector).toContainText('0.750');
+  await expect(anna.graph).toContainText('0.75');
+  // To the last record, and to the one before it.
+  await anna.page.keyboard.press('ArrowLeft');
+  await anna.page.keyboard.press('ArrowLeft');
+  await expect(angle).toHaveAccessibleName('/lab/angle: 0.50');
+  await expect(anna.graph).toContainText('0.50');
+
+  await test.step('a marker is added, named and deleted', async () => {
+    await anna.page.keyboard.press('m');
+    await anna.button('Name it').click();
+    const dialog = anna.page.getByRole('dialog');
+    await dialog.getByLabel('Text').fill('half way');
+    await dialog.getByRole('button', { name: 'Save' }).click();
+    await expect(anna.markers).toHaveAccessibleName(/half way/);
+    // It is in the file.
+    await anna.page.reload();
+    await anna.markers.click();
+    await dialog.getByRole('button', { name: 'Delete' }).click();
+    await expect(anna.markers).toBeHidden();
+  });
+
+  await test.step('the file is opened without the master', async () => {
+    const download = anna.page.waitForEvent('download');
+    await anna.page.getByRole('link', { name: 'Download' }).click();
+    const path = await (await download).path();
+    await anna.button('More for Study').click();
+    await anna.page.getByRole('menuitem', { name: 'Delete' }).click();
+    await anna.page.getByRole('dialog').getByRole('button', { name: 'Delete' }).click();
+    await expect(anna.row('Study')).toBeHidden();
+    await anna.page.locator('input[type=file]').setInputFiles(path);
+    await expect(anna.page.getByRole('article', { name: 'Recording Study' })).toContainText(
+      'a file of this device',
+    );
+    await anna.button('Go to the end').click();
+    await expect(angle).toHaveAccessibleName('/lab/angle: 0.75');
+  });
+});
+
+test('on a phone a recording is made, and scrubbed with a finger', async ({ room }) => {
+  const robot = await room.program('Robot');
+  const ben = new RecordingsPage(await room.withPhone('Ben'));
+  await ben.open();
+  await ben.record('Walk');
+  const values = [0.25, 0.75];
+  for (const [index, value] of values.entries()) {
+    robot.publish('/lab/angle', 'double', value, { immediate: true });
+    await ben.expectRecords(index + 1);
+  }
+  robot.publish('/lab/done', 'bool', true, { immediate: true });
+  await ben.expectRecords(values.length + 1);
+  await ben.button('Stop recording').tap();
+
+  await expect(ben.inspector).toContainText('0.250');
+  const box = await ben.page.getByRole('group', { name: 'Tracks' }).boundingBox();
+  await ben.page.touchscreen.tap(box!.x + box!.width - 2, box!.y + 10);
+  await expect(ben.inspector).toContainText('0.750');
+});
