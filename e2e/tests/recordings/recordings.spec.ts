@@ -53,13 +53,13 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
   const angle = anna.track('/lab/angle');
   await angle.click();
   await anna.button('Go to the end').click();
-  await expect(angle).toHaveAccessibleName('/lab/angle: 0.75');
+  await expect(angle).toContainText('0.75');
   await expect(anna.inspector).toContainText('0.750');
   await expect(anna.graph).toContainText('0.75');
   // To the last record, and to the one before it.
   await anna.page.keyboard.press('ArrowLeft');
   await anna.page.keyboard.press('ArrowLeft');
-  await expect(angle).toHaveAccessibleName('/lab/angle: 0.50');
+  await expect(angle).toContainText('0.50');
   await expect(anna.graph).toContainText('0.50');
 
   await test.step('a marker is added, named and deleted', async () => {
@@ -89,7 +89,7 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
       'a file of this device',
     );
     await anna.button('Go to the end').click();
-    await expect(angle).toHaveAccessibleName('/lab/angle: 0.75');
+    await expect(angle).toContainText('0.75');
   });
 });
 
