@@ -14,7 +14,7 @@ const FRONTEND = [
   ['topics', 'sessions'],
   ['clients', 'devices', 'modules', 'publish', 'calls', 'performance'],
   ['graph', 'joining'],
-  ['session-pages', 'learn', 'settings', 'out-of-reach'],
+  ['session-pages', 'recordings', 'learn', 'settings', 'out-of-reach'],
   ['examples', 'party'],
   ['home', 'markers', 'shell'],
 ];

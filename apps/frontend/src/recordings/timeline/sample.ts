@@ -48,7 +48,7 @@ function statesOf(record: TopicRecord, kind: TrackKind): readonly string[] | und
   return kind === 'ticks' ? heldIn(record) : undefined;
 }
 
-/** Things are told apart by id; those without one by their place in the list. */
+/** Things are distinguished by id, those without one by their place in the list. */
 function namesOf(record: TopicRecord): readonly string[] {
   switch (record.format) {
     case 'object2D':
