@@ -1,5 +1,5 @@
 import type { RecordsReader } from '@ubii/recording';
-import { trackKind } from '../timeline/sample.ts';
+import { trackKind } from '../timeline/track-entry.ts';
 import { SurveyBuilder, type Survey } from '../timeline/survey.ts';
 import { formatLook } from '../../formats/families.ts';
 import { decodeRecorded } from './decode-recorded.ts';

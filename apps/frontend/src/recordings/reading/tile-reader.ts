@@ -1,11 +1,11 @@
 import type { RecordsReader } from '@ubii/recording';
-import { sampleOf, type Sample } from '../timeline/sample.ts';
+import { entryOf, type TrackEntry } from '../timeline/track-entry.ts';
 import type { TileRequest } from '../timeline/tile-store.ts';
 import { TileBuilder, tileGrid, type Tile } from '../timeline/tile.ts';
 import { decodeRecorded } from './decode-recorded.ts';
 import { TimeBase } from './recording-time-base.ts';
 
-const NOTHING: Pick<Sample, 'numbers'> = { numbers: [] };
+const NOTHING: Pick<TrackEntry, 'numbers'> = { numbers: [] };
 
 /**
  * Reads the tiles of a request, in the order of time.
@@ -30,7 +30,7 @@ export async function readTiles(
     for await (const { topic, record, logTimeNs } of reader.records(query)) {
       if (!isWanted()) return;
       const decoded = decodeRecorded(topic, record);
-      builders.get(topic)?.add(base.toMs(logTimeNs), decoded ? sampleOf(decoded) : NOTHING);
+      builders.get(topic)?.add(base.toMs(logTimeNs), decoded ? entryOf(decoded) : NOTHING);
     }
     for (const [topic, builder] of builders) onTile(topic, index, builder.tile(true));
   }

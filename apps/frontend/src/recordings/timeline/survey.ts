@@ -1,6 +1,6 @@
 import type { TopicRecord } from '@ubii/proto';
 import { RunLog, type Run } from './run-log.ts';
-import { sampleOf, trackKind, type TrackKind } from './sample.ts';
+import { entryOf, trackKind, type TrackKind } from './track-entry.ts';
 import { TileBuilder, type Tile } from './tile.ts';
 
 /** Buckets of the whole recording: several for each pixel of a wide view of all of it. */
@@ -54,7 +54,7 @@ export class SurveyBuilder {
   add(topic: string, timeMs: number, record: TopicRecord | undefined): void {
     this.#count(timeMs);
     const track = this.#trackOf(topic, trackKind(record?.format));
-    const { numbers, states } = record ? sampleOf(record) : { numbers: [], states: undefined };
+    const { numbers, states } = record ? entryOf(record) : { numbers: [], states: undefined };
     track.builder.add(timeMs, { numbers });
     if (states) track.runs?.add(timeMs, states);
   }

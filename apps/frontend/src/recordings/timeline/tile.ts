@@ -1,4 +1,4 @@
-import type { Sample } from './sample.ts';
+import type { TrackEntry } from './track-entry.ts';
 
 /** Where a tile lies: buckets of equal length, the first at `fromMs`. */
 export interface TileGrid {
@@ -34,7 +34,7 @@ export class TileBuilder {
     this.#counts = new Uint32Array(grid.buckets);
   }
 
-  add(timeMs: number, { numbers }: Pick<Sample, 'numbers'>): void {
+  add(timeMs: number, { numbers }: Pick<TrackEntry, 'numbers'>): void {
     const { fromMs, bucketMs, buckets } = this.#grid;
     const bucket = Math.floor((timeMs - fromMs) / bucketMs);
     if (bucket < 0 || bucket >= buckets) return;

@@ -1,7 +1,7 @@
 import { topicParts } from '../../connection/topic-parts.ts';
 import { formatLook } from '../../formats/families.ts';
 import type { DataFormat, DataFormatFamily } from '@ubii/proto';
-import { trackKind, type TrackKind } from './sample.ts';
+import { trackKind, type TrackKind } from './track-entry.ts';
 
 /** A topic of a recording, as a row of the timeline. */
 export interface Track {

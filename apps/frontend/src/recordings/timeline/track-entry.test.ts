@@ -1,6 +1,6 @@
 import { ButtonEventType, type TopicRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { sampleOf, trackKind } from './sample.ts';
+import { entryOf, trackKind } from './track-entry.ts';
 
 const aRecord = (format: string, value: unknown): TopicRecord =>
   ({ topic: '/a', format, value }) as unknown as TopicRecord;
@@ -24,17 +24,17 @@ describe('trackKind()', () => {
   });
 });
 
-describe('sampleOf()', () => {
+describe('entryOf()', () => {
   it('reads the numbers of a vector', () => {
-    expect(sampleOf(aRecord('vector2', { x: 1, y: 2 })).numbers).toEqual([1, 2]);
+    expect(entryOf(aRecord('vector2', { x: 1, y: 2 })).numbers).toEqual([1, 2]);
   });
 
   it('says what is held, seen and written', () => {
     const key = { key: 'a', type: ButtonEventType.DOWN };
-    expect(sampleOf(aRecord('keyEvent', key)).states).toEqual(['a']);
-    expect(sampleOf(aRecord('bool', false)).states).toEqual([]);
+    expect(entryOf(aRecord('keyEvent', key)).states).toEqual(['a']);
+    expect(entryOf(aRecord('bool', false)).states).toEqual([]);
     const elements = [{ id: 'cup' }, { id: 'cup' }, { id: '' }];
-    expect(sampleOf(aRecord('object2DList', { elements })).states).toEqual(['cup', 'object 3']);
-    expect(sampleOf(aRecord('string', 'swipe')).states).toEqual(['swipe']);
+    expect(entryOf(aRecord('object2DList', { elements })).states).toEqual(['cup', 'object 3']);
+    expect(entryOf(aRecord('string', 'swipe')).states).toEqual(['swipe']);
   });
 });

@@ -12,7 +12,7 @@ import { seriesOf, sparkNumbers } from '../../topics/values/value-series.ts';
 export type TrackKind = 'lines' | 'ticks' | 'frames' | 'bars' | 'text' | 'bytes';
 
 /** What one record adds to its track. */
-export interface Sample {
+export interface TrackEntry {
   /** One for each line; NaN where there is none. */
   readonly numbers: readonly number[];
   /** What holds from now on until the next record says otherwise: the text, things seen, keys held. */
@@ -35,7 +35,7 @@ export function trackKind(format: DataFormat | undefined): TrackKind {
 }
 
 /** What a record adds to a track of its format. */
-export function sampleOf(record: TopicRecord): Sample {
+export function entryOf(record: TopicRecord): TrackEntry {
   const kind = trackKind(record.format);
   const numbers = kind === 'lines' ? sparkNumbers(record.format, record.value) : NO_NUMBERS;
   return { numbers, states: statesOf(record, kind) };
