@@ -9,7 +9,7 @@ import {
   type Ref,
 } from 'vue';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
-import type { PlacedMarker } from '../reading/recording-messages.ts';
+import type { PlacedGap, PlacedMarker } from '../reading/recording-messages.ts';
 import type { SurveyedTrack } from '../timeline/survey.ts';
 import { panSpan, spanBetween, spanShowing, zoomSpan, type Span } from '../timeline/span.ts';
 import { tracksOf, type Track } from '../timeline/track.ts';
@@ -28,6 +28,8 @@ export interface Timeline {
   readonly markers: Readonly<Ref<readonly PlacedMarker[]>>;
   readonly loop: ComputedRef<Span | undefined>;
   surveyed(topic: string): SurveyedTrack | undefined;
+  /** Where records of a topic are missing; undefined: of all topics. */
+  gapsOf(topic: string | undefined): readonly PlacedGap[];
   select(topic: string): void;
   fit(): void;
   show(span: Span): void;
@@ -82,6 +84,7 @@ export function provideTimeline(
   const timeline: Timeline = {
     ...{ opened, durationMs, span, tracks, shown, hidden, selected, markers, loop, setLoop },
     surveyed: (topic) => surveyed.value.get(topic),
+    gapsOf: (topic) => (opened.recording.value?.gaps ?? []).filter((gap) => gap.topic === topic),
     select: (topic) => (chosen.value = topic),
     fit: () => (span.value = whole()),
     show: (next) => (span.value = panSpan(next, 0, durationMs.value)),
