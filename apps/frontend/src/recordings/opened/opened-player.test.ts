@@ -7,16 +7,23 @@ function setUp() {
   const sent: RecordingCommand[] = [];
   let tell: (report: RecordingReport) => void = () => undefined;
   const frames: (() => void)[] = [];
+  const clock = { nowMs: 0 };
   const port = {
     send: (command: RecordingCommand) => sent.push(command),
     onReport: (handle: typeof tell) => (tell = handle),
     close: () => undefined,
   };
-  const opened = createOpenedPlayer(port, '/recordings/a.mcap', (fn) => frames.push(fn));
+  const opened = createOpenedPlayer(
+    port,
+    '/recordings/a.mcap',
+    (fn) => frames.push(fn),
+    () => clock.nowMs,
+  );
   tell({ kind: 'opened', recording: A_RECORDING });
   return {
     opened,
     sent,
+    clock,
     tell: (report: RecordingReport) => tell(report),
     frame: () => frames.splice(0).forEach((fn) => fn()),
   };
@@ -57,15 +64,23 @@ describe('a recording that is opened', () => {
     expect(opened.timeMs.value).toBe(1000);
   });
 
-  it('shows the values of the playhead once a frame', () => {
-    const { opened, tell, frame } = setUp();
+  it('shows the values of the playhead in the next frame, and often enough while it plays', () => {
+    const { opened, tell, frame, clock } = setUp();
     tell({ kind: 'values', isAll: true, values: [value('/a', 1), value('/b', 2)] });
     expect(opened.values.get('/a')).toBeUndefined();
     frame();
     expect(opened.values.get('/a')?.text).toBe('1.00');
     tell({ kind: 'values', isAll: false, values: [value('/a', 3)] });
     frame();
+    expect(opened.values.get('/a')?.text).toBe('1.00');
+    clock.nowMs = 50;
+    tell({ kind: 'values', isAll: false, values: [] });
+    frame();
     expect(opened.values.get('/a')?.text).toBe('3.00');
+    tell({ kind: 'values', isAll: false, values: [value('/a', 4)] });
+    tell(player(20));
+    frame();
+    expect(opened.values.get('/a')?.text).toBe('4.00');
     expect(opened.values.get('/b')?.text).toBe('2.00');
   });
 

@@ -50,11 +50,18 @@ const AT_START: PlayerState = {
 /** The playhead has come where it was wished, milliseconds. */
 const ARRIVED_MS = 0.5;
 
-/** @param atFrame calls once before the next frame */
+/** Values that play by are shown this often, milliseconds: nobody reads faster, and the graph is drawn with them. */
+const SHOW_EVERY_MS = 50;
+
+/**
+ * @param atFrame calls once before the next frame
+ * @param nowMs any clock
+ */
 export function createOpenedPlayer(
   port: RecordingPort,
   source: Blob | string,
   atFrame?: (fn: () => void) => void,
+  nowMs = (): number => performance.now(),
 ): OpenedPlayer {
   const recording = shallowRef<OpenedRecording>();
   const failure = shallowRef<string>();
@@ -70,7 +77,11 @@ export function createOpenedPlayer(
     (picture) => picture.close(),
   );
   const draw = perFrame(() => (drawn.value += 1), atFrame);
-  const showValues = perFrame(() => values.show(), atFrame);
+  let shownMs = -Infinity;
+  const showValues = perFrame(() => {
+    shownMs = nowMs();
+    values.show();
+  }, atFrame);
 
   function handle(report: RecordingReport): void {
     switch (report.kind) {
@@ -93,12 +104,14 @@ export function createOpenedPlayer(
         return draw();
       case 'values':
         values.add(report.values, report.isAll);
-        return showValues();
+        if (report.isAll || nowMs() - shownMs >= SHOW_EVERY_MS) showValues();
+        return;
       case 'sessions':
         sessions.value = report.sessions;
         return;
       case 'player':
         player.value = report.player;
+        if (report.player.status !== 'playing') showValues();
         if (Math.abs(report.player.timeMs - (wishedMs.value ?? Infinity)) < ARRIVED_MS)
           wishedMs.value = undefined;
     }
