@@ -54,7 +54,8 @@ export function createToasts(): Toasts {
       const others = list.value.filter((toast) => place === undefined || toast.place !== place);
       add({ text, action, place }, others);
     },
-    showBody: (component, props) => add({ text: '', body: { component: markRaw(component), props } }),
+    showBody: (component, props) =>
+      add({ text: '', body: { component: markRaw(component), props } }),
     dismiss(id) {
       list.value = list.value.filter((toast) => toast.id !== id);
     },
