@@ -5,7 +5,7 @@ import { joinMaster } from '../brokers/ubii.ts';
 import { mainThreadCpuUs } from '../cpu-time.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { FlowWindow } from '../load/flow-window.ts';
-import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
+import { createRecordRing, MAX_WINDOW, type RecordRing } from '../load/record-ring.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
@@ -20,9 +20,9 @@ const SUBSCRIBERS = 4;
 /** Between two bursts of the publisher. */
 const STEP_MS = 2;
 /** Records that may be under way: a master that is late is not flooded, and drops nothing. */
-const WINDOW = 4_096;
-/** After the last record, all have come by then. */
-const SETTLE_MS = 500;
+const WINDOW = MAX_WINDOW;
+/** The last record did not come for so long: what is missing is lost. */
+const STALL_MS = 2_000;
 
 const OFF = 'off';
 const FLIGHT = 'flight recorder';
@@ -91,6 +91,7 @@ async function measure(
   const published = new DeliveryVerifier(ring);
   const role = { publishes: true, topics: [] };
   const publisher = await joinMaster(master, role, published, true);
+  let onIdle: () => void = () => {};
   const flow = new FlowWindow(SUBSCRIBERS, WINDOW);
   for (const { verifier } of subscribers) {
     let before = 0;
@@ -98,6 +99,7 @@ async function measure(
       const now = Math.min(verifier.next, sent);
       if (now > before) flow.advance(before, now);
       before = now;
+      if (flow.slowest === sent) onIdle();
     };
   }
   let sent = 0;
@@ -118,7 +120,8 @@ async function measure(
   const mainUs = mainThreadCpuUs(master.pid) - mainBefore;
   const records = sent - sentBefore;
   clearInterval(timer);
-  await sleep(SETTLE_MS);
+  const idle = new Promise<void>((resolve) => (onIdle = resolve));
+  if (flow.slowest < sent) await Promise.race([idle, sleep(STALL_MS, undefined, { ref: false })]);
   for (const { verifier } of subscribers) verifier.finish(sent);
   published.finish(0);
   const faults = describeFaults(
