@@ -4,7 +4,13 @@ import type { PictureSources } from '../pictures/usePictureSource.ts';
 import { useFoundNothing } from '../pictures/useFoundNothing.ts';
 import type { Found } from './useObjectDetection.ts';
 
-/** A sentence that names what the modules have not found for some seconds; undefined if they find everything. */
+/** What the modules look for and have not found. */
+export interface NotFound {
+  readonly wanted: readonly Seen[];
+  readonly sentence: string;
+}
+
+/** What the modules look for, when none of them has found anything for some seconds; else undefined. */
 export function useNotFound(
   sources: PictureSources,
   {
@@ -14,7 +20,7 @@ export function useNotFound(
     readonly found: Readonly<{ value: Found }>;
     readonly looksFor: Readonly<Record<Seen, boolean>>;
   },
-): ComputedRef<string | undefined> {
+): ComputedRef<NotFound | undefined> {
   const kinds = (Object.keys(SEEING_MODULES) as Seen[]).map((kind) => ({
     kind,
     foundNothing: useFoundNothing(
@@ -24,9 +30,10 @@ export function useNotFound(
     ),
   }));
   return computed(() => {
-    const missing = kinds.filter(({ foundNothing }) => foundNothing.value);
-    if (missing.length === 0) return undefined;
-    const words = missing.map(({ kind }) => kind).join(' and no ');
-    return `No ${words} were found in the last seconds.`;
+    const on = kinds.filter(({ kind }) => looksFor[kind]);
+    // A module that finds something shows that the source is a good one.
+    if (on.length === 0 || !on.every(({ foundNothing }) => foundNothing.value)) return undefined;
+    const wanted = on.map(({ kind }) => kind);
+    return { wanted, sentence: `No ${wanted.join(' and no ')} were found in the last seconds.` };
   });
 }
