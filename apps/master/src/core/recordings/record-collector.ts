@@ -3,14 +3,9 @@ import type { RecordingEvent } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
 import type { Limits } from '../limits/index.ts';
-import {
-  FLIGHT_TARGET,
-  type Recorder,
-  type RecordSource,
-  type RecordToKeep,
-} from '../ports/recorder.ts';
+import { FLIGHT_TARGET, type Recorder, type RecordToKeep } from '../ports/recorder.ts';
 import type { RecordTap, TappedRecord } from '../topics/record-tap.ts';
-import type { TopicEntry } from '../topics/topic-entry.ts';
+import type { TappedSource, TopicEntry } from '../topics/topic-entry.ts';
 import { eventOf, gapEvent } from './present-facts.ts';
 import { isImageField, type CompiledSelection } from './selection.ts';
 
@@ -20,12 +15,6 @@ export interface CollectorContext {
   readonly limits: Limits;
   readonly recorder: Recorder;
   readonly tap: RecordTap;
-}
-
-/** One publisher on one topic, and what records it. */
-interface KnownSource extends RecordSource {
-  readonly targets: number;
-  readonly targetsOfImages: number;
 }
 
 interface Loss {
@@ -47,8 +36,9 @@ export class RecordCollector {
   readonly #context: CollectorContext;
   readonly #selections = new Map<number, CompiledSelection>();
   #flight: 'off' | 'with images' | 'without images' = 'off';
-  #sources = new WeakMap<TopicEntry, Map<string, KnownSource>>();
+  #sources = new WeakMap<TopicEntry, Map<string, TappedSource>>();
   #sourceCount = 0;
+  #generation = 0;
   /** Records that the recorder could not take, by what should have recorded them. [RC-19] */
   readonly #losses = new Map<number, Loss>();
   /** Called before the first record of the flight recorder: until then, no recorder is needed. */
@@ -145,7 +135,13 @@ export class RecordCollector {
     this.onFirstOfFlight.emit();
   }
 
-  #sourceOf(entry: TopicEntry, clientId: string): KnownSource {
+  #sourceOf(entry: TopicEntry, clientId: string): TappedSource {
+    const last = entry.recordSource;
+    if (last?.clientId === clientId && last.generation === this.#generation) return last;
+    return (entry.recordSource = this.#source(entry, clientId));
+  }
+
+  #source(entry: TopicEntry, clientId: string): TappedSource {
     let ofTopic = this.#sources.get(entry);
     if (ofTopic === undefined) this.#sources.set(entry, (ofTopic = new Map()));
     let source = ofTopic.get(clientId);
@@ -159,9 +155,10 @@ export class RecordCollector {
   #forgetSources(): void {
     this.#sources = new WeakMap();
     this.#sourceCount = 0;
+    this.#generation++;
   }
 
-  #find(topic: string, clientId: string): KnownSource {
+  #find(topic: string, clientId: string): TappedSource {
     let targets = this.#flight === 'off' ? 0 : FLIGHT_TARGET;
     let targetsOfImages = this.#flight === 'with images' ? FLIGHT_TARGET : 0;
     for (const [target, selection] of this.#selections) {
@@ -169,7 +166,7 @@ export class RecordCollector {
       targets |= target;
       if (!selection.withoutImages) targetsOfImages |= target;
     }
-    return { topic, clientId, targets, targetsOfImages };
+    return { topic, clientId, targets, targetsOfImages, generation: this.#generation };
   }
 
   #send(batch: readonly RecordToKeep[]): void {

@@ -6,6 +6,7 @@ import {
   type Component,
 } from '@ubii/proto';
 import type { TokenBucket } from '@ubii/timing';
+import type { RecordSource } from '../ports/recorder.ts';
 import type { Account } from '../shares/account.ts';
 import type { ReadRights } from './rights.ts';
 
@@ -17,6 +18,15 @@ export interface TopicOwner {
   readonly ownedTopics: Set<TopicEntry>;
   /** Pays for its topics and for what is retained there [AC-80]. */
   readonly account: Account;
+}
+
+/** A publisher on a topic, and what records it. */
+export interface TappedSource extends RecordSource {
+  /** Bits of what records it, and what records images of it. */
+  readonly targets: number;
+  readonly targetsOfImages: number;
+  /** Selections have changed since then when it is not the current one. */
+  readonly generation: number;
 }
 
 /** Everything the master knows of one topic. Plain fields: this is what the record path touches. */
@@ -47,6 +57,8 @@ export class TopicEntry {
   owner: TopicOwner | undefined = undefined;
   /** The account that this topic and its retained record count for [AC-80]. */
   payer: Account | undefined = undefined;
+  /** The publisher of the last record that was recorded, as the recorder knows it [RC-50]. */
+  recordSource: TappedSource | undefined = undefined;
 
   records = 0;
   bytes = 0;
