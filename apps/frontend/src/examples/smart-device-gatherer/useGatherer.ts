@@ -19,6 +19,8 @@ import { Gathering, type GatheredTouch, type NearPair, type PhoneClient } from '
 /** Update interval of the list, milliseconds. The pad is drawn in every frame. */
 const LIST_INTERVAL_MS = 150;
 const LINE_POINTS = 40;
+/** How long the distance outlives the page, seconds: as long as the master keeps values at most. */
+const KEEP_SECONDS = 3600;
 
 /** Row of a phone in the list. */
 export interface PhoneRow extends PhoneClient {
@@ -44,6 +46,10 @@ export function useGatherer() {
     async () => (await import('@ubii/modules')).EXAMPLE_SESSIONS['touch-proximity'],
   );
   const { isRunning } = proximity;
+  /** Published for all: the session and other clients receive it. The session continues when this page is left. */
+  function setDistance(next: number): void {
+    client.publish(DISTANCE_TOPIC, 'double', next, { keepSeconds: KEEP_SECONDS });
+  }
   /** True when the pad must be drawn. */
   let isNew = true;
 
@@ -117,9 +123,15 @@ export function useGatherer() {
     touches,
     pairs,
     distance,
-    proximity,
-    /** Published for all: the session and other clients receive it. */
-    setDistance: (next: number): void => client.publish(DISTANCE_TOPIC, 'double', next),
+    proximity: {
+      ...proximity,
+      async start(): Promise<void> {
+        // The graph of the session shows the distance that the page shows.
+        if (toldDistance.value === undefined) setDistance(DEFAULT_DISTANCE);
+        await proximity.start();
+      },
+    },
+    setDistance,
     async stop(): Promise<void> {
       const near = gathering.phones().filter(({ id }) => gathering.isNear(id));
       await proximity.stop();
