@@ -8,7 +8,7 @@ import { DiskFile } from '@ubii/recording/node';
 import { MemoryFile } from '@ubii/recording/testing';
 import { SystemClock } from '@ubii/timing/system';
 import { build } from 'esbuild';
-import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 
 import { DiskFolder, recordingPath } from '../../src/adapters/recording/disk-folder.ts';
 import { WorkerRecorder } from '../../src/adapters/recording/worker-recorder.ts';
@@ -43,7 +43,11 @@ recorderSuite('WorkerRecorder', () => {
   const folder = temporaryFolder();
   return {
     recorder: openWorker(folder).recorder,
-    file: (id) => DiskFile.open(recordingPath(folder, id)),
+    async file(id) {
+      const file = await DiskFile.open(recordingPath(folder, id));
+      onTestFinished(() => file.close());
+      return file;
+    },
     reopen: () => openWorker(folder).recorder,
   };
 });
