@@ -52,15 +52,13 @@ export default defineConfig({
       output: {
         codeSplitting: {
           groups: [
-            // Pages share some hundred small modules; each as a file of its own is a request of its own.
-            { name: 'icons', test: /@lucide/, includeDependenciesRecursively: false },
             // Home and Examples show all of them; each file has headers of 1.4 kB.
             {
               name: 'examples',
               test: /\/src\/(examples\/([^/]+\/\w+Thumbnail|ExampleRow)\.vue|graph\/editor\/templates\/own-pointer)/,
               includeDependenciesRecursively: false,
             },
-            // Every page uses these.
+            // Every page uses these. Pages share some hundred small modules; each as a file of its own is a request of its own.
             {
               name: 'proto',
               // Not the text of a file, which only the module editor has
@@ -70,7 +68,7 @@ export default defineConfig({
             },
             {
               name: 'shared',
-              test: /\/src\/(formats|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/shell|shell\/(pages|shortcuts)|joining\/(join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses)|ui\/keys\/single-key|ui\/charts\/line-path|clients\/client-facts|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(list\/session-rows|live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
+              test: /@lucide|\/src\/(formats|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/shell|shell\/(pages|shortcuts)|joining\/(join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses)|ui\/keys\/single-key|ui\/toasts\/toasts|graph\/editor\/templates\/while-used|ui\/charts\/line-path|clients\/client-facts|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(list\/session-rows|live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
               minShareCount: 2,
               includeDependenciesRecursively: false,
             },
