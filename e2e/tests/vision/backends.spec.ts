@@ -69,7 +69,9 @@ test('a backend that is lost while it computes is replaced, and the page says wh
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   const outputs = page.getByRole('region', { name: 'Outputs' });
   const output = (name: string) =>
-    outputs.getByRole('listitem').filter({ has: page.getByRole('link', { name, exact: true }) });
+    outputs
+      .getByRole('listitem')
+      .filter({ has: page.getByRole('link', { name: `${name} in a new tab`, exact: true }) });
   await expect(output('backend')).toContainText('wasm', { timeout: 30_000 });
   await page.getByRole('combobox', { name: 'backend', exact: true }).selectOption('webgl');
   await expect(output('backendFault')).toContainText(
