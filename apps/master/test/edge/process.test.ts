@@ -83,7 +83,7 @@ async function takePort(): Promise<number> {
   return (server.address() as AddressInfo).port;
 }
 
-/** A publisher of a master, which is told what is recorded. */
+/** A client that publishes to a master and receives its announcements of recordings. */
 class Publisher {
   /** Records in the running recording, as the master said last: they are in its file. */
   recordCount = 0;

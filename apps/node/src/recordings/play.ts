@@ -67,7 +67,7 @@ export const PLAY_PROGRAM: ProgramOptions<typeof OPTIONS> = {
 
   npm run play -- <file.mcap> [flags]
 
-Values get times of today. A topic that somebody publishes at the same time has both values: use --rename then.
+Values get times of today. A topic that another client publishes at the same time has the values of both: use --rename then.
 `,
   check({ from, until }) {
     if (until <= from) throw new ConfigError('The option --until must be later than --from.');

@@ -2290,7 +2290,7 @@ export interface RecordingList {
 }
 
 /**
- * A moment that somebody marked. As a request: adds, changes or removes it. Rules RC-20 to RC-23.
+ * A moment that a user or a module marked. As a request: adds, changes or removes it. Rules RC-20 to RC-23.
  *
  * `ubii.extension.RecordingMarker`
  */

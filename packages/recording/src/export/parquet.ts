@@ -13,7 +13,7 @@ const FIXED = [
 /** Rows in memory at once. */
 const ROWS_PER_GROUP = 20_000;
 
-/** Gives what was written to somebody else after each group of rows. */
+/** Passes the written bytes on after each group of rows. */
 function partWriter(write: (bytes: Uint8Array) => Promise<void> | void): Writer {
   const bytes = new ByteWriter();
   const flush = async (): Promise<void> => {

@@ -1,4 +1,4 @@
-/** A moment that somebody marked. The event with the highest sequence of an id is the valid one. */
+/** A moment that a user or a module marked. The event with the highest sequence of an id is the valid one. */
 export interface Marker {
   readonly id: string;
   /** The marked moment, milliseconds since the Unix epoch. */

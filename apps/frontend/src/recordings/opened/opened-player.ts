@@ -50,7 +50,7 @@ const AT_START: PlayerState = {
 /** The playhead has come where it was wished, milliseconds. */
 const ARRIVED_MS = 0.5;
 
-/** Values that play by are shown this often, milliseconds: nobody reads faster, and the graph is drawn with them. */
+/** Interval of updates of values during playback, milliseconds: faster ones cannot be read, and each draws the graph. */
 const SHOW_EVERY_MS = 50;
 
 /**

@@ -165,7 +165,7 @@ export class FileList {
     const keepings = this.values().filter(
       ({ kind }) => kind === RecordingKind.RECORDING_KIND_FLIGHT_RECORDER,
     );
-    // The newest one stays: somebody has just kept it.
+    // The newest one stays: it was kept just now.
     for (const { id } of keepings.slice(1).reverse()) {
       if (this.sizeBytes + runningBytes <= maxBytes) return;
       await this.delete(id);

@@ -206,7 +206,7 @@ export class Recordings {
     return this.requireRoomFor(0);
   }
 
-  /** The recorder is told of the flight recorder when it is first needed: it takes no memory before. */
+  /** Sends the settings of the flight recorder to the recorder with the first record: it takes no memory before. */
   #withFlight<T>(work: () => Promise<T>): Promise<T> {
     this.#tellFlight();
     return work();
