@@ -1,5 +1,5 @@
-import AxeBuilder from '@axe-core/playwright';
-import type { Page } from '@playwright/test';
+import type { CDPSession, Page } from '@playwright/test';
+import { expectAccessible } from '../../fixtures/accessible.ts';
 import { callService } from '../../fixtures/call-service.ts';
 import { HostileClient } from '../../fixtures/hostile-client.ts';
 import { expect, test, type Room } from '../../fixtures/test.ts';
@@ -57,47 +57,20 @@ const TOOLTIP = '.tooltip';
 
 const SCREENS = ['desktop', 'phone'] as const;
 
-/** WCAG 2.2 AA, and what axe holds to be good practice. */
-const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
-
-/** All that can be different between dark and light. */
-const COLOUR_RULES = ['color-contrast', 'link-in-text-block'];
+/** Turns a page of a desk into one of a phone and back, without loading it again. */
+async function turnInto(
+  screen: (typeof SCREENS)[number],
+  page: Page,
+  session: CDPSession,
+): Promise<void> {
+  const isPhone = screen === 'phone';
+  await session.send('Emulation.setTouchEmulationEnabled', { enabled: isPhone });
+  await page.setViewportSize(isPhone ? { width: 390, height: 844 } : { width: 1440, height: 900 });
+}
 
 async function enter(room: Room, screen: (typeof SCREENS)[number]) {
   const options = { colorScheme: 'dark', reducedMotion: 'reduce' } as const;
   return screen === 'phone' ? room.withPhone('Anna', options) : room.atDesk('Anna', options);
-}
-
-/** Without the extra page that axe opens to merge what frames of other origins found: there are none. */
-function axe(page: Page): AxeBuilder {
-  return new AxeBuilder({ page }).setLegacyMode();
-}
-
-/** All of it in dark, and its colours in light. */
-async function expectAccessible(page: Page, ...except: readonly string[]): Promise<void> {
-  await expectNoViolation(page, 'dark', axe(page).withTags(TAGS), except);
-  await page.emulateMedia({ colorScheme: 'light' });
-  const inLight = axe(page).withRules(COLOUR_RULES);
-  await expectNoViolation(page, 'light', inLight, except);
-  await page.emulateMedia({ colorScheme: 'dark' });
-}
-
-async function expectNoViolation(
-  page: Page,
-  theme: 'dark' | 'light',
-  builder: AxeBuilder,
-  except: readonly string[],
-): Promise<void> {
-  for (const selector of except) builder.exclude(selector);
-  // Wait for a frame, so that everything is drawn in the colours of the theme.
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
-  const { violations } = await builder.analyze();
-  const found = violations.flatMap(({ id, help, nodes }) =>
-    nodes.map(
-      ({ target, failureSummary }) => `${id}: ${help} at ${target.join(' ')}. ${failureSummary}`,
-    ),
-  );
-  expect(found, `in ${theme}`).toEqual([]);
 }
 
 /** Each page takes seconds, on a busy machine many: a test of all would be over its time. */
@@ -106,34 +79,39 @@ const GROUPS = Array.from({ length: Math.ceil(PAGES.length / PAGES_A_TEST) }, (_
   PAGES.slice(index * PAGES_A_TEST, (index + 1) * PAGES_A_TEST),
 );
 
-for (const screen of SCREENS) {
-  for (const pages of GROUPS) {
-    const names = `${pages[0]!.name} to ${pages.at(-1)!.name}`;
-    test(`pages from ${names} are accessible on a ${screen}`, async ({ master, room }) => {
-      // Something to see on the pages: topics of several formats.
-      const guest = await HostileClient.register(master.addresses, 'guest');
-      const socket = await guest.open();
-      await socket.publish([
-        { topic: '/guest/angle', double: 0.5 },
-        { topic: '/guest/position', vector2: { x: 1, y: 2 } },
-        { topic: '/guest/word', string: 'hello' },
-        { topic: '/guest/pressed', bool: true },
-      ]);
-      const { page } = await enter(room, screen);
-      const shell = new Shell(page);
-      for (const { name, path } of pages) {
-        await test.step(name, async () => {
-          await page.goto(path);
-          await expect(shell.main.getByRole('heading', { level: 1 })).toBeVisible();
-          // On phones a device's page has a header of its own.
-          if (!path.startsWith('/devices/')) await shell.expectConnected();
-          await expectAccessible(page);
-        });
-      }
-      guest.leave();
-    });
-  }
+for (const pages of GROUPS) {
+  const names = `${pages[0]!.name} to ${pages.at(-1)!.name}`;
+  test(`pages from ${names} are accessible at a desk and on a phone`, async ({ master, room }) => {
+    // Something to see on the pages: topics of several formats.
+    const guest = await HostileClient.register(master.addresses, 'guest');
+    const socket = await guest.open();
+    await socket.publish([
+      { topic: '/guest/angle', double: 0.5 },
+      { topic: '/guest/position', vector2: { x: 1, y: 2 } },
+      { topic: '/guest/word', string: 'hello' },
+      { topic: '/guest/pressed', bool: true },
+    ]);
+    const { page } = await enter(room, 'desktop');
+    const shell = new Shell(page);
+    const session = await page.context().newCDPSession(page);
+    for (const { name, path } of pages) {
+      await test.step(name, async () => {
+        await page.goto(path);
+        await expect(shell.main.getByRole('heading', { level: 1 })).toBeVisible();
+        // On phones a device's page has a header of its own.
+        if (!path.startsWith('/devices/')) await shell.expectConnected();
+        await expectAccessible(page);
+        await turnInto('phone', page, session);
+        await expect(shell.main.getByRole('heading', { level: 1 })).toBeVisible();
+        await expectAccessible(page);
+        await turnInto('desktop', page, session);
+      });
+    }
+    guest.leave();
+  });
+}
 
+for (const screen of SCREENS) {
   test(`every page of a device is accessible on a ${screen}`, async ({ room }) => {
     const { page } = await enter(room, screen);
     for (const name of DEVICE_PAGES) {

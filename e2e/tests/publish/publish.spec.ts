@@ -1,42 +1,7 @@
-import { DATA_FORMATS, type DataFormat, type TopicRecord } from '@ubii/proto';
+import type { TopicRecord } from '@ubii/proto';
 import { expect, test } from '../../fixtures/test.ts';
 import { PublishPage } from '../../pages/publish-page.ts';
 import { Shell } from '../../pages/shell.ts';
-
-const FORMATS = Object.keys(DATA_FORMATS) as DataFormat[];
-
-test('every data format is published from its form, and from the same record as JSON', async ({
-  room,
-}) => {
-  test.slow();
-  const robot = await room.program('Robot');
-  const records: TopicRecord[] = [];
-  const subscription = robot.subscribe({ glob: '/made/**' });
-  subscription.onRecord((record) => records.push(record));
-  await subscription.ready;
-  const publish = new PublishPage(await room.atDesk());
-  await publish.open();
-  await new Shell(publish.page).expectConnected();
-  for (const format of FORMATS) {
-    await test.step(format, async () => {
-      await publish.topic.fill(`/made/${format}`);
-      if (format !== 'double') await publish.choose(format);
-      await expect(publish.json).toHaveValue(new RegExp(`"${format}"`));
-      await publish.publish();
-      await expect
-        .poll(() => records.some((record) => record.topic === `/made/${format}`))
-        .toBe(true);
-      expect(records.find(({ topic }) => topic === `/made/${format}`)?.format).toBe(format);
-      const json = await publish.json.inputValue();
-      await publish.json.fill(json.replace(`/made/${format}`, `/made/json/${format}`));
-      await publish.publish();
-      await expect
-        .poll(() => records.find(({ topic }) => topic === `/made/json/${format}`)?.format)
-        .toBe(format);
-    });
-  }
-  await expect(publish.sent).toContainText(String(FORMATS.length * 2));
-});
 
 test('form and JSON are one record, and what is wrong stands beside the field and at its line', async ({
   room,
