@@ -49,6 +49,27 @@ describe('the flight recorder', () => {
   });
 });
 
+describe('topics of markers', () => {
+  it('[RC-24] mark what is recorded, whatever is selected, some a second', async () => {
+    const master = new TestMaster();
+    const robot = await master.legacy('robot');
+    const id = await start(master, { topics: ['/elsewhere'] });
+    const topic = '/study/recording/marker';
+    robot.publish(topic, 'string', ' Grasped ');
+    robot.publish(topic, 'string', '  ');
+    robot.publish(topic, 'double', 1);
+    robot.publish('/study/recording/markers', 'string', 'not one');
+    await master.pass(1_000);
+    for (let index = 0; index < 20; index++) robot.publish(topic, 'string', `Slip ${index}`);
+    const { markerCount, topicCount } = await stop(master, id);
+    expect({ markerCount, topicCount }).toEqual({ markerCount: 11, topicCount: 0 });
+    const { summary } = await contentOf(master, id);
+    expect(summary.markers[0]).toMatchObject({
+      ...{ text: 'Grasped', author: 'robot', authorId: robot.id, kind: 'topic' },
+    });
+  });
+});
+
 describe('rights on recordings', () => {
   it('[RC-20] [RC-21] let players mark what runs, and change only their own markers', async () => {
     const master = new TestMaster();

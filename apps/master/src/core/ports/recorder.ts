@@ -93,6 +93,8 @@ export interface RecordingTexts {
 export interface MarkerJob {
   /** `recordingId` empty: all that run and the flight recorder. `id` and `timeMs` are set. */
   readonly marker: RecordingMarker;
+  /** How it came, for one that is new. @default service */
+  readonly kind?: 'service' | 'topic';
   /** Finished recordings, and markers of others, as well [RC-21]. */
   readonly mayChangeAll: boolean;
 }

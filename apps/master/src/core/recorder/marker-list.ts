@@ -30,7 +30,7 @@ export class MarkerList {
    * @returns the event for the file
    * @throws ServiceError when it is a marker of others, or there are too many
    */
-  apply({ marker: wanted, mayChangeAll }: MarkerJob): RecordingEvent<'marker'> {
+  apply({ marker: wanted, kind = 'service', mayChangeAll }: MarkerJob): RecordingEvent<'marker'> {
     const before = this.#markers.get(wanted.id);
     if (before !== undefined && !mayChangeAll && before.authorId !== wanted.clientId) {
       throw new ServiceError(
@@ -41,12 +41,8 @@ export class MarkerList {
     if (this.#changes >= this.#max) throw tooMany(this.#max);
     this.#changes++;
     const { id, timeMs, text, isRemoved } = wanted;
-    const { author, authorId, kind } = before ?? {
-      author: wanted.author,
-      authorId: wanted.clientId,
-      kind: 'service',
-    };
-    const marker: Marker = { id, timeMs, text, author, authorId, kind, isRemoved };
+    const made = before ?? { author: wanted.author, authorId: wanted.clientId, kind };
+    const marker: Marker = { ...made, id, timeMs, text, isRemoved };
     if (isRemoved) this.#markers.delete(id);
     else this.#markers.set(id, marker);
     return { kind: 'marker', timeNs: nsOf(timeMs), value: marker };

@@ -7,6 +7,7 @@ import { FLIGHT_TARGET, type Recorder, type RecordToKeep } from '../ports/record
 import type { RecordTap, TappedRecord } from '../topics/record-tap.ts';
 import type { TappedSource, TopicEntry } from '../topics/topic-entry.ts';
 import { eventOf, gapEvent } from './present-facts.ts';
+import { MARKER_TOPIC_END } from './marker-topics.ts';
 import { isImageField, type CompiledSelection } from './selection.ts';
 
 /** What a collector works with. */
@@ -43,6 +44,8 @@ export class RecordCollector {
   readonly #losses = new Map<number, Loss>();
   /** Called before the first record of the flight recorder: until then, no recorder is needed. */
   readonly onFirstOfFlight = new Hook<[]>();
+  /** Called with each record whose text is a marker, [RC-24] */
+  readonly onMarker = new Hook<[marking: TappedRecord]>();
   #isFlightUsed = false;
   #cancel: Cancel | undefined = undefined;
 
@@ -100,6 +103,7 @@ export class RecordCollector {
       const targets = isImageField(valueField) ? source.targetsOfImages : source.targets;
       if ((targets & FLIGHT_TARGET) !== 0) this.#useFlight();
       if (targets !== 0) batch.push({ source, record, timeMs, targets });
+      if (source.isOfMarkers) this.onMarker.emit(tapped);
     }
     send();
   }
@@ -166,7 +170,8 @@ export class RecordCollector {
       targets |= target;
       if (!selection.withoutImages) targetsOfImages |= target;
     }
-    return { topic, clientId, targets, targetsOfImages, generation: this.#generation };
+    const isOfMarkers = topic.endsWith(MARKER_TOPIC_END);
+    return { topic, clientId, targets, targetsOfImages, isOfMarkers, generation: this.#generation };
   }
 
   #send(batch: readonly RecordToKeep[]): void {

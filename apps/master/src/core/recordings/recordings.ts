@@ -19,6 +19,7 @@ import type { TopicTable } from '../topics/topic-table.ts';
 import { budgetOf } from './budget.ts';
 import { estimate } from './estimate.ts';
 import { FlightSettings } from './flight-settings.ts';
+import { MarkerTopics } from './marker-topics.ts';
 import { clockEvent, presentEvents } from './present-facts.ts';
 import type { RecordCollector } from './record-collector.ts';
 import { publishStatus } from './recording-news.ts';
@@ -72,6 +73,13 @@ export class Recordings {
     recorder.onState((state) => this.#handleState(state));
     this.#flight = new FlightSettings(flight, context.limits);
     collector.onFirstOfFlight.add(() => this.#tellFlight());
+    const markerTopics = new MarkerTopics(context);
+    collector.onMarker.add((record) => {
+      const marker = markerTopics.read(record);
+      if (marker === undefined) return;
+      // A recording that has all its markers keeps the text as a record.
+      void recorder.mark({ marker, kind: 'topic', mayChangeAll: false }).catch(() => undefined);
+    });
     collector.setFlight(flight.isOn, flight.withImages);
   }
 

@@ -25,6 +25,8 @@ export interface TappedSource extends RecordSource {
   /** Bits of what records it, and what records images of it. */
   readonly targets: number;
   readonly targetsOfImages: number;
+  /** Its texts are markers. [RC-24] */
+  readonly isOfMarkers: boolean;
   /** Selections have changed since then when it is not the current one. */
   readonly generation: number;
 }
