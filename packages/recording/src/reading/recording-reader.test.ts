@@ -100,3 +100,14 @@ it('lists messages of other programs as raw topics', async () => {
     publishTimeNs: at(4),
   });
 });
+
+it('lasts until the last marker, which may be after the last record', async () => {
+  const timeNs = at(5_000);
+  const value = {
+    ...{ id: 'm', timeMs: Number(timeNs / 1_000_000n), text: 'over' },
+    ...{ author: 'Ada', authorId: 'ada', kind: 'button' },
+  };
+  const marker = { kind: 'marker', timeNs, value } as const;
+  const { summary } = await RecordingReader.open(await recorded([sampleRecord('/a', 0)], [marker]));
+  expect(summary).toMatchObject({ startNs: at(0), endNs: timeNs });
+});

@@ -6,6 +6,7 @@ import type { RecordedRecord } from '../records/recorded-record.ts';
 import type {
   EventKind,
   EventValue,
+  Marker,
   RecordedSession,
   RecordingEvent,
 } from '../records/recording-event.ts';
@@ -60,19 +61,19 @@ export class RecordingReader implements RecordsReader {
     const file = new StoredFile(whole, index);
     const chunks = new ChannelChunks(index.chunks);
     const { records, topics } = channelsOf(index);
-    const { startNs, endNs } = timesOf(chunks.ofAny(new Set(records.keys())));
+    const times = timesOf(chunks.ofAny(new Set(records.keys())));
     const isForeign = index.profile !== PROFILE;
     const header = headerFromMetadata(await readMetadata(whole, index, PROFILE));
     const events = await eventsOf(file, chunks, ['marker', 'client', 'gap']);
+    const markers = lastOfEach(valuesOf(events, 'marker'))
+      .filter(({ isRemoved }) => isRemoved !== true)
+      .sort((a, b) => a.timeMs - b.timeMs);
     const summary = {
       ...header,
-      startNs,
-      endNs,
+      ...withMarkers(times, markers),
       records: topics.reduce((sum, topic) => sum + topic.records, 0),
       topics,
-      markers: lastOfEach(valuesOf(events, 'marker'))
-        .filter(({ isRemoved }) => isRemoved !== true)
-        .sort((a, b) => a.timeMs - b.timeMs),
+      markers,
       clients: lastOfEach(valuesOf(events, 'client')),
       gaps: valuesOf(events, 'gap'),
       isForeign,
@@ -147,4 +148,17 @@ function valuesOf<K extends EventKind>(events: readonly RecordingEvent[], kind: 
 
 function lastOfEach<T extends { readonly id: string }>(values: readonly T[]): T[] {
   return [...new Map(values.map((value) => [value.id, value])).values()];
+}
+
+/** A recording lasts at least until its last marker, which may be after the last record. */
+function withMarkers(
+  { startNs, endNs }: { readonly startNs: bigint; readonly endNs: bigint },
+  markers: readonly Marker[],
+): { readonly startNs: bigint; readonly endNs: bigint } {
+  const times = markers
+    .filter(({ timeMs }) => Number.isFinite(timeMs))
+    .map(({ timeMs }) => BigInt(Math.round(timeMs * 1000)) * 1000n);
+  const last = times.at(-1);
+  if (last === undefined) return { startNs, endNs };
+  return { startNs: startNs === 0n ? times[0]! : startNs, endNs: last > endNs ? last : endNs };
 }

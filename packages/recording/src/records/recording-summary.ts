@@ -21,7 +21,7 @@ export interface RecordedTopic {
 
 /** What is known of a recording when it is opened. */
 export interface RecordingSummary extends RecordingHeader {
-  /** Time of the first and the last record, nanoseconds since the Unix epoch; both 0 without records. */
+  /** Time of the first record, and of the last record or marker, nanoseconds since the Unix epoch; 0 without any. */
   readonly startNs: bigint;
   readonly endNs: bigint;
   readonly records: number;
