@@ -105,7 +105,19 @@ test('on a phone a recording is made, and scrubbed with a finger', async ({ room
   }
   robot.publish('/lab/done', 'bool', true, { immediate: true });
   await ben.expectRecords(values.length + 1);
+  await test.step('every page says so, and marks the moment', async () => {
+    await ben.page.goto('/topics');
+    const strip = ben.page.getByRole('status', { name: 'Recordings' });
+    await expect(strip).toContainText('Recording Walk');
+    await strip.getByRole('button', { name: 'Mark' }).tap();
+    const text = ben.page.getByRole('textbox', { name: 'Text of the marker' });
+    await text.fill('stumbled');
+    await text.press('Enter');
+    await expect(text).toBeHidden();
+    await strip.getByRole('link', { name: 'Open recording' }).tap();
+  });
   await ben.button('Stop recording').tap();
+  await expect(ben.markers).toHaveAccessibleName(/stumbled/);
 
   await expect(ben.inspector).toContainText('0.250');
   const box = await ben.page.getByRole('group', { name: 'Tracks' }).boundingBox();

@@ -9,7 +9,7 @@ export interface Shortcut {
   readonly does:
     | { readonly kind: 'go'; readonly to: string }
     | { readonly kind: 'open'; readonly dialog: ShellDialog }
-    | { readonly kind: 'keep' };
+    | { readonly kind: 'keep' | 'mark' };
 }
 
 export const SHORTCUTS: readonly Shortcut[] = [
@@ -17,6 +17,7 @@ export const SHORTCUTS: readonly Shortcut[] = [
   { keys: '?', text: 'Show the keyboard shortcuts', does: { kind: 'open', dialog: 'shortcuts' } },
   { keys: 'C', text: 'Connect a phone', does: { kind: 'open', dialog: 'connect-phone' } },
   { keys: 'K', text: 'Keep the last minutes of the flight recorder', does: { kind: 'keep' } },
+  { keys: 'M', text: 'Mark this moment in what is recorded', does: { kind: 'mark' } },
   ...[...PAGES, SETTINGS_PAGE].map(({ shortcut, title, to }): Shortcut => ({
     keys: shortcut,
     text: `Go to ${title}`,

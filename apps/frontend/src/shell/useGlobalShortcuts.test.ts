@@ -21,10 +21,11 @@ async function setup() {
   await router.push('/');
   const push = vi.spyOn(router, 'push');
   const keep = vi.fn();
+  const mark = vi.fn();
   const wrapper = mount(
     defineComponent({
       setup() {
-        useGlobalShortcuts(shell, keep);
+        useGlobalShortcuts(shell, { keep, mark });
         return { singleKeys: useSingleKeyShortcuts() };
       },
       render: () => h('input'),
@@ -38,7 +39,7 @@ async function setup() {
     await router.isReady();
     await Promise.resolve();
   };
-  return { shell, router, push, keep, wrapper, press };
+  return { shell, router, push, keep, mark, wrapper, press };
 }
 
 describe('shortcuts', () => {
@@ -64,6 +65,12 @@ describe('shortcuts', () => {
     expect(world.keep).toHaveBeenCalledOnce();
     await world.press('k', {}, world.wrapper.element);
     expect(world.keep).toHaveBeenCalledOnce();
+  });
+
+  it('mark a moment in what is recorded', async () => {
+    await world.press('m');
+    expect(world.mark).toHaveBeenCalledOnce();
+    expect(world.keep).not.toHaveBeenCalled();
   });
 
   it('leave a letter to the page that uses it itself', async () => {

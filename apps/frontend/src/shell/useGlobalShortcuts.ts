@@ -3,10 +3,11 @@ import { useRouter } from 'vue-router';
 import type { Shell } from '../page/shell.ts';
 import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
 import { useSingleKeyShortcuts } from '../ui/keys/useSingleKeyShortcuts.ts';
+import type { RecordingActions } from './useRecordingActions.ts';
 import { matchShortcut, PAIR_MS, shortcutsOn } from './shortcuts.ts';
 
-/** Handles the keyboard shortcuts that work on every page. @param keep keeps what the flight recorder holds */
-export function useGlobalShortcuts(shell: Shell, keep: () => void): void {
+/** Handles the keyboard shortcuts that work on every page. */
+export function useGlobalShortcuts(shell: Shell, recordings: RecordingActions): void {
   const router = useRouter();
   const isEnabled = useSingleKeyShortcuts();
   let pending: string | undefined;
@@ -35,6 +36,6 @@ export function useGlobalShortcuts(shell: Shell, keep: () => void): void {
     const { does } = match.shortcut;
     if (does.kind === 'go') void router.push(does.to);
     else if (does.kind === 'open') shell.open(does.dialog);
-    else keep();
+    else recordings[does.kind]();
   });
 }

@@ -4,6 +4,7 @@ import {
   ConciergeBell,
   Copy,
   Cpu,
+  FlagTriangleRight,
   Keyboard,
   Monitor,
   Moon,
@@ -25,7 +26,7 @@ import { useDiagnostics } from '../../settings/diagnostics/useDiagnostics.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
-import { useKeepFlight } from '../useKeepFlight.ts';
+import { useRecordingActions } from '../useRecordingActions.ts';
 import { shortcutsOn } from '../shortcuts.ts';
 
 /** The actions that are available on every page. */
@@ -37,7 +38,7 @@ export function useActionCommands(): ComputedRef<Command[]> {
   const tab = useTabNode();
   const { master, isConnected, connect } = useConnection();
   const { copy } = useClipboard({ legacy: true });
-  const keepFlight = useKeepFlight();
+  const recordings = useRecordingActions();
   const saveDiagnostics = useDiagnostics();
   const hasPhoneKey = shortcutsOn(router.currentRoute.value.meta).some(({ keys }) => keys === 'C');
   const go = (to: string) => () => void router.push(to);
@@ -64,7 +65,11 @@ export function useActionCommands(): ComputedRef<Command[]> {
     action('keep-flight', 'Keep the last minutes of the flight recorder', {
       icon: CircleDot,
       shortcut: 'K',
-      run: keepFlight,
+      run: recordings.keep,
+    }),
+    action('mark', 'Mark this moment in what is recorded', {
+      icon: FlagTriangleRight,
+      run: recordings.mark,
     }),
     action('new-session', 'New session', { icon: Plus, run: go('/sessions/new') }),
     action('publish', 'Publish a record', { icon: Send, run: go('/publish') }),
