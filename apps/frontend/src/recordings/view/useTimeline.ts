@@ -40,7 +40,7 @@ export interface Timeline {
   setLoop(loop: Span | undefined): void;
 }
 
-const TIMELINE: InjectionKey<Timeline> = Symbol('timeline');
+export const TIMELINE: InjectionKey<Timeline> = Symbol('timeline');
 
 export function useTimeline(): Timeline {
   const timeline = inject(TIMELINE);
