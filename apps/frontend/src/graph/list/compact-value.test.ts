@@ -12,7 +12,7 @@ it('leaves what fits, and what is no list of numbers', () => {
   const place = { format: 'vector2', value: { x: 0.7, y: 0.4 } } as const;
   expect(compactValue(place, '0.700, 0.400')).toBe('0.700, 0.400');
   const turn = { format: 'quaternion', value: { x: 0, y: 0, z: 0, w: 1 } } as const;
-  expect(compactValue(turn, 'w 1.00 x 0.00 y 0.00 z 0.00')).toBe('w 1.00 x 0.00 y 0.00 z 0.00');
+  expect(compactValue(turn, 'x 0.00 y 0.00 z 0.00 w 1.00')).toBe('x 0.00 y 0.00 z 0.00 w 1.00');
   const words = 'a sentence that is longer than the row';
   expect(compactValue({ format: 'string', value: words }, words)).toBe(words);
 });

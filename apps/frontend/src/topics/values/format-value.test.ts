@@ -18,7 +18,7 @@ describe('formatValue', () => {
     ['string', '', '""'],
     ['vector2', { x: 0.4121, y: 0.7079 }, '0.412, 0.708'],
     ['vector3', { x: 0.21, y: -0.38, z: 9.74 }, '0.21, −0.38, 9.74'],
-    ['quaternion', { x: 0.11, y: 0, z: 0, w: 0.92 }, 'w 0.92 x 0.11 y 0.00 z 0.00'],
+    ['quaternion', { x: 0.11, y: 0, z: 0, w: 0.92 }, 'x 0.11 y 0.00 z 0.00 w 0.92'],
     ['doubleList', { elements: [0.318] }, '[0.32]'],
     ['doubleList', { elements: [1, 2, 3, 4, 5] }, '5 × double'],
     ['boolList', { elements: [true] }, '[true]'],

@@ -101,7 +101,7 @@ const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
   vector2: ({ x, y }) => three(x, y),
   vector3,
   vector4: ({ x, y, z, w }) => two(x, y, z, w),
-  quaternion: ({ x, y, z, w }) => `w ${two(w)} x ${two(x)} y ${two(y)} z ${two(z)}`,
+  quaternion: ({ x, y, z, w }) => `x ${two(x)} y ${two(y)} z ${two(z)} w ${two(w)}`,
   quaternionList: (value) => formatValue('quaternion', value),
   matrix3x2: (value) => two(...Object.values(value)),
   matrix4x4: (value) => two(...Object.values(value)),
