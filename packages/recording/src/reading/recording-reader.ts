@@ -107,9 +107,14 @@ export class RecordingReader implements RecordsReader {
 
   /** Returns the sessions as they were at a moment, by id. */
   async sessionsAt(timeNs: bigint): Promise<Map<string, RecordedSession>> {
+    const before = (await this.sessions()).filter((event) => event.timeNs <= timeNs);
+    return new Map(before.map(({ value }) => [value.id, value]));
+  }
+
+  /** Returns all changes of sessions, in the order in which they happened. */
+  async sessions(): Promise<RecordingEvent<'session'>[]> {
     const events = await eventsOf(this.#file, this.#chunks, ['session']);
-    const before = events.filter((event) => event.timeNs <= timeNs);
-    return new Map(valuesOf(before, 'session').map((session) => [session.id, session]));
+    return events.filter((event) => event.kind === 'session');
   }
 
   /** Returns all measurements of clocks, in the order in which they were made. */

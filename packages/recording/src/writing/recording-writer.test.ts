@@ -90,6 +90,7 @@ it('writes what else happened, to be found at its moment', async () => {
   expect((await reader.sessionsAt(SAMPLE_START_NS - 1n)).size).toBe(0);
   expect((await reader.sessionsAt(SAMPLE_START_NS)).get('s')?.state).toBe('running');
   expect((await reader.sessionsAt(SAMPLE_START_NS + 500_000_000n)).get('s')?.state).toBe('stopped');
+  expect((await reader.sessions()).map(({ value }) => value.state)).toEqual(['running', 'stopped']);
   expect(await reader.clocks()).toEqual([clock]);
   expect(reader.summary).toMatchObject({ gaps: [gap], records: 0, topics: [], startNs: 0n });
 });

@@ -45,6 +45,8 @@ export interface LiveGraph {
   /** Returns whether a node is visible; values of others are drawn less often. */
   readonly isInView: ShallowRef<(node: string) => boolean>;
   topic(topic: string): LiveTopic | undefined;
+  /** Name of who publishes a topic, where that is not one of the clients of now. */
+  ownerOf?(topic: string): string | undefined;
   /** Topics that a muxer matches now, or the reason why it matches none. */
   preview(mux: TopicMux): MuxPreview;
   module(id: string): ModuleStatistics | undefined;

@@ -31,7 +31,14 @@ function setUp() {
 
 const A_RECORDING = {
   ...{ name: 'Study', notes: '', masterName: 'Studio', startMs: 0, durationMs: 1000, records: 2 },
-  ...{ topics: [], markers: [], gaps: [], clockErrorMs: undefined, isDamaged: false },
+  ...{
+    topics: [],
+    clientNames: new Map(),
+    markers: [],
+    gaps: [],
+    clockErrorMs: undefined,
+    isDamaged: false,
+  },
 };
 const player = (timeMs: number): RecordingReport => ({
   kind: 'player',

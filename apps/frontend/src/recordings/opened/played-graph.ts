@@ -46,6 +46,7 @@ export function playedGraph(sources: PlayedSources, patterns: Patterns): LiveGra
     isMoving: shallowRef(false),
     isInView: shallowRef(() => true),
     topic,
+    ownerOf: (name) => tracks.value.get(name)?.owner,
     preview: (mux) =>
       muxPreview(mux, known.value, muxNeedsPatterns(mux) ? patterns.compiler : undefined),
     module: () => undefined,

@@ -2,6 +2,15 @@ import type { RecordingEvent, RecordingSummary } from '@ubii/recording';
 import type { OpenedRecording } from './recording-messages.ts';
 import { TimeBase } from './recording-time-base.ts';
 
+/** Files of nodes have clients that publish nothing, and those of other programs have publishers only. */
+function clientNamesOf({ topics, clients }: RecordingSummary): Map<string, string> {
+  const names = [
+    ...topics.map(({ clientId, clientName }) => [clientId, clientName] as const),
+    ...clients.map(({ id, name }) => [id, name] as const),
+  ];
+  return new Map(names.filter(([id, name]) => id !== '' && name !== ''));
+}
+
 /** What the page shows of a file that was opened. */
 export function openedRecording(
   summary: RecordingSummary,
@@ -19,10 +28,10 @@ export function openedRecording(
     topics: summary.topics.map((one) => ({
       topic: one.topic,
       clientId: one.clientId,
-      clientName: one.clientName,
       records: one.records,
       format: one.isRaw ? one.schemaName : one.format,
     })),
+    clientNames: clientNamesOf(summary),
     markers: summary.markers.map(({ id, timeMs, text, author }) => ({
       ...{ id, text, author },
       timeMs: base.placed(timeMs),

@@ -2,6 +2,7 @@ import {
   Playback,
   type PlaybackState,
   type RecordedRecord,
+  type RecordingEvent,
   type RecordingReader,
 } from '@ubii/recording';
 import type { Clock } from '@ubii/timing';
@@ -10,14 +11,12 @@ import { readFrame } from './frame-reader.ts';
 import type { PlayedValue, RecordingCommand, RecordingReport } from './recording-messages.ts';
 import type { TileViewer } from '../timeline/tile-store.ts';
 import { TimeBase } from './recording-time-base.ts';
+import { sessionsNear } from './sessions-near.ts';
 import { readSurvey, type Turns } from './survey-reader.ts';
 import { readTiles } from './tile-reader.ts';
 
 /** Says something to the page. @param transfer what it may take over */
 export type Tell = (report: RecordingReport, transfer?: Transferable[]) => void;
-
-/** How often sessions are looked up while it plays, milliseconds of the recording. */
-const SESSIONS_EVERY_MS = 1000;
 
 /** Everything but opening. */
 export type DeskCommand = Exclude<RecordingCommand, { kind: 'open' | 'reopen' }>;
@@ -29,7 +28,7 @@ export class RecordingDesk {
   readonly #base: TimeBase;
   readonly #playback: Playback;
   readonly #tilesAsked = new Map<TileViewer, number>();
-  #sessionsMs = -Infinity;
+  #sessions: readonly RecordingEvent<'session'>[] = [];
   #sessionsTold = '';
 
   constructor(reader: RecordingReader, clock: Clock, tell: Tell) {
@@ -55,6 +54,7 @@ export class RecordingDesk {
   /** Tells what the recording is and, bit by bit, what is in it. */
   async begin(turns: Turns): Promise<void> {
     await this.#tellOpened();
+    this.#sessions = await this.#reader.sessions();
     this.#tellState(this.#playback.state);
     await this.#playback.seek(this.#reader.summary.startNs);
     await readSurvey(this.#reader, turns, (survey) => this.#tell({ kind: 'survey', survey }));
@@ -63,6 +63,7 @@ export class RecordingDesk {
   /** Goes on where another desk was with the same records. */
   async resume({ positionNs, rate, loop, status }: PlaybackState): Promise<void> {
     await this.#tellOpened();
+    this.#sessions = await this.#reader.sessions();
     this.#playback.setRate(rate);
     this.#playback.setLoop(loop);
     await this.#playback.seek(positionNs);
@@ -134,16 +135,14 @@ export class RecordingDesk {
     };
     const player = { status, timeMs, rate, loop: placedLoop, isBuffering };
     this.#tell({ kind: 'player', player });
-    if (Math.abs(timeMs - this.#sessionsMs) < SESSIONS_EVERY_MS && status === 'playing') return;
-    this.#sessionsMs = timeMs;
-    void this.#tellSessions(positionNs);
+    this.#tellSessions(timeMs);
   }
 
-  async #tellSessions(timeNs: bigint): Promise<void> {
-    const sessions = [...(await this.#reader.sessionsAt(timeNs)).values()];
-    const text = JSON.stringify(sessions);
-    if (text === this.#sessionsTold) return;
-    this.#sessionsTold = text;
+  #tellSessions(timeMs: number): void {
+    const sessions = sessionsNear(this.#sessions, timeMs, this.#base);
+    const summary = sessions.map(({ id, presence, sinceMs }) => [id, presence, sinceMs]).join(' ');
+    if (summary === this.#sessionsTold) return;
+    this.#sessionsTold = summary;
     this.#tell({ kind: 'sessions', sessions });
   }
 }

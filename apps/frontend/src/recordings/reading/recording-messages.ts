@@ -30,6 +30,8 @@ export interface OpenedRecording {
   readonly durationMs: number;
   readonly records: number;
   readonly topics: readonly RecordedTopic[];
+  /** Names of clients by id. */
+  readonly clientNames: ReadonlyMap<string, string>;
   readonly markers: readonly PlacedMarker[];
   readonly gaps: readonly PlacedGap[];
   /** The largest error of a clock in it, milliseconds; undefined when no clock was measured. */
@@ -53,12 +55,16 @@ export interface PlayedValue {
   readonly record: Uint8Array;
 }
 
-/** A session as it was at the playhead, as JSON. */
+/** A session as it was at the playhead; before its start as it started, after its end as it ended. */
 export interface PlayedSession {
   readonly id: string;
   readonly name: string;
   readonly state: string;
+  /** The session as JSON. */
   readonly session: string;
+  readonly presence: 'present' | 'starts' | 'ended';
+  /** Since when it is as it is, or when it starts, milliseconds since the beginning. */
+  readonly sinceMs: number;
 }
 
 /** What the page asks of the worker that reads a recording. */

@@ -4,7 +4,6 @@ import { rowsIn, rowsOf, tracksOf } from './track.ts';
 const topics = Array.from({ length: 200 }, (_, index) => ({
   topic: `/phone ${index}/acceleration`,
   clientId: 'c',
-  clientName: `phone ${index}`,
   format: 'vector3',
   records: 600,
 }));
@@ -13,10 +12,14 @@ describe('tracks of a recording', () => {
   it('are one for each topic, with all who published it', () => {
     const [track, ...others] = tracksOf(
       [
-        { topic: '/a/label', clientId: 'c', clientName: 'Mara', format: 'string', records: 3 },
-        { topic: '/a/label', clientId: 'c', clientName: 'Jo', format: 'string', records: 2 },
+        { topic: '/a/label', clientId: 'c', format: 'string', records: 3 },
+        { topic: '/a/label', clientId: 'd', format: 'string', records: 2 },
       ],
       1000,
+      new Map([
+        ['c', 'Mara'],
+        ['d', 'Jo'],
+      ]),
     );
     expect(others).toEqual([]);
     expect(track).toMatchObject({
@@ -28,21 +31,19 @@ describe('tracks of a recording', () => {
     });
   });
 
-  it('are called by the name of their client', () => {
+  it('are called by the client whose id they begin with, whoever publishes', () => {
     const id = '729eaeb0-49d7-451a-8ad1-e61fb4e201c2';
-    const topic = `/${id}/smart-device/level`;
-    const [track] = tracksOf(
-      [{ topic, clientId: id, clientName: 'Mara', format: 'double', records: 1 }],
-      1,
-    );
-    expect(track?.label).toBe('smart-device/level · Mara');
+    const topics = [
+      { topic: `/${id}/smart-device/level`, clientId: '', format: 'double', records: 1 },
+    ];
+    const [track] = tracksOf(topics, 1, new Map([[id, 'Mara']]));
+    expect(track).toMatchObject({ label: 'smart-device/level · Mara', owner: 'Mara' });
+    const [unnamed] = tracksOf(topics, 1);
+    expect(unnamed).toMatchObject({ label: 'smart-device/level · Client 729eaeb0' });
   });
 
   it('of an unknown format are shown as bytes', () => {
-    const [track] = tracksOf(
-      [{ topic: '/x', clientId: 'c', clientName: '', format: 'foo.Bar', records: 1 }],
-      1,
-    );
+    const [track] = tracksOf([{ topic: '/x', clientId: 'c', format: 'foo.Bar', records: 1 }], 1);
     expect(track).toMatchObject({ kind: 'bytes', family: 'system', formatText: 'foo.Bar' });
   });
 

@@ -1,3 +1,4 @@
+import { isClientId, unnamedClient } from '../../connection/display-names.ts';
 import { topicParts } from '../../connection/topic-parts.ts';
 import { formatLook } from '../../formats/families.ts';
 import type { DataFormat, DataFormatFamily } from '@ubii/proto';
@@ -25,7 +26,6 @@ export interface RecordedTopic {
   readonly topic: string;
   /** Empty for the master. */
   readonly clientId: string;
-  readonly clientName: string;
   readonly format: string;
   readonly records: number;
 }
@@ -43,10 +43,16 @@ const TALL_PX = 68;
 const TALL: ReadonlySet<string> = new Set(['vector2', 'vector3']);
 
 /** The tracks of a recording, one for each topic, those of one family and publisher together. */
-export function tracksOf(topics: readonly RecordedTopic[], durationMs: number): Track[] {
+export function tracksOf(
+  topics: readonly RecordedTopic[],
+  durationMs: number,
+  clientNames: ReadonlyMap<string, string> = new Map(),
+): Track[] {
+  const nameOf = (id: string): string | undefined =>
+    clientNames.get(id) ?? (isClientId(id) ? unnamedClient(id) : undefined);
   const byTopic = new Map<string, RecordedTopic[]>();
   for (const one of topics) byTopic.set(one.topic, [...(byTopic.get(one.topic) ?? []), one]);
-  const tracks = [...byTopic].map(([topic, parts]) => trackOf(topic, parts, durationMs));
+  const tracks = [...byTopic].map(([topic, parts]) => trackOf(topic, parts, durationMs, nameOf));
   return tracks.sort(
     (a, b) => ORDER.indexOf(a.family) - ORDER.indexOf(b.family) || a.topic.localeCompare(b.topic),
   );
@@ -57,15 +63,22 @@ const ORDER: readonly DataFormatFamily[] = [
   ...(['objects', 'text', 'system'] as const),
 ];
 
-function trackOf(topic: string, parts: readonly RecordedTopic[], durationMs: number): Track {
+type NameOf = (clientId: string) => string | undefined;
+
+function trackOf(
+  topic: string,
+  parts: readonly RecordedTopic[],
+  durationMs: number,
+  nameOf: NameOf,
+): Track {
   const records = parts.reduce((sum, one) => sum + one.records, 0);
   const { format, family, text } = formatLook(parts[0]?.format ?? '');
   const kind = trackKind(format);
   return {
     topic,
-    label: labelOf(topic, parts),
+    label: labelOf(topic, nameOf),
     name: topic.split('/').findLast((level) => level !== '') ?? topic,
-    owner: ownerOf(topic, parts),
+    owner: ownerOf(topic, parts, nameOf),
     ...{ format, family, kind, records },
     formatText: text,
     hz: durationMs > 0 ? (records / durationMs) * 1000 : 0,
@@ -73,17 +86,18 @@ function trackOf(topic: string, parts: readonly RecordedTopic[], durationMs: num
   };
 }
 
-function labelOf(topic: string, parts: readonly RecordedTopic[]): string {
-  const names = new Map(parts.map(({ clientId, clientName }) => [clientId, clientName]));
-  const { name, place, owner } = topicParts(topic, '', (id) => names.get(id) || undefined);
+function labelOf(topic: string, nameOf: NameOf): string {
+  const { name, place, owner } = topicParts(topic, '', nameOf);
   if (owner === undefined) return topic;
   return `${place === '' ? name : `${place}/${name}`} · ${owner}`;
 }
 
-/** Who published it; where that is not known, where the topic stands. */
-function ownerOf(topic: string, parts: readonly RecordedTopic[]): string {
-  const names = new Set(parts.map(({ clientName }) => clientName).filter(Boolean));
+/** Who published it, or whose id it begins with; where that is not known, where the topic stands. */
+function ownerOf(topic: string, parts: readonly RecordedTopic[], nameOf: NameOf): string {
+  const names = new Set(parts.map(({ clientId }) => nameOf(clientId)).filter(Boolean));
   if (names.size > 0) return [...names].join(', ');
+  const { owner } = topicParts(topic, '', nameOf);
+  if (owner !== undefined) return owner;
   return topic.slice(0, Math.max(0, topic.lastIndexOf('/')));
 }
 

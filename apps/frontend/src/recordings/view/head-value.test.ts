@@ -5,10 +5,7 @@ import { tracksOf } from '../timeline/track.ts';
 import { headRows } from './head-value.ts';
 
 function rows(format: string, value: unknown, frames?: number[]): readonly string[] {
-  const [track] = tracksOf(
-    [{ topic: '/a', clientId: 'c', clientName: '', format, records: 1 }],
-    1000,
-  );
+  const [track] = tracksOf([{ topic: '/a', clientId: 'c', format, records: 1 }], 1000);
   const record = encodeRecord({ topic: '/a', format, value } as RecordInit);
   const played = new PlayedRecord({ topic: '/a', timeMs: 20, record });
   return headRows(track!, played, frames && Float64Array.from(frames));
@@ -37,10 +34,7 @@ describe('the head of a track', () => {
   });
 
   it('is empty before the first record', () => {
-    const [track] = tracksOf(
-      [{ topic: '/a', clientId: 'c', clientName: '', format: 'double', records: 1 }],
-      1,
-    );
+    const [track] = tracksOf([{ topic: '/a', clientId: 'c', format: 'double', records: 1 }], 1);
     expect(headRows(track!, undefined, undefined)).toEqual([]);
   });
 });

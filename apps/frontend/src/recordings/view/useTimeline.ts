@@ -60,7 +60,10 @@ export function provideTimeline(
   const span = shallowRef<Span>(whole());
   const hidden = shallowRef<ReadonlySet<string>>(new Set());
   const chosen = shallowRef<string>();
-  const tracks = computed(() => tracksOf(opened.recording.value?.topics ?? [], durationMs.value));
+  const tracks = computed(() => {
+    const { topics = [], clientNames } = opened.recording.value ?? {};
+    return tracksOf(topics, durationMs.value, clientNames);
+  });
   const shown = computed(() => tracks.value.filter(({ topic }) => !hidden.value.has(topic)));
   const selected = computed(
     () => shown.value.find(({ topic }) => topic === chosen.value) ?? firstToLookAt(shown.value),
