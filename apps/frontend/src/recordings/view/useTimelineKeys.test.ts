@@ -21,7 +21,7 @@ function setUp() {
   const mark = vi.fn();
   const page = defineComponent(() => {
     useTimelineKeys(timeline as unknown as Timeline, mark);
-    return () => h('div', [h('input'), h('button', 'Play')]);
+    return () => h('div', [h('input'), h('button', 'Play'), h('a', { href: '#' }, 'Study')]);
   });
   const wrapper = mount(page, { attachTo: document.body });
   wrappers.push(wrapper);
@@ -54,6 +54,12 @@ describe('keys of the timeline', () => {
       ['/image', -1],
     ]);
     expect(opened.stepTime.mock.calls).toEqual([[-1000]]);
+  });
+
+  it('work while the link has the focus that opened the recording', () => {
+    const { opened, press, wrapper } = setUp();
+    press(' ', {}, wrapper.find('a').element);
+    expect(opened.togglePlay).toHaveBeenCalledOnce();
   });
 
   it('are left to fields, and Space to buttons', () => {

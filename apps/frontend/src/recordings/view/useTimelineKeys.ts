@@ -8,7 +8,8 @@ const SECOND_MS = 1000;
 const FRAME_MS = 40;
 /** These use arrow keys and Space themselves. */
 const OWN_KEYS = '[role="radiogroup"], [role="slider"], [role="scrollbar"], [role="combobox"]';
-const PRESSABLE = 'button, a, summary';
+/** Space presses these. A link is not one of them: it may be the one that opened the recording. */
+const PRESSABLE = 'button, summary, [role="button"]';
 
 /** Keys of the timeline. @param mark adds a marker at the playhead */
 export function useTimelineKeys(timeline: Timeline, mark: () => void): void {
