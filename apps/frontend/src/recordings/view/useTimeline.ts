@@ -11,7 +11,14 @@ import {
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { PlacedGap, PlacedMarker } from '../reading/recording-messages.ts';
 import type { SurveyedTrack } from '../timeline/survey.ts';
-import { panSpan, spanBetween, spanShowing, zoomSpan, type Span } from '../timeline/span.ts';
+import {
+  lengthOf,
+  panSpan,
+  spanBetween,
+  spanShowing,
+  zoomSpan,
+  type Span,
+} from '../timeline/span.ts';
 import { tracksOf, type Track } from '../timeline/track.ts';
 
 /** A recording on the timeline: what of it is in view and what is selected. */
@@ -49,7 +56,7 @@ export function useTimeline(): Timeline {
 }
 
 /** A loop is at least this long, milliseconds: shorter ones are clicks. */
-const MIN_LOOP_MS = 5;
+export const MIN_LOOP_MS = 5;
 
 export function provideTimeline(
   opened: OpenedPlayer,
@@ -81,8 +88,11 @@ export function provideTimeline(
 
   const loop = computed(() => opened.player.value.loop);
   function setLoop(next: Span | undefined): void {
-    const isTooShort = next !== undefined && next.untilMs - next.fromMs < MIN_LOOP_MS;
-    opened.setLoop(isTooShort ? undefined : next);
+    const inside = next && {
+      fromMs: Math.max(0, next.fromMs),
+      untilMs: Math.min(durationMs.value, next.untilMs),
+    };
+    opened.setLoop(inside && lengthOf(inside) >= MIN_LOOP_MS ? inside : undefined);
   }
   const timeline: Timeline = {
     ...{ opened, durationMs, span, tracks, shown, hidden, selected, markers, loop, setLoop },
