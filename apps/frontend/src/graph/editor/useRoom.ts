@@ -2,6 +2,9 @@ import { useLocalStorage, useMediaQuery } from '@vueuse/core';
 import { computed, ref, type ComputedRef, type Ref } from 'vue';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 
+/** Limits of the width of the palette, pixels. */
+export const PALETTE_PX = { min: 200, max: 480, usual: 240 };
+
 /** Layout of the panels beside the canvas, and those that the user opened. */
 export interface Room {
   /** True on phones. */
@@ -40,7 +43,7 @@ export function useRoom(editor: GraphEditor, isEmbedded = false): Room {
     view,
     isPaletteOpen,
     isInspectorOpen,
-    paletteWidth: useLocalStorage('ubii.paletteWidth', 240),
+    paletteWidth: useLocalStorage('ubii.paletteWidth', PALETTE_PX.usual),
     hasInspector: computed(
       () =>
         !isCompact.value ||
