@@ -2,7 +2,7 @@ import type { Span } from './span.ts';
 import { levelOf, tileGrid, tilesOf, type Tile } from './tile.ts';
 
 /** Who shows tiles: a new request of a view takes the place of its last one. */
-export type TileViewer = 'timeline' | 'inspector';
+export type TileViewer = 'timeline' | 'inspector' | 'stage';
 
 /** Tiles of one level that are to be read, of several topics. */
 export interface TileRequest {
