@@ -1,16 +1,18 @@
 import { Reader } from './binary/reader.ts';
 import { writeMessage } from './binary/write-message.ts';
 import { DecodeError } from './decode-error.ts';
-import { CODECS } from './generated/codec.ts';
+import { MESSAGES } from './descriptor.ts';
+import { GENERATED_CODECS } from './generated/codec.ts';
 import type { MessageTypes } from './generated/messages.ts';
 import type { Init } from './init.ts';
+import { tableCodec, type CodecOf } from './table-codec.ts';
 
 /** Full name of a message of the schema, for example `ubii.services.ServiceRequest`. */
 export type MessageType = keyof MessageTypes;
 
 /** True for the full name of a message of the schema. */
 export function isMessageType(text: string): text is MessageType {
-  return Object.hasOwn(CODECS, text);
+  return MESSAGES.has(text);
 }
 
 /**
@@ -23,7 +25,7 @@ export function isMessageType(text: string): text is MessageType {
  * @throws TypeError when text, bytes or a message is expected and something else given
  */
 export function encode<T extends MessageType>(type: T, message: Init<MessageTypes[T]>): Uint8Array {
-  return writeMessage<Init<MessageTypes[T]>>(CODECS[type].encode, message);
+  return writeMessage<Init<MessageTypes[T]>>(codecOf(type).encode, message);
 }
 
 /**
@@ -36,8 +38,14 @@ export function encode<T extends MessageType>(type: T, message: Init<MessageType
  */
 export function decode<T extends MessageType>(type: T, bytes: Uint8Array): MessageTypes[T] {
   try {
-    return CODECS[type].decode(new Reader(bytes));
+    return codecOf(type).decode(new Reader(bytes));
   } catch (cause) {
     throw DecodeError.wrap(type, bytes.byteLength, cause);
   }
+}
+
+/** Generated functions for the values of topics, the schema table for all other messages. */
+export function codecOf<T extends MessageType>(type: T): CodecOf<T> {
+  const generated: { readonly [K in MessageType]?: CodecOf<K> } = GENERATED_CODECS;
+  return generated[type] ?? tableCodec(type);
 }

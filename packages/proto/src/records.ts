@@ -3,11 +3,10 @@ import { skipField } from './binary/skip-field.ts';
 import { writeMessage } from './binary/write-message.ts';
 import type { Writer } from './binary/writer.ts';
 import type { DataFormat, DataFormatValues } from './data-formats/data-format-values.ts';
-import type { MessageType } from './codec.ts';
+import { codecOf, type MessageType } from './codec.ts';
 import { DATA_FORMATS } from './data-formats/data-formats.ts';
 import { DecodeError } from './decode-error.ts';
 import {
-  CODECS,
   decodeErrorMessage,
   decodeNodeMessage,
   decodeTopicDataRecord,
@@ -136,7 +135,7 @@ function writeValue(writer: Writer, format: DataFormat, value: unknown, topic: s
     case 'string':
       return writer.string(tag | 2, value as string);
     default: {
-      const { encode } = CODECS[messageType as MessageType];
+      const { encode } = codecOf(messageType as MessageType);
       const opened = writer.open(tag | 2);
       (encode as (message: unknown, writer: Writer) => void)(value, writer);
       writer.close(opened);

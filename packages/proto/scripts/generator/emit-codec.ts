@@ -1,4 +1,7 @@
-/** Emits one encode and one decode function a message. Fields are written in the order of their numbers. */
+/**
+ * Emits one encode and one decode function for each message that topic data can carry. Fields are written in the order
+ * of their numbers. All other messages are encoded and decoded from the schema table, see src/table-codec.ts.
+ */
 import { HEADER, tsTypeOf } from './emit-messages.ts';
 import {
   isEnum,
@@ -8,10 +11,21 @@ import {
   type SchemaModel,
 } from './load-schema.ts';
 
-/** Fields whose zero is not written, although it was given. */
-const ZERO_LEFT_OUT = new Set([
-  // Existing Node.js nodes exit when they meet an explicit 0 here.
-  'ubii.processing.ProcessingModule.language',
+/** Hot messages: this one, and all that it can hold at any depth. */
+const HOT_ROOT = 'ubii.topicData.TopicData';
+/** Not hot, although topic data can hold them: they describe clients, sessions and recordings, and change rarely. */
+const COLD = new Set([
+  'ubii.clients.Client',
+  'ubii.devices.Component',
+  'ubii.devices.ComponentList',
+  'ubii.devices.Device',
+  'ubii.devices.DeviceList',
+  'ubii.extension.ModuleEvent',
+  'ubii.extension.ModuleReports',
+  'ubii.extension.RecordingStatus',
+  'ubii.extension.SessionStatistics',
+  'ubii.sessions.Session',
+  'ubii.sessions.SessionList',
 ]);
 
 const WIRE_TYPE = {
@@ -26,6 +40,8 @@ const WIRE_TYPE = {
 
 /** Source of src/generated/codec.ts. */
 export function emitCodec(schema: SchemaModel): string {
+  const within = messagesWithin(schema, HOT_ROOT);
+  const hot = within.filter(isHot);
   return [
     HEADER,
     "import { only, setMember } from '../binary/oneof.ts';",
@@ -33,23 +49,39 @@ export function emitCodec(schema: SchemaModel): string {
     "import { skipField } from '../binary/skip-field.ts';",
     "import type { Writer } from '../binary/writer.ts';",
     "import type { Init } from '../init.ts';",
+    "import { tableCodec, type CodecOf } from '../table-codec.ts';",
     "import type * as T from './messages.ts';",
     '',
-    ...schema.messages.flatMap((message) => [emitEncode(message), emitDecode(message)]),
-    '/** Both directions of every message by its full name. */',
-    'export const CODECS: {',
-    '  readonly [K in keyof T.MessageTypes]: {',
-    '    readonly encode: (m: Init<T.MessageTypes[K]>, w: Writer) => void;',
-    '    readonly decode: (r: Reader) => T.MessageTypes[K];',
-    '  };',
-    '} = {',
-    ...schema.messages.map(
+    ...within
+      .filter((message) => !isHot(message))
+      .map(({ fullName, tsName }) => `const ${tsName} = tableCodec('${fullName}');`),
+    '',
+    ...hot.flatMap((message) => [emitEncode(message), emitDecode(message)]),
+    '/** The generated functions by the full name of their message. */',
+    'export const GENERATED_CODECS = {',
+    ...hot.map(
       ({ fullName, tsName }) =>
         `  '${fullName}': { encode: encode${tsName}, decode: decode${tsName} },`,
     ),
-    '};',
+    '} as const satisfies { readonly [K in keyof T.MessageTypes]?: CodecOf<K> };',
     '',
   ].join('\n');
+}
+
+/** A message and those that it can hold, by name; of cold ones nothing more. */
+function messagesWithin({ messages }: SchemaModel, root: string): MessageModel[] {
+  const found = new Set<MessageModel>();
+  const visit = (message: MessageModel): void => {
+    found.add(message);
+    if (!isHot(message)) return;
+    for (const { type } of message.fields) if (isMessage(type)) visit(type);
+  };
+  visit(messages.find(({ fullName }) => fullName === root)!);
+  return messages.filter((message) => found.has(message));
+}
+
+function isHot({ fullName }: MessageModel): boolean {
+  return !COLD.has(fullName);
 }
 
 function emitEncode(message: MessageModel): string {
@@ -62,9 +94,7 @@ function emitEncode(message: MessageModel): string {
       lines.push(...encodeRepeated(field));
       continue;
     }
-    const zeroLeftOut = ZERO_LEFT_OUT.has(`${message.fullName}.${field.name}`);
-    const given = `${member} != null${zeroLeftOut ? ` && ${member} !== 0` : ''}`;
-    lines.push(`  if (${given}) ${writeValue(field, member)}`);
+    lines.push(`  if (${member} != null) ${writeValue(field, member)}`);
   }
   return [...lines, '}', ''].join('\n');
 }
@@ -82,7 +112,7 @@ function writeValue(field: FieldModel, value: string): string {
   const tag = tagOf(field, wireTypeOf(field));
   const { type } = field;
   return isMessage(type)
-    ? `{ const at = w.open(${tag}); encode${type.tsName}(${value}, w); w.close(at); }`
+    ? `{ const at = w.open(${tag}); ${functionOf('encode', type)}(${value}, w); w.close(at); }`
     : `w.${methodOf(field)}(${tag}, ${value});`;
 }
 
@@ -115,7 +145,7 @@ function decodeCases(field: FieldModel): string[] {
       : `${field.oneof} = only(m, ${field.oneof}, '${field.jsonName}'); `;
   const single = `      case ${tagOf(field, wireTypeOf(field))}: ${only}`;
   if (isMessage(field.type)) {
-    const call = `decode${field.type.tsName}`;
+    const call = functionOf('decode', field.type);
     const store = field.repeated
       ? `${member}.push(${call}(r));`
       : `${member} = ${call}(r, ${member});`;
@@ -132,6 +162,10 @@ function decodeCases(field: FieldModel): string[] {
 function readValue(field: FieldModel): string {
   const call = `r.${methodOf(field)}()`;
   return isEnum(field.type) ? `${call} as T.${field.type.tsName}` : call;
+}
+
+function functionOf(direction: 'encode' | 'decode', message: MessageModel): string {
+  return isHot(message) ? `${direction}${message.tsName}` : `${message.tsName}.${direction}`;
 }
 
 /** Reader and writer name their methods after the types of the schema. */

@@ -142,6 +142,9 @@ function fieldModel(
   if (field.map || field.required || field.options?.['proto3_optional'] === true) {
     throw new Error(`${field.fullName}: maps, required and optional are not supported`);
   }
+  if (field.repeated && type === 'int64') {
+    throw new Error(`${field.fullName}: lists of int64 are not supported`);
+  }
   if (type === undefined || (typeof type === 'string' && !SCALARS.has(type))) {
     throw new Error(`${field.fullName}: the type ${field.type} is not supported`);
   }
