@@ -14,6 +14,7 @@ describe('the flight recorder', () => {
     const ada = await master.legacy('ada');
     ada.publish('/x', 'double', 1);
     ada.publish('/y', 'double', 2);
+    ada.publish(`/${ada.id}/page_state`, 'string', '{"visible":true}'); // [RC-12]
     await master.pass(1_000);
     const keep = { topic: `${SERVICES}flight_recorder_keep`, flightRecorderKeepRequest: {} };
     const { recording } = await master.call(keep);

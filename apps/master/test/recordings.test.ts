@@ -21,6 +21,21 @@ async function topicsOf(master: TestMaster, id: string): Promise<string[]> {
 }
 
 describe('a recording', () => {
+  it('[RC-12] of everything leaves out what pages tell each other, unless it is named', async () => {
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    const record = async (selection: Init<RecordingSelection>): Promise<string[]> => {
+      const id = await start(master, selection);
+      ada.publish(`/${ada.id}/page_state`, 'string', '{"visible":true}');
+      ada.publish(`/${ada.id}/graph_editor/presence`, 'string', '{"session":""}');
+      ada.publish('/lab/page_state', 'double', 1);
+      return topicsOf(master, id);
+    };
+    expect(await record({})).toEqual(['/lab/page_state']);
+    expect(await record({ patterns: ['/*/page_state'] })).toHaveLength(2);
+    expect(await record({ clients: ['ada'] })).toHaveLength(3);
+  });
+
   it('[RC-1] [RC-4] [RC-5] holds all that was published from its start to its stop', async () => {
     const master = new TestMaster();
     const ada = await master.legacy('ada');

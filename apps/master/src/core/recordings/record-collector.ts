@@ -8,7 +8,7 @@ import type { RecordTap, TappedRecord } from '../topics/record-tap.ts';
 import type { TappedSource, TopicEntry } from '../topics/topic-entry.ts';
 import { eventOf, gapEvent } from './present-facts.ts';
 import { MARKER_TOPIC_END } from './marker-topics.ts';
-import { isImageField, type CompiledSelection } from './selection.ts';
+import { isImageField, isInternalTopic, type CompiledSelection } from './selection.ts';
 
 /** What a collector works with. */
 export interface CollectorContext {
@@ -163,8 +163,9 @@ export class RecordCollector {
   }
 
   #find(topic: string, clientId: string): TappedSource {
-    let targets = this.#flight === 'off' ? 0 : FLIGHT_TARGET;
-    let targetsOfImages = this.#flight === 'with images' ? FLIGHT_TARGET : 0;
+    const flight = isInternalTopic(topic, clientId) ? 'off' : this.#flight;
+    let targets = flight === 'off' ? 0 : FLIGHT_TARGET;
+    let targetsOfImages = flight === 'with images' ? FLIGHT_TARGET : 0;
     for (const [target, selection] of this.#selections) {
       if (!selection.selects(topic, clientId)) continue;
       targets |= target;

@@ -28,6 +28,13 @@ export function isImageField(valueField: number): boolean {
   return IMAGE_FIELDS.has(valueField);
 }
 
+/** Whether a page tells its state to other pages there: recorded only where a selection names it. [RC-12] */
+export function isInternalTopic(topic: string, publisherId: string): boolean {
+  return (
+    topic === `/${publisherId}/page_state` || topic === `/${publisherId}/graph_editor/presence`
+  );
+}
+
 /** A selection, ready to be compared with topics and their publishers. [RC-10] [RC-13] */
 export class CompiledSelection {
   readonly withoutImages: boolean;
@@ -59,7 +66,7 @@ export class CompiledSelection {
   selects(topic: string, publisherId: string): boolean {
     if (this.#excluded.some((test) => test(topic))) return false;
     return (
-      this.#isAll ||
+      (this.#isAll && !isInternalTopic(topic, publisherId)) ||
       this.#selection.topics.includes(topic) ||
       this.#globs.some((test) => test(topic)) ||
       this.#selectsClient(publisherId) ||
