@@ -164,6 +164,42 @@ describe('files of recordings over HTTP', () => {
     expect((await send(unknownLength, { duplex: 'half' })).status).toBe(429);
     expect(readdirSync(join(dataDir, 'recordings'))).toEqual([]);
   });
+
+  it('[RC-41] are refused while they arrive when there is no space left for recordings', async () => {
+    const dataDir = temporaryFolder();
+    const flags = ['--limits', 'recordingsBytes=3000'];
+    const master = await startEdgeMaster({ dataDir, flags, recorderWorkerFile: workerFile });
+    const send = (bytes: number) =>
+      fetch(`${master.url}/recordings`, {
+        ...{ method: 'POST', body: new Blob(['x'.repeat(bytes)]).stream(), duplex: 'half' },
+      });
+    const refused = await send(4_000);
+    expect(refused.status).toBe(429);
+    expect(await refused.text()).toContain('recordingsBytes');
+    expect(readdirSync(join(dataDir, 'recordings'))).toEqual([]);
+    expect((await send(2_000)).status).toBe(400); // No recording, but not too large.
+  });
+
+  it('[EX-90] [RC-41] leave entries in the audit log, refused ones included', async () => {
+    const dataDir = temporaryFolder();
+    const master = await startEdgeMaster({ dataDir, recorderWorkerFile: workerFile });
+    for (const [body, name] of [
+      [await mcapFile(), 'Mine'],
+      ['no recording', 'Text'],
+    ] as const) {
+      await fetch(`${master.url}/recordings?name=${name}`, { method: 'POST', body });
+    }
+    const response = await fetch(`${master.url}/services/json`, {
+      ...{ method: 'POST', headers: { 'content-type': 'application/json' } },
+      body: JSON.stringify({ topic: '/services/ubii/audit_log', auditLogRequest: {} }),
+    });
+    const { auditLog } = (await response.json()) as { auditLog: { entries: object[] } };
+    const service = 'POST /recordings';
+    expect(auditLog.entries).toMatchObject([
+      { service, object: 'Text', error: 'invalid_argument' },
+      { service, object: 'Mine', error: '' },
+    ]);
+  });
 });
 
 it('[RC-7] [RC-42] DiskFolder forgets uploads of earlier runs, and lists recordings only', async () => {

@@ -12,10 +12,10 @@ import { receiveUpload } from '../recording/receive-upload.ts';
 import { parseByteRange } from './byte-range.ts';
 
 export interface RecordingRoutesOptions {
-  readonly master: Pick<Master, 'recordings' | 'adoptRecording'>;
+  readonly master: Pick<Master, 'recordings' | 'uploadRecording'>;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly recordingsFolder: string;
-  readonly limits: Pick<Limits, 'recordingUploadBytes' | 'nameCharacters'>;
+  readonly limits: Pick<Limits, 'nameCharacters'>;
 }
 
 /** Files of recordings: to download, in ranges as well, and to upload. [RC-40] [RC-41] */
@@ -75,7 +75,7 @@ async function sendFile(
 async function takeFile(
   { raw, query }: FastifyRequest,
   { master, callers, recordingsFolder, limits }: RecordingRoutesOptions,
-): ReturnType<Master['adoptRecording']> {
+): ReturnType<Master['uploadRecording']> {
   const { name = '' } = query as { readonly name?: unknown };
   if (typeof name !== 'string' || name.length > limits.nameCharacters) {
     throw new ServiceError(
@@ -83,10 +83,12 @@ async function takeFile(
       `The query name is one text of at most ${limits.nameCharacters} characters.`,
     );
   }
-  const declared = Number(raw.headers['content-length'] ?? 0);
-  await master.recordings.requireRoomFor(declared);
   const id = randomUUID();
-  const maxBytes = limits.recordingUploadBytes;
-  await receiveUpload(raw, { folder: recordingsFolder, id, declared, maxBytes });
-  return master.adoptRecording(id, name, callers.read(raw));
+  const upload = {
+    id,
+    declaredBytes: Number(raw.headers['content-length'] ?? 0),
+    receive: (take: (bytes: number) => Promise<void>) =>
+      receiveUpload(raw, { folder: recordingsFolder, id }, take),
+  };
+  return master.uploadRecording(upload, name, callers.read(raw));
 }

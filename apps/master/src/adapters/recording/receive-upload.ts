@@ -7,28 +7,21 @@ import { ServiceError } from '@ubii/proto';
 
 import { uploadPath } from './disk-folder.ts';
 
-export interface UploadParts {
-  readonly folder: string;
-  readonly id: string;
-  /** `Content-Length`; 0 when unknown. */
-  readonly declared: number;
-  readonly maxBytes: number;
-}
-
 /**
  * Writes the body of a request as the upload `id`. [RC-41]
  *
+ * @param take called for each part; rejects when there is no space for it
  * @throws ServiceError when it is too large, ends early or cannot be written; nothing is kept then [RC-42]
  */
 export async function receiveUpload(
   body: IncomingMessage,
-  { folder, id, declared, maxBytes }: UploadParts,
+  { folder, id }: { readonly folder: string; readonly id: string },
+  take: (bytes: number) => Promise<void>,
 ): Promise<void> {
-  if (declared > maxBytes) throw tooLarge(maxBytes);
   const path = uploadPath(folder, id);
   try {
     await mkdir(folder, { recursive: true });
-    await pipeline(body, bounded(maxBytes), createWriteStream(path, { flags: 'wx' }));
+    await pipeline(body, taken(take), createWriteStream(path, { flags: 'wx' }));
   } catch (cause) {
     await rm(path, { force: true });
     if (cause instanceof ServiceError) throw cause;
@@ -40,22 +33,11 @@ export async function receiveUpload(
   }
 }
 
-/** Passes on bytes, and fails when there are too many. */
-function bounded(maxBytes: number): Transform {
-  let bytes = 0;
+/** Passes on parts that may be taken. */
+function taken(take: (bytes: number) => Promise<void>): Transform {
   return new Transform({
     transform(chunk: Buffer, _encoding: BufferEncoding, done: TransformCallback): void {
-      bytes += chunk.length;
-      if (bytes > maxBytes) done(tooLarge(maxBytes));
-      else done(null, chunk);
+      take(chunk.length).then(() => done(null, chunk), done);
     },
   });
-}
-
-function tooLarge(maxBytes: number): ServiceError {
-  return new ServiceError(
-    'resource_exhausted',
-    `The upload has more than ${maxBytes} bytes, which is the limit recordingUploadBytes of this master.`,
-    { details: { limit: 'recordingUploadBytes', max: maxBytes } },
-  );
 }

@@ -8,6 +8,8 @@ import { readMetrics } from '../monitoring/metrics.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
+import type { Upload } from '../recordings/recordings.ts';
+import { openAudit, writeResult } from '../services/audit.ts';
 import { watchGrants } from '../services/grant-work.ts';
 import { IncomingRequest } from '../services/incoming-request.ts';
 import { answerRequest, refuse } from '../services/router.ts';
@@ -70,9 +72,11 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
       return readMetrics(core);
     },
     recordings: core.recordings,
-    adoptRecording(id: string, name: string, facts: CallerFacts): Promise<Recording> {
-      const makerId = makerOf(core.access.identify(facts));
-      return core.recordings.adopt(id, { name, notes: '', author: '', makerId });
+    uploadRecording(upload: Upload, name: string, facts: CallerFacts): Promise<Recording> {
+      const caller = core.access.identify(facts);
+      const wish = { name, notes: '', author: '', makerId: makerOf(caller) };
+      const write = openAudit(core, caller, { service: 'POST /recordings', object: name });
+      return writeResult(write, () => core.recordings.upload(upload, wish));
     },
     sessionsAtStop(): SessionsAtStop {
       return core.sessions.atStop();

@@ -5,7 +5,7 @@ import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
 import type { OpenConnection, TransportPeer } from '../connections/open-connection.ts';
-import type { Recordings } from '../recordings/recordings.ts';
+import type { Recordings, Upload } from '../recordings/recordings.ts';
 import type { IncomingRequest } from '../services/incoming-request.ts';
 import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
 import type { TerminalAccess } from '../access/terminal-access.ts';
@@ -69,9 +69,9 @@ export interface Master {
    */
   openTerminal(isReachable: boolean): Promise<TerminalAccess>;
   /** Finished recordings, for adapters that serve their files. */
-  readonly recordings: Pick<Recordings, 'get' | 'requireRoomFor'>;
-  /** Takes the uploaded file of this id into the recordings. [RC-41] @throws ServiceError when it is no recording */
-  adoptRecording(id: string, name: string, caller: CallerFacts): Promise<Recording>;
+  readonly recordings: Pick<Recordings, 'get'>;
+  /** Takes in an uploaded recording. [RC-41] @throws ServiceError when it is too large or no recording */
+  uploadRecording(upload: Upload, name: string, caller: CallerFacts): Promise<Recording>;
   /** Returns which running sessions would restart and which would end if the master stopped now [SE-24]. */
   sessionsAtStop(): SessionsAtStop;
   /** Resolves to the results of the sessions that this master had to restart [SE-24]. */

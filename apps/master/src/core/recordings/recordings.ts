@@ -24,6 +24,7 @@ import { clockEvent, presentEvents } from './present-facts.ts';
 import type { RecordCollector } from './record-collector.ts';
 import { publishStatus } from './recording-news.ts';
 import { CompiledSelection, type SelectionContext } from './selection.ts';
+import { UploadSpace } from './upload-space.ts';
 
 /** What recordings work with. */
 export interface RecordingsContext extends SelectionContext {
@@ -54,6 +55,16 @@ export interface RecordingWish extends RecordingAuthor {
   readonly notes: string;
 }
 
+/** A file that is uploaded. */
+export interface Upload {
+  /** Of the recording that it becomes. */
+  readonly id: string;
+  /** Size that it claims, bytes; 0 when it is unknown. */
+  readonly declaredBytes: number;
+  /** Stores it; calls `take` for each part before, which rejects when there is no space. Nothing is kept when it fails. */
+  readonly receive: (take: (bytes: number) => Promise<void>) => Promise<void>;
+}
+
 /** The first target of recordings; that before is the flight recorder's. */
 const FIRST_TARGET = 2;
 
@@ -61,6 +72,7 @@ const FIRST_TARGET = 2;
 export class Recordings {
   readonly #context: RecordingsContext;
   readonly #flight: FlightSettings;
+  readonly #uploads: UploadSpace;
   /** Targets of recordings that are started and are in no state of the recorder yet. */
   readonly #starting = new Set<number>();
   #targets = 0;
@@ -72,6 +84,8 @@ export class Recordings {
     const { recorder, collector, flight } = context;
     recorder.onState((state) => this.#handleState(state));
     this.#flight = new FlightSettings(flight, context.limits);
+    const roomBeyond = (bytes: number): Promise<number> => this.#requireRoom(bytes);
+    this.#uploads = new UploadSpace({ limits: context.limits, roomBeyond });
     collector.onFirstOfFlight.add(() => this.#tellFlight());
     const markerTopics = new MarkerTopics(context);
     collector.onMarker.add((record) => {
@@ -185,23 +199,10 @@ export class Recordings {
     return this.#withFlight(() => this.#context.recorder.keep(this.#jobOf(wish)));
   }
 
-  /** Takes in an upload. [RC-41] @param id of the uploaded file */
-  adopt(id: string, wish: RecordingWish): Promise<Recording> {
+  /** [RC-41] @throws ServiceError when the upload is too large or no recording */
+  async upload({ id, declaredBytes, receive }: Upload, wish: RecordingWish): Promise<Recording> {
+    await this.#uploads.hold(declaredBytes, receive);
     return this.#context.recorder.adopt({ ...this.#jobOf(wish), id, name: wish.name });
-  }
-
-  /** @throws ServiceError when no further recording may be stored */
-  async requireRoomFor(bytes: number): Promise<void> {
-    const { recorder, limits } = this.#context;
-    const { recordings, recordingsBytes } = limits.limits;
-    const { recordings: known, sizeBytes } = await recorder.list();
-    if (known.length >= recordings) {
-      throw limits.refusal('recordings', `more than ${recordings} recordings`);
-    }
-    if (sizeBytes + bytes >= recordingsBytes) {
-      const text = `more than ${recordingsBytes} bytes of recordings`;
-      throw limits.refusal('recordingsBytes', text);
-    }
   }
 
   /** Closes all files. */
@@ -210,8 +211,18 @@ export class Recordings {
     await this.#context.recorder.close();
   }
 
-  #requireRoom(): Promise<void> {
-    return this.requireRoomFor(0);
+  /** Returns the bytes that are left beyond so many. @throws ServiceError when no further recording may be stored */
+  async #requireRoom(bytes = 0): Promise<number> {
+    const { recorder, limits } = this.#context;
+    const { recordings, recordingsBytes } = limits.limits;
+    const { recordings: known, sizeBytes } = await recorder.list();
+    if (known.length >= recordings) {
+      throw limits.refusal('recordings', `more than ${recordings} recordings`);
+    }
+    const left = recordingsBytes - sizeBytes - bytes;
+    if (left > 0) return left;
+    const text = `more than ${recordingsBytes} bytes of recordings`;
+    throw limits.refusal('recordingsBytes', text);
   }
 
   /** Sends the settings of the flight recorder to the recorder with the first record: it takes no memory before. */

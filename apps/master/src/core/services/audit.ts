@@ -1,4 +1,4 @@
-import { AuditEntryWay, type ServiceRequest } from '@ubii/proto';
+import { AuditEntryWay, ServiceError, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import { wireRole } from '../access/roles.ts';
 import { wireAddressKind } from '../monitoring/client-report.ts';
@@ -6,30 +6,54 @@ import type { Core } from '../areas/core.ts';
 import { oneLine } from '../texts/one-line.ts';
 import type { Service } from './define-service.ts';
 
-/**
- * Looks up what an audited request is about before it is done: what is removed has no name afterwards.
- * @returns a function that writes down who asked, and how it ended (code of the error; empty when it was
- * done); undefined when this service or this caller is not audited [EX-90]
- */
-export function openAudit(
+/** What an entry is about. */
+interface AuditedAction {
+  /** Topic of the service, or what else was called. */
+  readonly service: string;
+  /** A name or id of what is changed. */
+  readonly object: string;
+  /** Client that the request names. Only callers that need no credential may do so. [AC-22] */
+  readonly subject?: string;
+}
+
+/** Writes how an action ended: the code of its error, empty when it was done. */
+export type WriteAudit = (error: string) => void;
+
+/** Like `openAudit`, for a request. Returns undefined when its service is not audited. [EX-90] */
+export function openAuditOf(
   core: Core,
   service: Service | undefined,
   request: ServiceRequest,
   caller: Caller,
-): ((error: string) => void) | undefined {
+): WriteAudit | undefined {
   if (service?.audited !== true) return undefined;
+  const object = service.auditObjectOf(core, request);
+  return openAudit(core, caller, {
+    ...{ service: request.topic, object },
+    subject: service.subjectOf(request),
+  });
+}
+
+/**
+ * Keeps what an action is about before it is done: what is removed has no name afterwards. Returns a function that adds the
+ * entry, or undefined when this caller is not audited. [EX-90]
+ */
+export function openAudit(
+  core: Core,
+  caller: Caller,
+  { service, object, subject = '' }: AuditedAction,
+): WriteAudit | undefined {
   // Those who have not joined can do nothing, and would fill the log with trying.
   if (caller.kind === 'stranger' || caller.kind === 'joining') return undefined;
   const { clients, audit, limits } = core;
-  const object = oneLine(service.auditObjectOf(core, request), limits.reasonCharacters);
+  const line = oneLine(object, limits.reasonCharacters);
   return (error) => {
-    // Only callers that need no credential may name their client. [AC-22]
-    const id = caller.kind === 'client' ? caller.clientId : service.subjectOf(request);
+    const id = caller.kind === 'client' ? caller.clientId : subject;
     const client = clients.get(id);
     const grant = caller.kind === 'client' ? caller.grant : undefined;
     audit.add({
-      service: request.topic,
-      object,
+      service,
+      object: line,
       error,
       clientId: caller.kind === 'client' ? id : (client?.id ?? ''),
       clientName: client?.spec.name ?? '',
@@ -40,6 +64,21 @@ export function openAudit(
       addressKind: wireAddressKind(caller.kind === 'local' ? 'loopback' : client?.peer.addressKind),
     });
   };
+}
+
+/** Does what is audited, and writes how it ended. */
+export async function writeResult<T>(
+  write: WriteAudit | undefined,
+  work: () => Promise<T>,
+): Promise<T> {
+  try {
+    const result = await work();
+    write?.('');
+    return result;
+  } catch (error) {
+    write?.(ServiceError.from(error).code);
+    throw error;
+  }
 }
 
 function wayOf({ kind }: Caller): AuditEntryWay {

@@ -7,7 +7,7 @@ import type { CallerFacts } from '../ports/caller-facts.ts';
 import { boundTexts } from '../texts/bound-texts.ts';
 import { quote } from '../texts/quote.ts';
 import { findService } from './all-services.ts';
-import { openAudit } from './audit.ts';
+import { openAuditOf, writeResult } from './audit.ts';
 import type { Service } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
@@ -63,17 +63,10 @@ export function refuse(core: Core, thrown: unknown, call?: Call): ServiceAnswer 
 }
 
 /** Handles a request, and writes its result to the audit log if the service is audited [EX-90]. */
-async function audited(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
+function audited(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
   const service = findService(request.topic);
-  const write = openAudit(core, service, request, call.caller);
-  try {
-    const answer = await handle(core, service, request, call);
-    write?.('');
-    return answer;
-  } catch (error) {
-    write?.(ServiceError.from(error).code);
-    throw error;
-  }
+  const write = openAuditOf(core, service, request, call.caller);
+  return writeResult(write, () => handle(core, service, request, call));
 }
 
 async function handle(
