@@ -31,3 +31,4 @@ export {
   type PlaybackState,
   type Span,
 } from './playback/playback.ts';
+export { cutRecording, type CutOptions, type CutSource } from './cut/cut-recording.ts';

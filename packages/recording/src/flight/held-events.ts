@@ -1,4 +1,5 @@
 import type { RecordingEvent } from '../records/recording-event.ts';
+import { stateKey } from '../records/state-key.ts';
 
 interface HeldEvent {
   readonly event: RecordingEvent;
@@ -43,7 +44,7 @@ export class HeldEvents {
 
   #expireFirst(): void {
     const held = this.#window.shift()!;
-    const key = keyOfState(held.event);
+    const key = stateKey(held.event);
     if (key === undefined) this.#bytes -= held.bytes;
     else {
       this.#forget(key);
@@ -54,19 +55,5 @@ export class HeldEvents {
   #forget(key: string): void {
     this.#bytes -= this.#before.get(key)?.bytes ?? 0;
     this.#before.delete(key);
-  }
-}
-
-/** What the event tells the state of; undefined when it only happened. */
-function keyOfState({ kind, value }: RecordingEvent): string | undefined {
-  switch (kind) {
-    case 'session':
-    case 'client':
-      return `${kind} ${value.id}`;
-    case 'clock':
-      return `${kind} ${value.clientId}`;
-    case 'marker':
-    case 'gap':
-      return undefined;
   }
 }

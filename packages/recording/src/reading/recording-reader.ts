@@ -3,12 +3,13 @@ import { timesOf } from '../mcap/file-index.ts';
 import { readMetadata } from '../mcap/metadata-record.ts';
 import { openFile } from '../mcap/open-file.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
-import type {
-  EventKind,
-  EventValue,
-  Marker,
-  RecordedSession,
-  RecordingEvent,
+import {
+  EVENT_TOPICS,
+  type EventKind,
+  type EventValue,
+  type Marker,
+  type RecordedSession,
+  type RecordingEvent,
 } from '../records/recording-event.ts';
 import { headerFromMetadata, PROFILE } from '../records/recording-header.ts';
 import type { RecordingSummary } from '../records/recording-summary.ts';
@@ -92,10 +93,8 @@ export class RecordingReader implements RecordsReader {
   }
 
   async latestAt(timeNs: bigint, topics?: readonly string[]): Promise<Map<string, RecordedRecord>> {
-    const found = await findLatest(this.#file, this.#chunks, this.#idsOf(topics), timeNs);
     const latest = new Map<string, RecordedRecord>();
-    for (const message of found.values()) {
-      const record = this.#toRecord(message);
+    for (const record of await this.latestOfEachAt(timeNs, topics)) {
       const other = latest.get(record.topic);
       // Several clients may publish on a topic.
       if (other === undefined || other.logTimeNs <= record.logTimeNs) {
@@ -103,6 +102,17 @@ export class RecordingReader implements RecordsReader {
       }
     }
     return latest;
+  }
+
+  /** Finds the last record of each topic and publisher at a moment, the moment included. @param topics all by default */
+  async latestOfEachAt(timeNs: bigint, topics?: readonly string[]): Promise<RecordedRecord[]> {
+    const found = await findLatest(this.#file, this.#chunks, this.#idsOf(topics), timeNs);
+    return Array.from(found.values(), (message) => this.#toRecord(message));
+  }
+
+  /** Returns all events, in the order in which they were written. */
+  events(): Promise<RecordingEvent[]> {
+    return eventsOf(this.#file, this.#chunks, Object.keys(EVENT_TOPICS) as EventKind[]);
   }
 
   /** Returns the sessions as they were at a moment, by id. */

@@ -1,0 +1,108 @@
+import { expect, test } from 'vitest';
+import { RecordingReader } from '../reading/recording-reader.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
+import { MemoryFile, recorded, SAMPLE_START_NS, sampleRecord } from '../testing/index.ts';
+import { cutRecording, type CutOptions } from './cut-recording.ts';
+
+const at = (ms: number): bigint => SAMPLE_START_NS + BigInt(ms) * 1_000_000n;
+const startMs = Number(SAMPLE_START_NS / 1_000_000n);
+
+const marker = (id: string, ms: number, more: object = {}): RecordingEvent => ({
+  kind: 'marker',
+  timeNs: at(ms),
+  value: { id, timeMs: startMs + ms, text: id, author: '', authorId: '', kind: 'key', ...more },
+});
+const session = (ms: number, state: string): RecordingEvent => ({
+  kind: 'session',
+  timeNs: at(ms),
+  value: { id: 's', name: 'Study', state, session: '{}' },
+});
+const client = (ms: number, name: string): RecordingEvent => ({
+  ...{ kind: 'client', timeNs: at(ms), value: { id: 'ada', name, tags: [], state: 'active' } },
+});
+const gap = (fromMs: number, untilMs: number, reason: string): RecordingEvent => ({
+  kind: 'gap',
+  timeNs: at(untilMs),
+  value: { fromMs: startMs + fromMs, untilMs: startMs + untilMs, records: 1, reason },
+});
+
+/** `/slow` once at the beginning and by two clients, `/fast` each 10 ms for a second, `/other` as well. */
+async function source(): Promise<RecordingReader> {
+  const records = [
+    sampleRecord('/slow', 0),
+    { ...sampleRecord('/slow', 5), clientId: 'ben' },
+    ...Array.from({ length: 100 }, (_, i) => [
+      sampleRecord('/fast', 10 * i),
+      sampleRecord('/other', 10 * i),
+    ]).flat(),
+  ];
+  const events = [
+    ...[client(0, 'Ada'), session(0, 'running'), client(450, 'Ada B'), session(450, 'paused')],
+    ...[marker('early', 100), marker('within', 450), marker('removed', 460)],
+    ...[marker('removed', 460, { isRemoved: true }), marker('moved in', 900)],
+    ...[marker('moved in', 480), gap(100, 200, 'early'), gap(300, 410, 'reaching')],
+    session(800, 'stopped'),
+  ];
+  return RecordingReader.open(await recorded(records, events));
+}
+
+async function cut(options: CutOptions) {
+  const reader = await source();
+  const file = new MemoryFile();
+  await cutRecording(reader, file, options);
+  const result = await RecordingReader.open(file);
+  const records = [];
+  for await (const record of result.records()) records.push(record);
+  return { reader, result, records };
+}
+
+test('a cut has the records of the span bit for bit, and values from before at its beginning', async () => {
+  const span = { fromNs: at(400), untilNs: at(500) };
+  const { reader, records } = await cut({ ...span, topics: ['/fast', '/slow'] });
+  const expected = [];
+  for await (const record of reader.records({ ...span, topics: ['/fast'] })) expected.push(record);
+  expect(records.filter(({ logTimeNs }) => logTimeNs > at(400))).toEqual(expected.slice(1));
+  const first = records.filter(({ logTimeNs }) => logTimeNs === at(400));
+  expect(
+    first.map(({ topic, clientId, publishTimeNs }) => [topic, clientId, publishTimeNs]),
+  ).toEqual([
+    ['/slow', 'ada', at(0)],
+    ['/slow', 'ben', at(5)],
+    ['/fast', 'ada', at(390)],
+    ['/fast', 'ada', at(400)],
+  ]);
+});
+
+test('a cut has the markers, gaps, sessions and clients of the span', async () => {
+  const { result } = await cut({ fromNs: at(400), untilNs: at(500) });
+  expect(result.summary).toMatchObject({ name: 'Tuesday', startNs: at(400), endNs: at(500) });
+  expect(result.summary.markers.map(({ id }) => id)).toEqual(['within', 'moved in']);
+  expect(result.summary.gaps.map(({ reason }) => reason)).toEqual(['reaching']);
+  expect((await result.sessionsAt(at(400))).get('s')?.state).toBe('running');
+  expect((await result.sessionsAt(at(500))).get('s')?.state).toBe('paused');
+  // The name that the client had when the topic began.
+  const fast = result.summary.topics.find(({ topic }) => topic === '/fast');
+  expect(fast?.clientName).toBe('Ada');
+});
+
+test('a cut of everything holds what the recording holds, under another name', async () => {
+  const { reader, result, records } = await cut({ header: { name: 'Copy' } });
+  const { topics: _, ...summary } = reader.summary;
+  expect(result.summary).toMatchObject({ ...summary, name: 'Copy' });
+  const expected = [];
+  for await (const record of reader.records()) expected.push(record);
+  expect(records).toEqual(expected);
+});
+
+test('a cut that is cancelled ends with the reason', async () => {
+  const reader = await source();
+  const signal = AbortSignal.abort(new Error('cancelled'));
+  await expect(cutRecording(reader, new MemoryFile(), { signal })).rejects.toThrow('cancelled');
+});
+
+test('a cut without records is refused', async () => {
+  const options = { topics: ['/none'] };
+  await expect(cutRecording(await source(), new MemoryFile(), options)).rejects.toThrow(
+    'There are no records of these topics in this span.',
+  );
+});

@@ -1,0 +1,97 @@
+import { RecordingError } from '../records/recording-error.ts';
+import type { RecordingHeader } from '../records/recording-header.ts';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecordingReader } from '../reading/recording-reader.ts';
+import type { RecordingSink } from '../storage/recording-storage.ts';
+import { RecordingWriter, type WriterStatistics } from '../writing/recording-writer.ts';
+import { eventsOfSpan, type SpanNs } from './events-of-span.ts';
+
+/** What of a recording a cut reads. */
+export type CutSource = Pick<RecordingReader, 'summary' | 'records' | 'latestOfEachAt' | 'events'>;
+
+/** What is cut out, and who is told. */
+export interface CutOptions extends Partial<SpanNs> {
+  /** @default all */
+  readonly topics?: readonly string[] | undefined;
+  /** Members that replace those of the recording. */
+  readonly header?: Partial<RecordingHeader>;
+  readonly signal?: { throwIfAborted(): void } | undefined;
+  /** Told now and then: records read so far. */
+  readonly onProgress?: ((records: number) => void) | undefined;
+}
+
+/** Records between two messages of progress. */
+const PROGRESS_RECORDS = 1000;
+
+/**
+ * Writes a span and some topics of a recording as a recording of its own. Records are copied bit for bit. The last value
+ * of each topic and publisher before the span stands at its beginning, with the time at which it was published, as do the
+ * states of sessions, clients and clocks. Messages of other programs are left out.
+ *
+ * @throws RecordingError when nothing is left; the reason of the signal; the error of the sink
+ */
+export async function cutRecording(
+  source: CutSource,
+  sink: RecordingSink,
+  options: CutOptions = {},
+): Promise<WriterStatistics> {
+  const { summary } = source;
+  const { signal, onProgress } = options;
+  const span = {
+    fromNs: options.fromNs ?? summary.startNs,
+    untilNs: options.untilNs ?? summary.endNs,
+  };
+  const topics = ownTopics(source, options.topics);
+  const { name, kind, masterName, version, notes, selection } = summary;
+  const writer = await RecordingWriter.create(sink, {
+    ...{ name, kind, masterName, version, notes, selection },
+    ...options.header,
+  });
+  const addEvents = eventFeed(eventsOfSpan(await source.events(), span), writer);
+  addEvents(span.fromNs);
+  for (const record of await standingBefore(source, topics, span.fromNs))
+    await writer.addRecord(record);
+  let count = 0;
+  for await (const record of source.records({ ...span, topics })) {
+    signal?.throwIfAborted();
+    if (++count % PROGRESS_RECORDS === 0) onProgress?.(count);
+    addEvents(record.logTimeNs);
+    await writer.addRecord(record);
+  }
+  addEvents(span.untilNs);
+  signal?.throwIfAborted();
+  if (writer.statistics.records === 0) {
+    throw new RecordingError('There are no records of these topics in this span.');
+  }
+  await writer.end();
+  return writer.statistics;
+}
+
+function ownTopics({ summary }: CutSource, topics: readonly string[] | undefined): string[] {
+  const own = summary.topics.filter(({ isRaw }) => !isRaw).map(({ topic }) => topic);
+  return [...new Set(own)].filter((topic) => topics?.includes(topic) !== false);
+}
+
+async function standingBefore(
+  source: CutSource,
+  topics: readonly string[],
+  fromNs: bigint,
+): Promise<RecordedRecord[]> {
+  if (fromNs <= source.summary.startNs) return [];
+  const standing = await source.latestOfEachAt(fromNs - 1n, topics);
+  return standing.map((record) => ({ ...record, logTimeNs: fromNs }));
+}
+
+/** Adds events before the records that came after them, so that topics have the names that clients had then. */
+function eventFeed(
+  events: readonly RecordingEvent[],
+  writer: RecordingWriter,
+): (untilNs: bigint) => void {
+  let next = 0;
+  return (untilNs) => {
+    for (let event = events[next]; event && event.timeNs <= untilNs; event = events[++next]) {
+      writer.addEvent(event);
+    }
+  };
+}
