@@ -2,12 +2,18 @@ import { csvField } from '@ubii/words';
 import type { TopicTable } from './topic-table.ts';
 import { decimalMs, isoTime } from './times.ts';
 
+/** Columns before those of the value. */
+export const CSV_HEAD = [
+  ...['time', 'time_ms', 'arrived', 'arrived_ms', 'publisher', 'topic', 'format'],
+] as const;
+
 /** Length of the parts that are given out, characters. */
 const PART_LENGTH = 64 * 1024;
 
 /**
  * A table as CSV (RFC 4180), in parts: the time of the value and of its arrival, as ISO 8601 and in milliseconds since
- * the Unix epoch, the publisher, then the columns. Texts that spreadsheets take for formulas begin with `'`.
+ * the Unix epoch, publisher, topic and data format, then the columns. Texts that spreadsheets take for formulas begin
+ * with `'`. `importCsv` reads it.
  *
  * @param nameOf name of a client, by its id
  */
@@ -16,11 +22,12 @@ export async function* csvOf(
   nameOf: (clientId: string) => string = (clientId) => clientId,
 ): AsyncGenerator<string> {
   const names = table.columns.map(({ name }) => csvField(name));
-  let part = `${['time', 'time_ms', 'arrived', 'arrived_ms', 'publisher', ...names].join(',')}\r\n`;
-  for await (const { publishTimeNs, logTimeNs, clientId, cells } of table.rows()) {
+  let part = `${[...CSV_HEAD, ...names].join(',')}\r\n`;
+  const topic = csvField(table.topic);
+  for await (const { publishTimeNs, logTimeNs, clientId, format, cells } of table.rows()) {
     const times = [publishTimeNs, logTimeNs].flatMap((time) => [isoTime(time), decimalMs(time)]);
     const values = cells.map((cell) => (typeof cell === 'string' ? csvField(cell) : (cell ?? '')));
-    part += `${[...times, csvField(nameOf(clientId)), ...values].join(',')}\r\n`;
+    part += `${[...times, csvField(nameOf(clientId)), topic, format, ...values].join(',')}\r\n`;
     if (part.length < PART_LENGTH) continue;
     yield part;
     part = '';

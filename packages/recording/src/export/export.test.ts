@@ -82,9 +82,9 @@ test('CSV has both times without loss, and no formulas', async () => {
   ]);
   const table = await topicTable(reader, '/text');
   expect(await textOf(csvOf(table, (id) => (id === 'c1' ? 'Ada, "A"' : id)))).toBe(
-    'time,time_ms,arrived,arrived_ms,publisher,value\r\n' +
+    'time,time_ms,arrived,arrived_ms,publisher,topic,format,value\r\n' +
       '2026-09-21T14:13:19.997500000Z,1789999999997.5,2026-09-21T14:13:20.000000000Z,' +
-      `1790000000000,"Ada, ""A""",'=1+1\r\n`,
+      `1790000000000,"Ada, ""A""",/text,string,'=1+1\r\n`,
   );
 });
 

@@ -20,6 +20,8 @@ export interface TableRow {
   readonly publishTimeNs: bigint;
   readonly logTimeNs: bigint;
   readonly clientId: string;
+  /** Data format of the value; empty for a record without one. */
+  readonly format: string;
   /** In the order of the columns. */
   readonly cells: readonly Cell[];
 }
@@ -81,7 +83,8 @@ export async function topicTable(
           if (place !== undefined) cells[place] = typed(cell, columns[place]!.type);
         });
         const { publishTimeNs, logTimeNs, clientId } = record;
-        yield { publishTimeNs, logTimeNs, clientId, cells };
+        const format = describeRecord(record.record).format ?? '';
+        yield { publishTimeNs, logTimeNs, clientId, format, cells };
       }
     },
   };

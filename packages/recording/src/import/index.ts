@@ -1,0 +1,11 @@
+export type { ImportOptions, ImportResult } from './import-writer.ts';
+export { importCsv, previewCsv } from './csv/import-csv.ts';
+export type { CsvColumn, CsvOptions, CsvPlan, CsvTopic } from './csv/csv-plan.ts';
+export type { TimeUnit } from './csv/csv-time.ts';
+export {
+  importXdf,
+  previewXdf,
+  type XdfImportOptions,
+  type XdfPlan,
+  type XdfTopic,
+} from './xdf/import-xdf.ts';
