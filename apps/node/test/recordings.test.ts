@@ -71,10 +71,10 @@ describe('the programs for recordings', () => {
     expect(readdirSync(tables).sort()).toEqual(['lab-step.csv', 'lab-word.csv']);
     const rows = readFileSync(join(tables, 'lab-step.csv'), 'utf8').trim().split('\r\n');
     expect(rows.map((row) => row.split(',').slice(4).join(','))).toEqual([
-      'publisher,x,y',
-      'Ada,1,-1',
-      'Ada,2,-2',
-      'Ada,3,-3',
+      'publisher,topic,format,x,y',
+      'Ada,/lab/step,vector2,1,-1',
+      'Ada,/lab/step,vector2,2,-2',
+      'Ada,/lab/step,vector2,3,-3',
     ]);
 
     const again = new Program(recordingsProgram, ['export', file, '--out', tables]);

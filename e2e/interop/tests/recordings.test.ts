@@ -3,10 +3,19 @@ import { mkdtemp, rm, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { encodeRecord, type RecordInit } from '@ubii/proto';
+import { decodeRecord, encodeRecord, type RecordInit } from '@ubii/proto';
 import { RecordingReader, RecordingWriter, repairRecording } from '@ubii/recording';
 import { xdfOf } from '@ubii/recording/export';
+import { headerXml } from '../../../packages/recording/src/export/xdf/stream-xml.ts';
+import {
+  clockOffset,
+  fileHeader,
+  samples,
+  streamHeader,
+} from '../../../packages/recording/src/export/xdf/xdf-chunks.ts';
+import { importXdf } from '@ubii/recording/import';
 import { DiskFile } from '@ubii/recording/node';
+import { MemoryFile } from '@ubii/recording/testing';
 import { afterAll, beforeAll, describe, expect, inject, test } from 'vitest';
 
 const SCRIPT = join(import.meta.dirname, '../clients/mcap/recordings.py');
@@ -164,4 +173,48 @@ describe.skipIf('missing' in installation)(suite, () => {
     }
     expect(markers!.values).toEqual([['start']]);
   });
+
+  test('reads the same times and values of an XDF file as the import here, with clocks that drift and reset', async () => {
+    const xdf = join(folder, 'drift.xdf');
+    await writeFile(xdf, Buffer.concat(driftingStreams()));
+    const { streams } = (await python('xdf', xdf)) as {
+      streams: { name: string; times: number[]; values: number[][] }[];
+    };
+    const source = await DiskFile.open(xdf);
+    const target = new MemoryFile();
+    await importXdf(source, target, { name: 'Drift', version: '0.1.0' });
+    await source.close();
+    const reader = await RecordingReader.open(target);
+    for (const { name, times, values } of streams) {
+      const found = [];
+      for await (const { record: bytes, logTimeNs } of reader.records({ topics: [`/${name}`] })) {
+        const { value } = decodeRecord(bytes) as { value: { elements: number[] } };
+        found.push({ value: value.elements, time: Number(logTimeNs) / 1e9 });
+      }
+      expect(found.map(({ value }) => value)).toEqual(values);
+      const error = Math.max(...found.map(({ time }, i) => Math.abs(time - times[i]!)));
+      expect(error).toBeLessThan(1e-6);
+    }
+    expect(streams.map(({ name }) => name)).toEqual(['drift', 'reset', 'plain']);
+  });
 });
+
+/** Streams whose clocks drift with noise and outliers, are reset, and are the recorder's. */
+function driftingStreams(): Uint8Array[] {
+  const begin = 1_750_000_000;
+  const noise = (i: number): number => Math.sin(i * 12.9898) * 2e-4 + (i % 9 === 4 ? 0.03 : 0);
+  const parts = [fileHeader()];
+  for (const [place, name] of ['drift', 'reset', 'plain'].entries()) {
+    const stream = place + 1;
+    const facts = { name, type: 'EEG', channels: ['a', 'b'], format: 'double64' } as const;
+    parts.push(streamHeader(stream, headerXml({ ...facts, sourceId: name, host: 'lab' })));
+    const at = (i: number): number => begin + 5 * i + (name === 'reset' && i >= 30 ? 5_000 : 0);
+    for (let i = 0; i < 60; i++) {
+      const offset = 1.5 + i * 4e-5 + noise(i) - (name === 'reset' && i >= 30 ? 5_000 : 0);
+      if (name !== 'plain') parts.push(clockOffset(stream, at(i), offset));
+      const list = [0, 1, 2].map((k) => ({ time: at(i) + k, values: [i, i / 7 + k] }));
+      parts.push(samples(stream, list));
+    }
+  }
+  return parts;
+}

@@ -45,7 +45,7 @@ def read(path):
 
 
 def xdf(path):
-    streams, _ = load_xdf(path)
+    streams, _ = load_xdf(path, dejitter_timestamps=False)
     return {
         "streams": [
             {
