@@ -1,6 +1,7 @@
 import { onStopRequest, readVersion, runProgram } from '@ubii/program';
 import type { OptionTable, OptionValues, ProgramOptions } from '@ubii/program';
 import { EXPORT_PROGRAM, exportRecording } from './recordings/export.ts';
+import { IMPORT_PROGRAM, importRecording } from './recordings/import.ts';
 import { INFO_PROGRAM, info } from './recordings/info.ts';
 import { PLAY_PROGRAM, play } from './recordings/play.ts';
 import { record, RECORD_PROGRAM } from './recordings/record.ts';
@@ -20,6 +21,10 @@ const programs: Readonly<Record<string, () => Promise<void>>> = {
   info: () => run(INFO_PROGRAM, (words, options) => info(words, options, write)),
   export: () =>
     run(EXPORT_PROGRAM, (words, options) => exportRecording(words, options, abort.signal, write)),
+  import: () =>
+    run(IMPORT_PROGRAM, (words, options) =>
+      importRecording(words, options, { signal: abort.signal, version, write }),
+    ),
 };
 
 // The first word says which of the programs runs; the script of npm gives it.

@@ -82,6 +82,29 @@ describe('the programs for recordings', () => {
     expect(again.stderr).toContain('lab-step.csv cannot be written: it exists');
   });
 
+  it('cut a part out, and import what was exported', async () => {
+    const folder = temporaryFolder();
+    const file = join(folder, 'steps.mcap');
+    await recordSteps(file);
+    const out = ['--out', join(folder, 'out')];
+    await run('export', file, '--format', 'mcap', '--topics', '/lab/step', ...out);
+    await run('export', file, '--topics', '/lab/step', ...out);
+    const topics = async (path: string): Promise<unknown> =>
+      (JSON.parse(await run('info', path, '--json')) as { topics: unknown }).topics;
+    const step = { topic: '/lab/step', records: 3, clientName: 'Ada', format: 'vector2' };
+    expect(await topics(join(folder, 'out/Three-steps.mcap'))).toMatchObject([step]);
+
+    const table = join(folder, 'out/lab-step.csv');
+    expect(await run('import', table, '--name', 'Again')).toContain('Imported 3 records.');
+    expect(await topics(join(folder, 'out/lab-step.mcap'))).toMatchObject([step]);
+
+    const late = new Program(recordingsProgram, [
+      ...['export', file, '--format', 'mcap', '--from', '900', '--topics', '/none', ...out],
+    ]);
+    expect(await late.ended()).toBe(1);
+    expect(late.stderr).toContain('has none of these topics');
+  });
+
   it('play a recording under other topics, with times of today', async () => {
     const file = join(temporaryFolder(), 'steps.mcap');
     const url = await recordSteps(file);

@@ -1,5 +1,5 @@
 import { createWriteStream } from 'node:fs';
-import { mkdir } from 'node:fs/promises';
+import { mkdir, rm } from 'node:fs/promises';
 import { once } from 'node:events';
 import { join } from 'node:path';
 import {
@@ -7,22 +7,36 @@ import {
   ConfigError,
   HELP_OPTIONS,
   listOption,
-  parsePath,
   option,
+  parseNumber,
+  parsePath,
 } from '@ubii/program';
 import type { OptionValues, ProgramOptions } from '@ubii/program';
-import type { RecordingReader } from '@ubii/recording';
+import { cutRecording, RecordingError, type RecordingReader } from '@ubii/recording';
 import { csvOf, topicTable, writeParquet, xdfOf } from '@ubii/recording/export';
-import { openRecording } from './recording-words.ts';
+import { createRecording, openRecording } from './recording-words.ts';
 import { parseTopics, topicChoice } from './topic-choice.ts';
 
 const OPTIONS = {
   format: choiceOption(
-    ['csv', 'parquet', 'xdf'],
+    ['csv', 'parquet', 'xdf', 'mcap'],
     'csv',
-    'csv and parquet: a file for each topic; xdf: one file with all topics.',
+    'csv and parquet: a file for each topic; xdf and mcap: one file with all topics.',
   ),
   topics: listOption('<topic|glob>,...', 'Topics to export. Default: all', parseTopics),
+  from: option({
+    placeholder: '<seconds>',
+    fallback: 0,
+    description: 'Leave out what is earlier than this long after the beginning.',
+    parse: parseNumber(0, 1_000_000),
+  }),
+  until: option({
+    placeholder: '<seconds>',
+    fallback: Infinity,
+    fallbackText: 'end of the recording',
+    description: 'Leave out what is later than this long after the beginning.',
+    parse: parseNumber(0, 1_000_000),
+  }),
   out: option({
     placeholder: '<folder>',
     fallback: '.',
@@ -36,7 +50,7 @@ const OPTIONS = {
 export const EXPORT_PROGRAM: ProgramOptions<typeof OPTIONS> = {
   options: OPTIONS,
   takesWords: true,
-  about: `Ubi-Interact recordings: writes a recording as tables (CSV, Parquet) or as XDF.
+  about: `Ubi-Interact recordings: writes a recording, or a part of it, as tables (CSV, Parquet), XDF or MCAP.
 
   npm run export -- <file.mcap> [flags]
 `,
@@ -55,7 +69,7 @@ interface Output {
  */
 export async function exportRecording(
   [path, ...more]: readonly string[],
-  { format, topics, out }: OptionValues<typeof OPTIONS>,
+  { format, topics, from, until, out }: OptionValues<typeof OPTIONS>,
   signal: AbortSignal,
   write: (text: string) => void,
 ): Promise<void> {
@@ -64,19 +78,65 @@ export async function exportRecording(
   try {
     const chosen = chosenTopics(reader, topics);
     await mkdir(out, { recursive: true });
-    if (format === 'xdf') {
-      const target = join(out, `${fileName(reader.summary.name || 'recording')}.xdf`);
-      const output = await createOutput(target);
-      for await (const part of xdfOf(reader, { topics: chosen, signal })) await output.write(part);
-      await output.end();
+    const options = { ...spanOf(reader, from, until), topics: chosen, signal };
+    if (format === 'xdf' || format === 'mcap') {
+      const target = join(out, `${fileName(reader.summary.name || 'recording')}.${format}`);
+      await (format === 'xdf' ? exportXdf : exportCut)(reader, target, options);
       write(`${target}\n`);
       return;
     }
     for (const topic of chosen) {
       const target = join(out, `${fileName(topic)}.${format}`);
-      await exportTable(reader, topic, format, await createOutput(target), signal);
+      await exportTable(reader, topic, format, await createOutput(target), options);
       write(`${target}\n`);
     }
+  } finally {
+    await file.close();
+  }
+}
+
+interface PartOptions extends Span {
+  readonly topics: readonly string[];
+  readonly signal: AbortSignal;
+}
+
+interface Span {
+  readonly fromNs?: bigint;
+  readonly untilNs?: bigint;
+}
+
+/** @param from @param until seconds after the beginning */
+function spanOf({ summary }: RecordingReader, from: number, until: number): Span {
+  if (until < from) throw new ConfigError('--until is before --from.');
+  const at = (seconds: number): bigint => summary.startNs + BigInt(Math.round(seconds * 1e9));
+  return {
+    ...(from > 0 ? { fromNs: at(from) } : {}),
+    ...(until < Infinity ? { untilNs: at(until) } : {}),
+  };
+}
+
+async function exportXdf(
+  reader: RecordingReader,
+  target: string,
+  options: PartOptions,
+): Promise<void> {
+  const output = await createOutput(target);
+  for await (const part of xdfOf(reader, options)) await output.write(part);
+  await output.end();
+}
+
+async function exportCut(
+  reader: RecordingReader,
+  target: string,
+  options: PartOptions,
+): Promise<void> {
+  const file = await createRecording(target);
+  try {
+    await cutRecording(reader, file, options);
+  } catch (error) {
+    if (!(error instanceof RecordingError)) throw error;
+    await rm(target, { force: true });
+    throw new ConfigError(error.message);
   } finally {
     await file.close();
   }
@@ -87,11 +147,11 @@ async function exportTable(
   topic: string,
   format: 'csv' | 'parquet',
   output: Output,
-  signal: AbortSignal,
+  { topics: _topics, ...options }: PartOptions,
 ): Promise<void> {
   const names = new Map(reader.summary.topics.map((each) => [each.clientId, each.clientName]));
   const nameOf = (id: string): string => names.get(id) || id;
-  const table = await topicTable(reader, topic, { signal });
+  const table = await topicTable(reader, topic, options);
   if (format === 'parquet') await writeParquet(table, output.write, nameOf);
   else for await (const part of csvOf(table, nameOf)) await output.write(part);
   await output.end();

@@ -10,12 +10,11 @@ import {
 } from '@ubii/program';
 import type { OptionValues, ProgramOptions } from '@ubii/program';
 import { RecordingWriter } from '@ubii/recording';
-import { DiskFile } from '@ubii/recording/node';
 import { counted } from '@ubii/words';
 import { createLog } from '../log.ts';
 import { ClientRecorder } from './client-recorder.ts';
 import { connect, CONNECTION_OPTIONS } from './connect.ts';
-import { bytesText, durationText } from './recording-words.ts';
+import { bytesText, createRecording, durationText } from './recording-words.ts';
 import { parseTopics, topicChoice } from './topic-choice.ts';
 
 const OPTIONS = {
@@ -85,7 +84,7 @@ export async function record(
   const log = createLog(options.logLevel, (line) => writeError(`${line}\n`));
   const client = await connect(options, `${hostname().split('.')[0] || 'unnamed'} recorder`, log);
   try {
-    const file = await createFile(path);
+    const file = await createRecording(path);
     const writer = await RecordingWriter.create(file, {
       name: options.name ?? path.replace(/^.*[\\/]|\.mcap$/g, ''),
       kind: 'recording',
@@ -115,17 +114,6 @@ export async function record(
     await file.close();
   } finally {
     await client.close();
-  }
-}
-
-/** @throws ConfigError when the file exists or cannot be created */
-async function createFile(path: string): Promise<DiskFile> {
-  try {
-    return await DiskFile.create(path);
-  } catch (error) {
-    const { code, message } = error as NodeJS.ErrnoException;
-    const reason = code === 'EEXIST' ? 'it exists. Choose another name' : message;
-    throw new ConfigError(`The recording ${path} cannot be created: ${reason}.`);
   }
 }
 

@@ -45,3 +45,14 @@ export async function openRecording(
     throw new ConfigError(`The recording ${path} cannot be read: ${error.message}`);
   }
 }
+
+/** Creates the file of a recording. @throws ConfigError when the file exists or cannot be created */
+export async function createRecording(path: string): Promise<DiskFile> {
+  try {
+    return await DiskFile.create(path);
+  } catch (error) {
+    const { code, message } = error as NodeJS.ErrnoException;
+    const reason = code === 'EEXIST' ? 'it exists. Choose another name' : message;
+    throw new ConfigError(`The recording ${path} cannot be created: ${reason}.`);
+  }
+}

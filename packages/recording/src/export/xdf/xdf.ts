@@ -45,7 +45,7 @@ export async function* xdfOf(
     );
     yield* topicStream(++stream, topic, table, offsets);
   }
-  const { markers } = reader.summary;
+  const markers = markersOf(reader, options);
   if (markers.length > 0) {
     const list = markers.map(({ timeMs, text }) => ({ time: timeMs / 1000, values: [text] }));
     yield streamHeader(
@@ -58,6 +58,12 @@ export async function* xdfOf(
     yield samples(stream, list);
     yield streamFooter(stream, footerXml(list[0]!.time, list.at(-1)!.time, list.length));
   }
+}
+
+function markersOf({ summary }: RecordingReader, { fromNs, untilNs }: XdfOptions) {
+  const fromMs = fromNs === undefined ? -Infinity : Number(fromNs) / 1e6;
+  const untilMs = untilNs === undefined ? Infinity : Number(untilNs) / 1e6;
+  return summary.markers.filter(({ timeMs }) => timeMs >= fromMs && timeMs <= untilMs);
 }
 
 async function* topicStream(
