@@ -28,6 +28,24 @@ describe('the flight recorder', () => {
     expect(flightRecorder).toMatchObject({ ...FLIGHT, recordCount: 3, topicCount: 2 });
   });
 
+  it('[RC-33] forgets topics that were deleted before the kept time', async () => {
+    const master = new TestMaster({ flightRecorder: { ...FLIGHT, minutes: 1, maxBytes: 100_000 } });
+    const ada = await master.legacy('ada');
+    const bob = await master.legacy('bob');
+    ada.publish('/gone', 'double', 1);
+    bob.publish('/stays', 'double', 2);
+    await master.pass(100);
+    await ada.call({ topic: '/services/client/deregistration', client: { id: ada.id } });
+    for (let second = 0; second < 200; second++) {
+      for (let i = 0; i < 20; i++) bob.publish('/pose', 'double', i);
+      await master.pass(1_000);
+    }
+    const keep = { topic: `${SERVICES}flight_recorder_keep`, flightRecorderKeepRequest: {} };
+    const { recording } = await master.call(keep);
+    const { summary } = await contentOf(master, recording!.id);
+    expect(summary.topics.map(({ topic }) => topic).sort()).toEqual(['/pose', '/stays']);
+  });
+
   it('[RC-31] is turned off and on by admins, within limits', async () => {
     const master = new TestMaster({ flightRecorder: FLIGHT });
     const ada = await master.legacy('ada');

@@ -94,9 +94,8 @@ it('leaves out images when they are not wanted', () => {
 
 it('writes values that stood when the window began at its beginning', async () => {
   const ring = new FlightRing({ ...WHOLE, maxMs: 1_000, maxBytes: 100_000 });
-  for (const topic of ['/setting', '/gone']) ring.addRecord(sampleRecord(topic, 0, 7));
+  ring.addRecord(sampleRecord('/setting', 0, 7));
   for (let i = 1; i <= 400; i++) ring.addRecord(sampleRecord('/pose', i * 10));
-  ring.forget('/gone');
   const reader = await keep(ring);
   const startNs = SAMPLE_START_NS + 3_000_000_000n;
   expect(reader.summary.startNs).toBe(startNs);
@@ -105,6 +104,28 @@ it('writes values that stood when the window began at its beginning', async () =
     ...sampleRecord('/setting', 0, 7),
     logTimeNs: startNs,
   });
+});
+
+it('forgets values of topics that were deleted within the window, once it has passed', async () => {
+  const ring = new FlightRing({ ...WHOLE, maxMs: 1_000, maxBytes: 100_000 });
+  const pass = (fromMs: number, untilMs: number): void => {
+    for (let atMs = fromMs; atMs < untilMs; atMs += 10) ring.addRecord(sampleRecord('/pose', atMs));
+  };
+  const standing = async (): Promise<string[]> => {
+    const { summary } = await keep(ring);
+    return summary.topics.map(({ topic }) => topic).filter((topic) => topic !== '/pose');
+  };
+  for (const topic of ['/gone', '/again']) ring.addRecord(sampleRecord(topic, 0, 7));
+  pass(0, 3_000);
+  for (const topic of ['/gone', '/again', '/unknown']) ring.forget(topic);
+  expect(ring.content).toMatchObject({ topics: 3 });
+  ring.addRecord(sampleRecord('/again', 3_000, 8));
+  pass(3_000, 3_500);
+  expect((await standing()).sort()).toEqual(['/again', '/gone']); // They stood when the window began.
+  pass(3_500, 8_000);
+  expect(await standing()).toEqual(['/again']);
+  const records = await recordsOf(await keep(ring));
+  expect(records.filter(({ record }) => record.length === 0)).toEqual([]);
 });
 
 it('keeps sessions as they were, and markers of the window', async () => {

@@ -3,7 +3,7 @@ import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecordingWriter } from '../writing/recording-writer.ts';
 import { HeldEvents } from './held-events.ts';
-import type { Slab, SlabChannel, SlabEntry } from './slab.ts';
+import { isEnd, type Slab, type SlabChannel, type SlabEntry } from './slab.ts';
 import { SlabChannels } from './slab-channels.ts';
 import { SlabQueue } from './slab-queue.ts';
 import { StandingValues } from './standing-values.ts';
@@ -16,6 +16,8 @@ const SLABS = 64;
 /** Share of memory for values that stand when the window begins, and for events: an eighth each. */
 const SHARE = 8;
 const NS_PER_MS = 1_000_000;
+/** In place of a record: the topic has no value any more. */
+const END = new Uint8Array(0);
 
 /** What a flight ring may hold. */
 export interface FlightRingLimits {
@@ -66,10 +68,8 @@ export class FlightRing {
     if (!this.#limits.withImages && isImage(record.record)) return;
     // The clock was set back: what is held would stand in the future for hours.
     if (record.logTimeNs < this.#windowStartNs()) this.clear();
-    const slabBytes = Math.min(MAX_SLAB_BYTES, Math.floor(this.#limits.maxBytes / SLABS));
-    const channel = this.#channels.take(record);
-    if (record.record.length > MAX_SMALL_BYTES) this.#large.add(channel, record, 0);
-    else this.#small.add(channel, record, slabBytes);
+    if (record.record.length <= MAX_SMALL_BYTES) this.#addSmall(record);
+    else this.#large.add(this.#channels.take(record), record, 0);
     if (record.logTimeNs > this.#newestNs) this.#newestNs = record.logTimeNs;
     this.#evict();
   }
@@ -85,9 +85,12 @@ export class FlightRing {
     this.#evict();
   }
 
-  /** Forgets a topic that has no value any more, except for its records in the window. */
+  /** Notes that a topic has no value any more: it is forgotten when its records have left the window. */
   forget(topic: string): void {
-    this.#standing.forget(topic);
+    if (!this.#channels.hasTopic(topic) && !this.#standing.hasTopic(topic)) return;
+    const timeNs = this.#newestNs;
+    this.#addSmall({ topic, clientId: '', record: END, logTimeNs: timeNs, publishTimeNs: timeNs });
+    this.#evict();
   }
 
   /** Forgets everything. */
@@ -114,7 +117,9 @@ export class FlightRing {
     }
     let hasBegun = false;
     for (const record of merged(small, large)) {
-      if (record.logTimeNs < startNs) standing.set(record);
+      if (isEnd(record.record)) {
+        if (record.logTimeNs <= startNs) standing.forget(record.topic);
+      } else if (record.logTimeNs < startNs) standing.set(record);
       else {
         if (!hasBegun) await writeAt(startNs, standing, writer);
         hasBegun = true;
@@ -122,6 +127,11 @@ export class FlightRing {
       }
     }
     if (!hasBegun) await writeAt(startNs, standing, writer);
+  }
+
+  #addSmall(record: RecordedRecord): void {
+    const slabBytes = Math.min(MAX_SLAB_BYTES, Math.floor(this.#limits.maxBytes / SLABS));
+    this.#small.add(this.#channels.take(record), record, slabBytes);
   }
 
   /** Log time at which the window begins. */
@@ -158,10 +168,20 @@ export class FlightRing {
 
   #release(slab: Slab): void {
     const last = new Map<number, SlabEntry[1]>();
-    for (const [number, record] of slab.entries()) last.set(number, record);
-    for (const [number, record] of last) {
-      this.#standing.set({ ...this.#channels.get(number), ...record });
+    const stand = (): void => {
+      for (const [number, record] of last) {
+        this.#standing.set({ ...this.#channels.get(number), ...record });
+      }
+      last.clear();
+    };
+    for (const [number, entry] of slab.entries()) {
+      if (!isEnd(entry.record)) last.set(number, entry);
+      else {
+        stand();
+        this.#standing.forget(this.#channels.get(number).topic);
+      }
     }
+    stand();
     for (const [number] of slab.entries()) this.#channels.release(number);
   }
 }

@@ -12,6 +12,10 @@ export class SlabChannels {
     return this.#numbers.keys();
   }
 
+  hasTopic(topic: string): boolean {
+    return this.#numbers.has(topic);
+  }
+
   /** The number of a channel that gets a record. */
   take({ topic, clientId }: SlabChannel): number {
     let byClient = this.#numbers.get(topic);

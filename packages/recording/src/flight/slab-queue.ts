@@ -1,5 +1,5 @@
 import type { RecordedRecord } from '../records/recorded-record.ts';
-import { Slab, slabBytesOf, type SlabEntry } from './slab.ts';
+import { isEnd, Slab, slabBytesOf, type SlabEntry } from './slab.ts';
 
 /** Slabs of one size class; the oldest leaves first. */
 export class SlabQueue {
@@ -28,7 +28,7 @@ export class SlabQueue {
       this.#bytes += slab.byteLength;
     }
     slab.add(channel, record);
-    this.#records++;
+    if (!isEnd(record.record)) this.#records++;
   }
 
   /** Takes out the oldest slab. */

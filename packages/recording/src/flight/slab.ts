@@ -17,6 +17,11 @@ export function slabBytesOf(record: Uint8Array): number {
   return HEAD_BYTES + record.length;
 }
 
+/** Whether an entry says that its topic lost its value: it is in place of a record, and empty. */
+export function isEnd(record: Uint8Array): boolean {
+  return record.length === 0;
+}
+
 /** Records one behind the other in one piece of memory: a small record costs 24 bytes, and the collector nothing. */
 export class Slab {
   readonly #bytes: Uint8Array;
@@ -36,6 +41,7 @@ export class Slab {
     return this.#bytes.length;
   }
 
+  /** Number of records, ends of topics aside. */
   get records(): number {
     return this.#records;
   }
@@ -62,7 +68,7 @@ export class Slab {
     this.#view.setBigUint64(at + 16, publishTimeNs);
     this.#bytes.set(record, at + HEAD_BYTES);
     this.#end += slabBytesOf(record);
-    this.#records++;
+    if (!isEnd(record)) this.#records++;
     if (logTimeNs > this.#newestNs) this.#newestNs = logTimeNs;
     if (this.#oldestNs === undefined || logTimeNs < this.#oldestNs) this.#oldestNs = logTimeNs;
   }

@@ -16,6 +16,10 @@ export class StandingValues {
     return this.#values.keys();
   }
 
+  hasTopic(topic: string): boolean {
+    return this.#values.has(topic);
+  }
+
   /** Keeps a copy in place of an earlier value. */
   set(record: RecordedRecord): void {
     const { topic, clientId } = record;

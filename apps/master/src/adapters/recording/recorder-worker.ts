@@ -23,6 +23,8 @@ parentPort!.on('message', (message: ToThread) => {
   switch (message.kind) {
     case 'batch':
       return takeBatch(message);
+    case 'ended':
+      return recorder.endTopics(message.topics);
     case 'event':
       return recorder.addEvent(message.event, message.targets);
     case 'call':

@@ -26,6 +26,7 @@ export type ToThread =
       /** True: earlier sources are forgotten, and numbers begin again. */
       readonly isFresh: boolean;
     }
+  | { readonly kind: 'ended'; readonly topics: readonly string[] }
   | { readonly kind: 'event'; readonly event: RecordingEvent; readonly targets: number }
   | {
       readonly kind: 'call';

@@ -99,6 +99,10 @@ export class WorkerRecorder implements Recorder {
     this.#isFresh = false;
   }
 
+  endTopics(topics: readonly string[]): void {
+    if (!this.#isPaused) this.#send({ kind: 'ended', topics });
+  }
+
   addEvent(event: RecordingEvent, targets: number): void {
     if (!this.#isPaused) this.#send({ kind: 'event', event, targets });
   }

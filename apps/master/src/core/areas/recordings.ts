@@ -28,6 +28,7 @@ export function createRecordings(dependencies: RecordingDependencies) {
     masterName: nameOf(settings),
     version: settings.version,
   });
+  dependencies.topics.onEnd.add((entry) => collector.handleEnd(entry));
   onClose.add(() => collector.close());
   return { recordings };
 }

@@ -108,6 +108,8 @@ export interface Recorder {
   readonly waitingBytes: number;
   /** Records a batch. Never throws, and never waits; the bytes are copied at once. */
   add(records: readonly RecordToKeep[]): void;
+  /** Tells the flight recorder of topics that have no value any more, after the records before. Never throws. */
+  endTopics(topics: readonly string[]): void;
   /** Records an event in these targets. Never throws. */
   addEvent(event: RecordingEvent, targets: number): void;
   /** Resolves when the file is open. */

@@ -62,6 +62,11 @@ export class FlightRecorder {
     if (count === undefined && this.#slots.size > 2 * SLOTS) this.#forgetSlots(slot);
   }
 
+  /** Tells that a topic has no value any more. [RC-33] */
+  forget(topic: string): void {
+    this.#ring?.forget(topic);
+  }
+
   addEvent(event: RecordingEvent): void {
     if (event.kind === 'gap') this.#lost += event.value.records;
     this.#ring?.addEvent(event);

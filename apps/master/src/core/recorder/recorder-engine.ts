@@ -87,6 +87,13 @@ export class RecorderEngine implements Recorder {
     });
   }
 
+  endTopics(topics: readonly string[]): void {
+    void this.#inOrder(() => {
+      for (const topic of topics) this.#flight.forget(topic);
+      return Promise.resolve();
+    });
+  }
+
   addEvent(event: RecordingEvent, targets: number): void {
     void this.#inOrder(() => {
       if ((targets & FLIGHT_TARGET) !== 0) this.#flight.addEvent(event);

@@ -48,12 +48,14 @@ export class RecordCollector {
   readonly onMarker = new Hook<[marking: TappedRecord]>();
   #isFlightUsed = false;
   #cancel: Cancel | undefined = undefined;
+  /** Topics that lost their value before the records that wait. */
+  #ended: string[] = [];
 
   constructor(context: CollectorContext) {
     this.#context = context;
     context.tap.onWaiting.add((isFull) => {
       if (isFull) return this.flush();
-      this.#cancel = context.clock.after(BATCH_MS, () => this.flush());
+      this.#startTimer();
     });
   }
 
@@ -85,6 +87,8 @@ export class RecordCollector {
   flush(): void {
     this.#cancel?.();
     this.#cancel = undefined;
+    if (this.#ended.length > 0) this.#context.recorder.endTopics(this.#ended);
+    this.#ended = [];
     let batch: RecordToKeep[] = [];
     const send = (): void => {
       if (batch.length > 0) this.#send(batch);
@@ -108,10 +112,23 @@ export class RecordCollector {
     send();
   }
 
+  /** A topic has no value any more. [RC-33] */
+  handleEnd({ topic, isMasters }: TopicEntry): void {
+    if (isMasters || this.#flight === 'off') return;
+    if (!this.#context.tap.isEmpty) this.flush(); // What waits came before.
+    if (!this.#isFlightUsed) return;
+    this.#ended.push(topic);
+    this.#startTimer();
+  }
+
   /** Ends the timer. */
   close(): void {
     this.flush();
     this.#context.tap.isOn = false;
+  }
+
+  #startTimer(): void {
+    this.#cancel ??= this.#context.clock.after(BATCH_MS, () => this.flush());
   }
 
   /** What came before belongs to what recorded then. */

@@ -23,6 +23,11 @@ export class RecordTap {
   #waiting: TappedRecord[] = [];
   #bytes = 0;
 
+  /** Whether nothing waits. */
+  get isEmpty(): boolean {
+    return this.#waiting.length === 0;
+  }
+
   /** The hot path, called after the record was stored in its entry. */
   take(entry: TopicEntry, record: Uint8Array): void {
     const { publisherId, valueField, publishedMs: timeMs } = entry;

@@ -1,3 +1,4 @@
+import { Hook } from '../hooks/hook.ts';
 import type { Account } from '../shares/account.ts';
 import { charge } from '../shares/charge.ts';
 import { RESOURCE } from '../shares/resources.ts';
@@ -16,6 +17,8 @@ export class TopicTable {
   readonly #matching: readonly TopicMatching[];
   readonly #keptRemovals: number;
   readonly #master: Account;
+  /** Called when a topic loses its value. */
+  readonly onEnd = new Hook<[TopicEntry]>();
   /** Receive every topic. */
   readonly #watchers = new Set<Subscriber>();
   #removals: { topic: string; epoch: number }[] = [];
@@ -133,6 +136,7 @@ export class TopicTable {
     entry.changedEpoch = this.#epoch;
     // Modules that use it are told, here and on nodes. [TD-42]
     for (const receiver of this.targetsOf(entry).direct) receiver.handleGone(entry);
+    this.onEnd.emit(entry);
     this.forgetIfUnused(entry);
   }
 

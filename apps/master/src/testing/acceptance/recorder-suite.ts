@@ -189,6 +189,19 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       await recorder.close();
     });
 
+    it('[RC-33] forgets topics that ended before what the flight recorder holds', async () => {
+      const { recorder, file } = open();
+      const settings = { isOn: true, minutes: 5, maxBytes: 50_000, withImages: true };
+      await recorder.setFlight({ ...settings, present: [] });
+      for (const topic of ['/ended', '/stays']) recorder.add(recordsToKeep(topic, 1, 1));
+      recorder.endTopics(['/ended']);
+      recorder.add(recordsToKeep('/x', 3_000, 1));
+      await recorder.keep(runningJob('k'));
+      const { summary } = await readRecording(await file('k'));
+      expect(summary.topics.map(({ topic }) => topic).sort()).toEqual(['/stays', '/x']);
+      await recorder.close();
+    });
+
     it('[RC-8] tells when a recording starts and ends', async () => {
       const { recorder } = open();
       const states: RecorderState[] = [];
