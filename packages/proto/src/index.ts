@@ -64,6 +64,7 @@ export {
   preflightTopic,
   moduleEventTopic,
   RECORDING_STATUS_TOPIC,
+  REPLAYS_TOPIC,
   sessionStatisticsTopic,
   UUID_PATTERN,
   isUuid,

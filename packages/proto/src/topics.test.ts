@@ -9,6 +9,7 @@ import {
   isMasterTopic,
   moduleEventTopic,
   RECORDING_STATUS_TOPIC,
+  REPLAYS_TOPIC,
   sessionStatisticsTopic,
   UUID_PATTERN,
   isUuid,
@@ -57,6 +58,11 @@ describe('topics', () => {
   it('[RC-8] of the recordings is ours', () => {
     expect(isExtensionTopic(RECORDING_STATUS_TOPIC)).toBe(true);
     expect(isMasterTopic(RECORDING_STATUS_TOPIC)).toBe(true);
+  });
+
+  it('[RP-7] of the replays is ours', () => {
+    expect(isExtensionTopic(REPLAYS_TOPIC)).toBe(true);
+    expect(isMasterTopic(REPLAYS_TOPIC)).toBe(true);
   });
 
   it('[CL-31] of clients carry their id', () => {

@@ -80,6 +80,9 @@ export function moduleEventTopic(sessionId: string): string {
 /** The topic on which the master says what is recorded, about once a second. [RC-8] */
 export const RECORDING_STATUS_TOPIC = `${EXTENSION_PREFIX}recordings`;
 
+/** The topic on which the master says what is replayed, up to five times a second. [RP-7] */
+export const REPLAYS_TOPIC = `${EXTENSION_PREFIX}replays`;
+
 /**
  * The topic a component publishes on by convention: `/<client id>/<device>/<component>`.
  *

@@ -26,6 +26,7 @@ import type {
   Pose3D,
   Quaternion,
   RecordingStatus,
+  ReplayList,
   Session,
   SessionList,
   SessionStatistics,
@@ -99,6 +100,7 @@ export interface DataFormatValues {
   /** Extension of ours: what a running module did, on `/ubii/session/<session id>/events`. [SE-51] */
   moduleEvent: ModuleEvent;
   recordingStatus: RecordingStatus;
+  replayList: ReplayList;
 }
 
 /** Short name of a data format, for example `vector2`. */

@@ -71,6 +71,7 @@ const FAMILIES: { readonly [F in DataFormat]: DataFormatFamily } = {
   sessionStatistics: 'system',
   moduleEvent: 'system',
   recordingStatus: 'system',
+  replayList: 'system',
 };
 
 /** A `bool` shows like an event, but its newest value is all that matters. */

@@ -688,6 +688,132 @@ export function decodeRecordExtension(r: Reader, into?: T.RecordExtension): T.Re
   return m;
 }
 
+export function encodeReplay(m: Init<T.Replay>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.recordingId != null) w.string(26, m.recordingId);
+  if (m.recordingName != null) w.string(34, m.recordingName);
+  if (m.author != null) w.string(42, m.author);
+  if (m.state != null) w.int32(48, m.state);
+  if (m.positionMs != null) w.double(57, m.positionMs);
+  if (m.durationMs != null) w.double(65, m.durationMs);
+  if (m.rate != null) w.double(73, m.rate);
+  if (m.span != null) { const at = w.open(82); encodeReplaySpan(m.span, w); w.close(at); }
+  if (m.isLooping != null) w.bool(88, m.isLooping);
+  if (m.isGhost != null) w.bool(96, m.isGhost);
+  if (m.copies != null) w.int32(104, m.copies);
+  if (m.clientIds != null) for (const e of m.clientIds) w.string(114, e);
+  if (m.conflict != null) w.int32(120, m.conflict);
+  if (m.livePrefix != null) w.string(130, m.livePrefix);
+  if (m.topicCount != null) w.int32(136, m.topicCount);
+  if (m.recordCount != null) w.double(145, m.recordCount);
+  if (m.mutedCount != null) w.double(153, m.mutedCount);
+  if (m.mutedTopics != null) for (const e of m.mutedTopics) w.string(162, e);
+  if (m.refusedCount != null) w.double(169, m.refusedCount);
+  if (m.problem != null) w.string(178, m.problem);
+  if (m.session != null) { const at = w.open(186); encodeReplayedSession(m.session, w); w.close(at); }
+  if (m.startedMs != null) w.double(193, m.startedMs);
+  if (m.recordingStartedMs != null) w.double(201, m.recordingStartedMs);
+}
+
+export function decodeReplay(r: Reader, into?: T.Replay): T.Replay {
+  const m: T.Replay = into ?? { id: '', name: '', recordingId: '', recordingName: '', author: '', state: 0, positionMs: 0, durationMs: 0, rate: 0, span: undefined, isLooping: false, isGhost: false, copies: 0, clientIds: [], conflict: 0, livePrefix: '', topicCount: 0, recordCount: 0, mutedCount: 0, mutedTopics: [], refusedCount: 0, problem: '', session: undefined, startedMs: 0, recordingStartedMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.recordingId = r.string(); break;
+      case 34: m.recordingName = r.string(); break;
+      case 42: m.author = r.string(); break;
+      case 48: m.state = r.int32() as T.ReplayState; break;
+      case 57: m.positionMs = r.double(); break;
+      case 65: m.durationMs = r.double(); break;
+      case 73: m.rate = r.double(); break;
+      case 82: { const end = r.enter(); m.span = decodeReplaySpan(r, m.span); r.end = end; break; }
+      case 88: m.isLooping = r.bool(); break;
+      case 96: m.isGhost = r.bool(); break;
+      case 104: m.copies = r.int32(); break;
+      case 114: m.clientIds.push(r.string()); break;
+      case 120: m.conflict = r.int32() as T.ReplayConflict; break;
+      case 130: m.livePrefix = r.string(); break;
+      case 136: m.topicCount = r.int32(); break;
+      case 145: m.recordCount = r.double(); break;
+      case 153: m.mutedCount = r.double(); break;
+      case 162: m.mutedTopics.push(r.string()); break;
+      case 169: m.refusedCount = r.double(); break;
+      case 178: m.problem = r.string(); break;
+      case 186: { const end = r.enter(); m.session = decodeReplayedSession(r, m.session); r.end = end; break; }
+      case 193: m.startedMs = r.double(); break;
+      case 201: m.recordingStartedMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeReplayList(m: Init<T.ReplayList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeReplay(e, w); w.close(at); }
+}
+
+export function decodeReplayList(r: Reader, into?: T.ReplayList): T.ReplayList {
+  const m: T.ReplayList = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeReplay(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeReplaySpan(m: Init<T.ReplaySpan>, w: Writer): void {
+  if (m.fromMs != null) w.double(9, m.fromMs);
+  if (m.untilMs != null) w.double(17, m.untilMs);
+}
+
+export function decodeReplaySpan(r: Reader, into?: T.ReplaySpan): T.ReplaySpan {
+  const m: T.ReplaySpan = into ?? { fromMs: 0, untilMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.fromMs = r.double(); break;
+      case 17: m.untilMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeReplayedSession(m: Init<T.ReplayedSession>, w: Writer): void {
+  if (m.sessionId != null) w.string(10, m.sessionId);
+  if (m.name != null) w.string(18, m.name);
+  if (m.runningId != null) w.string(26, m.runningId);
+  if (m.comparisonRecordingId != null) w.string(34, m.comparisonRecordingId);
+  if (m.inputPrefix != null) w.string(42, m.inputPrefix);
+  if (m.outputPrefix != null) w.string(50, m.outputPrefix);
+  if (m.recordedModules != null) for (const e of m.recordedModules) w.string(58, e);
+}
+
+export function decodeReplayedSession(r: Reader, into?: T.ReplayedSession): T.ReplayedSession {
+  const m: T.ReplayedSession = into ?? { sessionId: '', name: '', runningId: '', comparisonRecordingId: '', inputPrefix: '', outputPrefix: '', recordedModules: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.sessionId = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.runningId = r.string(); break;
+      case 34: m.comparisonRecordingId = r.string(); break;
+      case 42: m.inputPrefix = r.string(); break;
+      case 50: m.outputPrefix = r.string(); break;
+      case 58: m.recordedModules.push(r.string()); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeSessionProblem(m: Init<T.SessionProblem>, w: Writer): void {
   if (m.isError != null) w.bool(8, m.isError);
   if (m.code != null) w.string(18, m.code);
@@ -888,9 +1014,10 @@ export function encodeTopicDataRecord(m: Init<T.TopicDataRecord>, w: Writer): vo
   if (m.moduleEvent != null) { const at = w.open(8018); ModuleEvent.encode(m.moduleEvent, w); w.close(at); }
   if (m.extension != null) { const at = w.open(8026); encodeRecordExtension(m.extension, w); w.close(at); }
   if (m.recordingStatus != null) { const at = w.open(8082); RecordingStatus.encode(m.recordingStatus, w); w.close(at); }
+  if (m.replayList != null) { const at = w.open(8090); encodeReplayList(m.replayList, w); w.close(at); }
 }
 
-const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent', 'recordingStatus'] as const;
+const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent', 'recordingStatus', 'replayList'] as const;
 export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.TopicDataRecord {
   const m: T.TopicDataRecord = into ?? { topic: '', timestamp: undefined, clientId: '', extension: undefined };
   let type = into && setMember(into, TopicDataRecord_type);
@@ -946,6 +1073,7 @@ export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.To
       case 8018: type = only(m, type, 'moduleEvent'); { const end = r.enter(); m.moduleEvent = ModuleEvent.decode(r, m.moduleEvent); r.end = end; break; }
       case 8026: { const end = r.enter(); m.extension = decodeRecordExtension(r, m.extension); r.end = end; break; }
       case 8082: type = only(m, type, 'recordingStatus'); { const end = r.enter(); m.recordingStatus = RecordingStatus.decode(r, m.recordingStatus); r.end = end; break; }
+      case 8090: type = only(m, type, 'replayList'); { const end = r.enter(); m.replayList = decodeReplayList(r, m.replayList); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1003,6 +1131,10 @@ export const GENERATED_CODECS = {
   'ubii.extension.JoinRefusal': { encode: encodeJoinRefusal, decode: decodeJoinRefusal },
   'ubii.extension.NodeMessage': { encode: encodeNodeMessage, decode: decodeNodeMessage },
   'ubii.extension.RecordExtension': { encode: encodeRecordExtension, decode: decodeRecordExtension },
+  'ubii.extension.Replay': { encode: encodeReplay, decode: decodeReplay },
+  'ubii.extension.ReplayList': { encode: encodeReplayList, decode: decodeReplayList },
+  'ubii.extension.ReplaySpan': { encode: encodeReplaySpan, decode: decodeReplaySpan },
+  'ubii.extension.ReplayedSession': { encode: encodeReplayedSession, decode: decodeReplayedSession },
   'ubii.extension.SessionProblem': { encode: encodeSessionProblem, decode: decodeSessionProblem },
   'ubii.general.Error': { encode: encodeErrorMessage, decode: decodeErrorMessage },
   'ubii.processing.LockstepProcessingReply': { encode: encodeLockstepProcessingReply, decode: decodeLockstepProcessingReply },

@@ -335,6 +335,8 @@ export const RecordingKind = {
   RECORDING_KIND_FLIGHT_RECORDER: 1,
   /** It was uploaded; other programs may have written it. */
   RECORDING_KIND_IMPORT: 2,
+  /** It has the outputs of a recorded session that ran again on replayed inputs. Rule RP-40. */
+  RECORDING_KIND_COMPARISON: 3,
 } as const;
 export type RecordingKind = (typeof RecordingKind)[keyof typeof RecordingKind];
 
@@ -356,6 +358,55 @@ export const RecordingState = {
   RECORDING_STATE_FAILED: 4,
 } as const;
 export type RecordingState = (typeof RecordingState)[keyof typeof RecordingState];
+
+/**
+ * Whether a replay should play.
+ *
+ * `ubii.extension.ReplayAction`
+ */
+export const ReplayAction = {
+  /** As it is. */
+  REPLAY_ACTION_NONE: 0,
+  /** Goes on; from the start of the span when it is at its end. */
+  REPLAY_ACTION_PLAY: 1,
+  /** Stands. */
+  REPLAY_ACTION_PAUSE: 2,
+} as const;
+export type ReplayAction = (typeof ReplayAction)[keyof typeof ReplayAction];
+
+/**
+ * What happens to records that other clients publish on topics of a replay. Rules RP-20 to RP-22.
+ *
+ * `ubii.extension.ReplayConflict`
+ */
+export const ReplayConflict = {
+  /** They are dropped. */
+  REPLAY_CONFLICT_MUTE_LIVE: 0,
+  /** They are published below a prefix of their own. */
+  REPLAY_CONFLICT_MOVE_LIVE: 1,
+  /** They are published as they are, among those of the replay. */
+  REPLAY_CONFLICT_KEEP_LIVE: 2,
+} as const;
+export type ReplayConflict = (typeof ReplayConflict)[keyof typeof ReplayConflict];
+
+/**
+ * Where a replay is in its life. Rule RP-2.
+ *
+ * `ubii.extension.ReplayState`
+ */
+export const ReplayState = {
+  /** Unknown to a newer or older program. */
+  REPLAY_STATE_UNSPECIFIED: 0,
+  /** It publishes. */
+  REPLAY_STATE_PLAYING: 1,
+  /** It stands. */
+  REPLAY_STATE_PAUSED: 2,
+  /** It stands at its end. */
+  REPLAY_STATE_ENDED: 3,
+  /** Its recording could not be read; problem says why. A change of it tries again. */
+  REPLAY_STATE_FAILED: 4,
+} as const;
+export type ReplayState = (typeof ReplayState)[keyof typeof ReplayState];
 
 /**
  * What becomes of what was made with an invitation that is revoked. Rule AC-92.
@@ -2227,6 +2278,8 @@ export interface Recording {
   topics: RecordingTopic[];
   /** Its markers, by time; only in replies of recording_get. */
   markers: RecordingMarker[];
+  /** Of a comparison: id of the recording that was replayed; empty for others. Rule RP-40. */
+  replayedRecordingId: string;
 }
 
 /**
@@ -2408,6 +2461,215 @@ export interface RecordingTopicRate {
   recordsPerSecond: number;
   /** Bytes per second, before compression. */
   bytesPerSecond: number;
+}
+
+/**
+ * A recording that is played into live topics. Rule RP-1.
+ *
+ * `ubii.extension.Replay`
+ */
+export interface Replay {
+  /** Assigned by the master. */
+  id: string;
+  /** Name of its client. */
+  name: string;
+  /** Which recording is played. */
+  recordingId: string;
+  /** Its name. */
+  recordingName: string;
+  /** Name of the client that started it; empty when none did. */
+  author: string;
+  /** Where it is in its life. */
+  state: ReplayState;
+  /** Playhead, milliseconds since the start of the recording. */
+  positionMs: number;
+  /** Duration of the recording, milliseconds. */
+  durationMs: number;
+  /** Speed. */
+  rate: number;
+  /** What is played; until_ms is set. */
+  span: ReplaySpan | undefined;
+  /** Whether it begins again at the end of the span. */
+  isLooping: boolean;
+  /** Whether it is a ghost. */
+  isGhost: boolean;
+  /** Copies of a ghost; else 1. */
+  copies: number;
+  /** Ids of its clients, one for each copy. */
+  clientIds: string[];
+  /** What happens to live records of its topics. */
+  conflict: ReplayConflict;
+  /** Prefix for moved records; empty unless they are moved. */
+  livePrefix: string;
+  /** Topics that it has published. */
+  topicCount: number;
+  /** Records that it has published. */
+  recordCount: number;
+  /** Live records that were dropped or moved because of it. */
+  mutedCount: number;
+  /** Topics of these, the first 100. */
+  mutedTopics: string[];
+  /** Records that the master refused, such as on topics of its own. */
+  refusedCount: number;
+  /** What is wrong with it, one or two sentences; empty when nothing is. */
+  problem: string;
+  /** The session that runs again; absent when none does. */
+  session: ReplayedSession | undefined;
+  /** Time at which it started: milliseconds since the Unix epoch, master's clock. */
+  startedMs: number;
+  /** Start of the recording, as started_ms of the recording. */
+  recordingStartedMs: number;
+}
+
+/**
+ * Changes a replay. What is absent or 0 stays as it is. Carried out in the order of the members. Rule RP-5.
+ *
+ * `ubii.extension.ReplayChangeRequest`
+ */
+export interface ReplayChangeRequest {
+  /** Id of the replay. */
+  id: string;
+  /** Speed, 0.1 to 10. */
+  rate: number;
+  /** Span and loop. */
+  loop: ReplayLoop | undefined;
+  /** Jumps to a moment, and publishes the last value of every topic there. */
+  seek: ReplaySeek | undefined;
+  /** Pauses, and goes on by so many records, or with a negative number back. */
+  step: number;
+  /** Plays or pauses. */
+  action: ReplayAction;
+}
+
+/**
+ * All replays of a master, published on /ubii/replays when one changes, and up to five times a second while one
+ * plays. Rule RP-7.
+ *
+ * `ubii.extension.ReplayList`
+ */
+export interface ReplayList {
+  /** In the order in which they started. */
+  elements: Replay[];
+}
+
+/**
+ * The span and loop that a replay should have.
+ *
+ * `ubii.extension.ReplayLoop`
+ */
+export interface ReplayLoop {
+  /** What is played; absent for the whole recording. */
+  span: ReplaySpan | undefined;
+  /** True: begins again at the end of the span. */
+  isLooping: boolean;
+}
+
+/**
+ * Other topics for those that begin with a prefix. The longest prefix of all counts. Rule RP-13.
+ *
+ * `ubii.extension.ReplayRename`
+ */
+export interface ReplayRename {
+  /** Beginning of recorded topics. */
+  fromPrefix: string;
+  /** Beginning that they get instead. */
+  toPrefix: string;
+}
+
+/**
+ * Which replay is meant.
+ *
+ * `ubii.extension.ReplayRequest`
+ */
+export interface ReplayRequest {
+  /** Its id. */
+  id: string;
+}
+
+/**
+ * A moment of a replay to jump to.
+ *
+ * `ubii.extension.ReplaySeek`
+ */
+export interface ReplaySeek {
+  /** Milliseconds since the start of the recording. */
+  positionMs: number;
+}
+
+/**
+ * A span of a recording, milliseconds since the start of the recording.
+ *
+ * `ubii.extension.ReplaySpan`
+ */
+export interface ReplaySpan {
+  /** Its first moment. */
+  fromMs: number;
+  /** Its last moment; 0 for the end of the recording. */
+  untilMs: number;
+}
+
+/**
+ * Starts a replay of a finished recording. Rule RP-1.
+ *
+ * `ubii.extension.ReplayStartRequest`
+ */
+export interface ReplayStartRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Which recording. */
+  recordingId: string;
+  /** Globs of recorded topics: * within a level, ** over levels, ? one character. Empty for all. */
+  topics: string[];
+  /** Globs of recorded topics that are left out. */
+  excludedTopics: string[];
+  /** Other names for topics. */
+  renames: ReplayRename[];
+  /** What happens to live records of the same topics. A ghost keeps them, whatever is set. */
+  conflict: ReplayConflict;
+  /** Prefix for MOVE_LIVE; empty for /live. */
+  livePrefix: string;
+  /** Speed, 0.1 to 10; 0 for 1. */
+  rate: number;
+  /** True: begins paused. */
+  isPaused: boolean;
+  /** What is played; absent for the whole recording. */
+  span: ReplaySpan | undefined;
+  /** True: begins again at the end of the span. */
+  isLooping: boolean;
+  /** True: records keep their recorded timestamps. False: these become the time at which they are published. */
+  keepsTimestamps: boolean;
+  /** Copies of a ghost, 1 to 32; 0 for 1. */
+  copies: number;
+  /** The starts of the copies of a ghost are spread over so many milliseconds. */
+  jitterMs: number;
+  /** True: a ghost, which plays its span in a loop as clients of its own. Rule RP-30. */
+  isGhost: boolean;
+  /** Name of its client; empty for one made of the name of the recording. */
+  name: string;
+  /** Id of a recorded session that runs again on the replayed inputs; empty for none. Rule RP-40. */
+  sessionId: string;
+}
+
+/**
+ * A recorded session that runs again with the modules of today. Rule RP-40.
+ *
+ * `ubii.extension.ReplayedSession`
+ */
+export interface ReplayedSession {
+  /** Its id in the recording. */
+  sessionId: string;
+  /** Its name. */
+  name: string;
+  /** Id of the temporary session. */
+  runningId: string;
+  /** Id of the recording of its outputs. */
+  comparisonRecordingId: string;
+  /** Inputs are at this prefix and the recorded topic. */
+  inputPrefix: string;
+  /** Outputs are at this prefix and the recorded topic. */
+  outputPrefix: string;
+  /** Names of its modules that are not in the library of today: these run with their recorded code. */
+  recordedModules: string[];
 }
 
 /**
@@ -3061,6 +3323,10 @@ export interface ServiceReply {
   recordingEstimate?: RecordingEstimate | undefined;
   /** The flight recorder as it is now. Rule RC-30. */
   flightRecorder?: FlightRecorder | undefined;
+  /** A replay. Rule RP-1. */
+  replay?: Replay | undefined;
+  /** All replays. Rule RP-7. */
+  replayList?: ReplayList | undefined;
 }
 
 /**
@@ -3147,6 +3413,12 @@ export interface ServiceRequest {
   flightRecorderSettings?: FlightRecorderSettings | undefined;
   /** What to keep of the flight recorder. Rule RC-32. */
   flightRecorderKeepRequest?: FlightRecorderKeepRequest | undefined;
+  /** A replay to start. Rule RP-1. */
+  replayStartRequest?: ReplayStartRequest | undefined;
+  /** A change of a replay. Rule RP-5. */
+  replayChangeRequest?: ReplayChangeRequest | undefined;
+  /** Which replay is meant. Rule RP-6. */
+  replayRequest?: ReplayRequest | undefined;
 }
 
 /**
@@ -3426,6 +3698,8 @@ export interface TopicDataRecord {
   extension: RecordExtension | undefined;
   /** What is recorded now. Rule RC-8. */
   recordingStatus?: RecordingStatus | undefined;
+  /** All replays. Rule RP-7. */
+  replayList?: ReplayList | undefined;
 }
 
 /**
@@ -3571,6 +3845,16 @@ export interface MessageTypes {
   'ubii.extension.RecordingStatus': RecordingStatus;
   'ubii.extension.RecordingTopic': RecordingTopic;
   'ubii.extension.RecordingTopicRate': RecordingTopicRate;
+  'ubii.extension.Replay': Replay;
+  'ubii.extension.ReplayChangeRequest': ReplayChangeRequest;
+  'ubii.extension.ReplayList': ReplayList;
+  'ubii.extension.ReplayLoop': ReplayLoop;
+  'ubii.extension.ReplayRename': ReplayRename;
+  'ubii.extension.ReplayRequest': ReplayRequest;
+  'ubii.extension.ReplaySeek': ReplaySeek;
+  'ubii.extension.ReplaySpan': ReplaySpan;
+  'ubii.extension.ReplayStartRequest': ReplayStartRequest;
+  'ubii.extension.ReplayedSession': ReplayedSession;
   'ubii.extension.SessionExtension': SessionExtension;
   'ubii.extension.SessionProblem': SessionProblem;
   'ubii.extension.SessionStatistics': SessionStatistics;

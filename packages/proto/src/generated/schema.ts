@@ -105,12 +105,27 @@ enum ubii.extension.RecordingKind
 0 RECORDING_KIND_RECORDING
 1 RECORDING_KIND_FLIGHT_RECORDER
 2 RECORDING_KIND_IMPORT
+3 RECORDING_KIND_COMPARISON
 enum ubii.extension.RecordingState
 0 RECORDING_STATE_UNSPECIFIED
 1 RECORDING_STATE_RECORDING
 2 RECORDING_STATE_COMPLETE
 3 RECORDING_STATE_REPAIRED
 4 RECORDING_STATE_FAILED
+enum ubii.extension.ReplayAction
+0 REPLAY_ACTION_NONE
+1 REPLAY_ACTION_PLAY
+2 REPLAY_ACTION_PAUSE
+enum ubii.extension.ReplayConflict
+0 REPLAY_CONFLICT_MUTE_LIVE
+1 REPLAY_CONFLICT_MOVE_LIVE
+2 REPLAY_CONFLICT_KEEP_LIVE
+enum ubii.extension.ReplayState
+0 REPLAY_STATE_UNSPECIFIED
+1 REPLAY_STATE_PLAYING
+2 REPLAY_STATE_PAUSED
+3 REPLAY_STATE_ENDED
+4 REPLAY_STATE_FAILED
 enum ubii.extension.RevokedWork
 0 REVOKED_WORK_STOP
 1 REVOKED_WORK_HAND_OVER
@@ -720,6 +735,7 @@ message ubii.extension.Recording
 16 budget ubii.extension.RecordingBudget
 17 topics ubii.extension.RecordingTopic *
 18 markers ubii.extension.RecordingMarker *
+19 replayed_recording_id string
 message ubii.extension.RecordingBudget
 1 max_duration_ms double
 2 max_bytes double
@@ -777,6 +793,80 @@ message ubii.extension.RecordingTopicRate
 2 data_format string
 3 records_per_second double
 4 bytes_per_second double
+message ubii.extension.Replay
+1 id string
+2 name string
+3 recording_id string
+4 recording_name string
+5 author string
+6 state ubii.extension.ReplayState
+7 position_ms double
+8 duration_ms double
+9 rate double
+10 span ubii.extension.ReplaySpan
+11 is_looping bool
+12 is_ghost bool
+13 copies int32
+14 client_ids string *
+15 conflict ubii.extension.ReplayConflict
+16 live_prefix string
+17 topic_count int32
+18 record_count double
+19 muted_count double
+20 muted_topics string *
+21 refused_count double
+22 problem string
+23 session ubii.extension.ReplayedSession
+24 started_ms double
+25 recording_started_ms double
+message ubii.extension.ReplayChangeRequest
+1 id string
+2 rate double
+3 loop ubii.extension.ReplayLoop
+4 seek ubii.extension.ReplaySeek
+5 step int32
+6 action ubii.extension.ReplayAction
+message ubii.extension.ReplayList
+1 elements ubii.extension.Replay *
+message ubii.extension.ReplayLoop
+1 span ubii.extension.ReplaySpan
+2 is_looping bool
+message ubii.extension.ReplayRename
+1 from_prefix string
+2 to_prefix string
+message ubii.extension.ReplayRequest
+1 id string
+message ubii.extension.ReplaySeek
+1 position_ms double
+message ubii.extension.ReplaySpan
+1 from_ms double
+2 until_ms double
+message ubii.extension.ReplayStartRequest
+1 client_id string
+2 recording_id string
+3 topics string *
+4 excluded_topics string *
+5 renames ubii.extension.ReplayRename *
+6 conflict ubii.extension.ReplayConflict
+7 live_prefix string
+8 rate double
+9 is_paused bool
+10 span ubii.extension.ReplaySpan
+11 is_looping bool
+12 keeps_timestamps bool
+13 copies int32
+14 jitter_ms double
+15 is_ghost bool
+16 name string
+17 session_id string
+message ubii.extension.ReplayedSession
+1 session_id string
+2 name string
+3 running_id string
+4 comparison_recording_id string
+5 input_prefix string
+6 output_prefix string
+7 recorded_modules string *
 message ubii.extension.SessionExtension
 1 state ubii.extension.SessionState
 2 problems ubii.extension.SessionProblem *
@@ -999,6 +1089,8 @@ message ubii.services.ServiceReply
 1052 recording_marker ubii.extension.RecordingMarker type
 1053 recording_estimate ubii.extension.RecordingEstimate type
 1054 flight_recorder ubii.extension.FlightRecorder type
+1070 replay ubii.extension.Replay type
+1071 replay_list ubii.extension.ReplayList type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -1039,6 +1131,9 @@ message ubii.services.ServiceRequest
 1054 recording_selection ubii.extension.RecordingSelection type
 1055 flight_recorder_settings ubii.extension.FlightRecorderSettings type
 1056 flight_recorder_keep_request ubii.extension.FlightRecorderKeepRequest type
+1070 replay_start_request ubii.extension.ReplayStartRequest type
+1071 replay_change_request ubii.extension.ReplayChangeRequest type
+1072 replay_request ubii.extension.ReplayRequest type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *
@@ -1140,6 +1235,7 @@ message ubii.topicData.TopicDataRecord
 1002 module_event ubii.extension.ModuleEvent type
 1003 extension ubii.extension.RecordExtension
 1010 recording_status ubii.extension.RecordingStatus type
+1011 replay_list ubii.extension.ReplayList type
 message ubii.topicData.TopicDataRecordList
 1 elements ubii.topicData.TopicDataRecord *
 message ubii.topicData.TopicDataSource

@@ -4,6 +4,7 @@ import { withoutPayload, withOptionalPayload, withPayload } from './define-servi
 import { OPERATION_SERVICES } from './operation-services.ts';
 import { PROCESSING_MODULE_SERVICES } from './processing-module-services.ts';
 import { RECORDING_SERVICES } from './recording-services.ts';
+import { REPLAY_SERVICES } from './replay-services.ts';
 import { SESSION_SERVICES } from './session-services.ts';
 import { TOPIC_MAPPING_SERVICES } from './topic-mapping-services.ts';
 
@@ -155,6 +156,7 @@ export const SERVICES = {
   ...ACCESS_SERVICES,
   ...PROCESSING_MODULE_SERVICES,
   ...RECORDING_SERVICES,
+  ...REPLAY_SERVICES,
   ...SESSION_SERVICES,
   ...TOPIC_MAPPING_SERVICES,
 } as const;

@@ -1,5 +1,7 @@
+const KINDS = ['recording', 'flight-recorder', 'import', 'comparison'] as const;
+
 /** Where a recording comes from. */
-export type RecordingKind = 'recording' | 'flight-recorder' | 'import';
+export type RecordingKind = (typeof KINDS)[number];
 
 /** The metadata record `ubi-interact` of a file. The last one of a file is valid. */
 export interface RecordingHeader {
@@ -35,5 +37,5 @@ export function headerFromMetadata(metadata: ReadonlyMap<string, string>): Recor
 }
 
 function kindOf(text: string): RecordingKind {
-  return text === 'recording' || text === 'flight-recorder' ? text : 'import';
+  return KINDS.find((kind) => kind === text) ?? 'import';
 }

@@ -46,6 +46,7 @@ describe('formatValue', () => {
     ],
     ['error', { title: 'Refused', message: 'No room' }, 'Refused: No room'],
     ['recordingStatus', { running: [{ name: 'Lesson 3' }] }, '1 recording: Lesson 3'],
+    ['replayList', { elements: [{ name: 'Lesson 3' }] }, '1 replay: Lesson 3'],
     ['sessionStatistics', { modules: [{ moduleName: 'smooth' }] }, '1 module: smooth'],
     [
       'moduleEvent',

@@ -199,4 +199,10 @@ const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
       'recordings',
       running.map(({ name }) => name),
     ),
+  replayList: ({ elements }) =>
+    named(
+      'replay',
+      'replays',
+      elements.map(({ name }) => name),
+    ),
 };

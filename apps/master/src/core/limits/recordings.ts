@@ -2,7 +2,7 @@ import { KIB, MIB, limit } from './limit.ts';
 
 const GIB = KIB * MIB;
 
-/** Limits of recordings and of the flight recorder. */
+/** Limits of recordings, of the flight recorder and of replays. */
 export const RECORDING_LIMITS = {
   runningRecordings: limit(
     8,
@@ -59,5 +59,23 @@ export const RECORDING_LIMITS = {
     'bytes',
     'storage',
     'Most memory that the flight recorder can be set to keep.',
+  ),
+  runningReplays: limit(
+    4,
+    'replays',
+    'rates',
+    'Replays at the same time. Each reads its file ahead, up to 16 MiB.',
+  ),
+  replayCopies: limit(
+    32,
+    'clients',
+    'rates',
+    'Copies of one ghost. Each of them is a client. Enough for a class of students.',
+  ),
+  replayRecordsPerSecond: limit(
+    50_000,
+    'records/s',
+    'rates',
+    'Records that one replay publishes per second; beyond that, it takes longer. The rate at which the recorder still takes all records.',
   ),
 } as const;

@@ -39,6 +39,8 @@ export interface RecordingJob {
   readonly makerId: string;
   readonly masterName: string;
   readonly version: string;
+  /** Id of the recording that is replayed meanwhile; then it is a comparison [RP-41]. Default: none. */
+  readonly replayedRecordingId?: string;
 }
 
 /** A recording to start. */

@@ -21,23 +21,26 @@ export interface FileFacts {
   readonly state: RecordingState;
   readonly problem: string;
   readonly selection: RecordingSelection | undefined;
+  /** Of a comparison: id of the recording that was replayed; else empty [RP-41]. */
+  readonly replayedRecordingId: string;
 }
 
 const KINDS: { readonly [K in RecordingKind]?: RecordingHeader['kind'] } = {
   [RecordingKind.RECORDING_KIND_RECORDING]: 'recording',
   [RecordingKind.RECORDING_KIND_FLIGHT_RECORDER]: 'flight-recorder',
   [RecordingKind.RECORDING_KIND_IMPORT]: 'import',
+  [RecordingKind.RECORDING_KIND_COMPARISON]: 'comparison',
 };
 
 /** What the file of a new recording begins with. */
 export function factsOf(
-  { name, notes, author, makerId, masterName, version }: RecordingJob,
+  { name, notes, author, makerId, masterName, version, replayedRecordingId = '' }: RecordingJob,
   kind: RecordingKind,
   startedMs: number,
   selection?: RecordingSelection,
 ): FileFacts {
   const state = RecordingState.RECORDING_STATE_COMPLETE;
-  const texts = { name, notes, author, makerId, masterName, version };
+  const texts = { name, notes, author, makerId, masterName, version, replayedRecordingId };
   return { ...texts, kind, startedMs, state, problem: '', selection };
 }
 
@@ -54,9 +57,8 @@ export function formatHeader(facts: FileFacts): RecordingHeader {
 /** What a file says of itself; of files of other programs, little. */
 export function parseFacts(summary: RecordingSummary): FileFacts {
   const { name, notes, masterName, version, kind } = summary;
-  const { author, makerId, startedMs, state, problem, ...selection } = parseObject(
-    summary.selection,
-  );
+  const { author, makerId, startedMs, state, problem, replayedRecordingId, ...selection } =
+    parseObject(summary.selection);
   const kinds = Object.entries(KINDS).find(([, word]) => word === kind);
   return {
     ...{ name, notes, masterName, version },
@@ -72,6 +74,7 @@ export function parseFacts(summary: RecordingSummary): FileFacts {
         : RecordingState.RECORDING_STATE_COMPLETE,
     problem: textOf(problem),
     selection: selectionOf(selection),
+    replayedRecordingId: textOf(replayedRecordingId),
   };
 }
 
@@ -102,6 +105,7 @@ export function describeFile(
     budget: undefined,
     topics: [],
     markers: [],
+    replayedRecordingId: facts.replayedRecordingId,
   };
 }
 

@@ -40,7 +40,11 @@ export class RunningRecording {
     startedMs: number,
     maxMarkers: number,
   ): Promise<RunningRecording> {
-    const facts = factsOf(job, RecordingKind.RECORDING_KIND_RECORDING, startedMs, job.selection);
+    const kind =
+      job.replayedRecordingId === undefined
+        ? RecordingKind.RECORDING_KIND_RECORDING
+        : RecordingKind.RECORDING_KIND_COMPARISON;
+    const facts = factsOf(job, kind, startedMs, job.selection);
     const writer = await RecordingWriter.create(file, formatHeader(facts));
     for (const event of job.present) writer.addEvent(event);
     return new RunningRecording(job, { file, writer, facts, maxMarkers });
@@ -110,7 +114,7 @@ export class RunningRecording {
   toMessage(nowMs: number): Recording {
     const { job, startedMs } = this;
     const { records, topics, bytes } = this.#writer.statistics;
-    const { name, notes, kind } = this.#facts;
+    const { name, notes, kind, replayedRecordingId } = this.#facts;
     return {
       ...{ id: job.id, name, notes, kind, startedMs, problem: '' },
       state: RecordingState.RECORDING_STATE_RECORDING,
@@ -125,6 +129,7 @@ export class RunningRecording {
       budget: job.budget,
       topics: [],
       markers: [],
+      replayedRecordingId,
     };
   }
 }
