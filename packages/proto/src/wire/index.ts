@@ -1,5 +1,6 @@
 export { TextCache } from '../binary/text-cache.ts';
 export { DecodeError } from '../decode-error.ts';
+export { changeRecordHead, type RecordHeadChange } from './change-record-head.ts';
 export {
   encodeErrorFrame,
   encodeNodeMessageFrame,
