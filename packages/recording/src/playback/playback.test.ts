@@ -5,7 +5,7 @@ import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import { recorded } from '../testing/recorded.ts';
 import { SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
-import { Playback, type PlaybackState } from './playback.ts';
+import { Playback, type PlaybackSink, type PlaybackState } from './playback.ts';
 
 const at = (ms: number): bigint => SAMPLE_START_NS + BigInt(Math.round(ms * 1e6));
 const msOf = (timeNs: bigint): number => Number(timeNs - SAMPLE_START_NS) / 1e6;
@@ -23,26 +23,22 @@ async function open(records: readonly RecordedRecord[] = RECORDS) {
   const seeks: { ms: number; values: Record<string, number> }[] = [];
   const states: PlaybackState[] = [];
   const errors: unknown[] = [];
-  const playback = new Playback({
-    clock,
-    reader,
-    tickMs: 10,
-    sink: {
-      onRecords: (due) => played.push(...due),
-      onSeek: (latest, positionNs) => {
-        const values = [...latest].map(([topic, { logTimeNs }]) => [topic, msOf(logTimeNs)]);
-        seeks.push({ ms: msOf(positionNs), values: Object.fromEntries(values) });
-      },
-      onState: (state) => states.push(state),
-      onError: (error) => errors.push(error),
+  const sink: PlaybackSink = {
+    onRecords: (due) => played.push(...due),
+    onSeek: (latest, positionNs) => {
+      const values = [...latest].map(([topic, { logTimeNs }]) => [topic, msOf(logTimeNs)]);
+      seeks.push({ ms: msOf(positionNs), values: Object.fromEntries(values) });
     },
-  });
+    onState: (state) => states.push(state),
+    onError: (error) => errors.push(error),
+  };
+  const playback = new Playback({ clock, reader, tickMs: 10, sink });
   const settled = async (ms: number): Promise<void> => {
     await settle();
     await clock.advance(ms);
   };
   const position = (): number => msOf(playback.state.positionNs);
-  return { clock, errors, played, playback, position, reader, seeks, settled, states };
+  return { clock, errors, played, playback, position, reader, seeks, settled, sink, states };
 }
 
 it('begins paused at the start', async () => {
@@ -126,6 +122,48 @@ it('steps to the next and the previous record of a topic, and by a time', async 
   playback.play();
   await playback.stepTime(33.3);
   expect([playback.state.status, position()]).toEqual(['paused', 1_883.3]);
+});
+
+it('steps on by moments with their records, and back with the last values', async () => {
+  const { playback, played, position, seeks } = await open([...RECORDS, sampleRecord('/c', 2_000)]);
+  await playback.step(3);
+  expect(played.map(({ topic }) => topic)).toEqual(['/a', '/b', '/a']);
+  expect(position()).toBe(100);
+  await playback.step(-2);
+  expect(seeks).toEqual([{ ms: 0, values: { '/a': 0 } }]);
+  played.length = 0;
+  await playback.step(99);
+  expect(played.at(-1)?.topic).toBe('/c');
+  await playback.step(1);
+  expect([position(), played.length]).toEqual([2_000, RECORDS.length]);
+});
+
+it('steps no further than its span', async () => {
+  const { playback, position } = await open();
+  playback.setSpan({ fromNs: at(0), untilNs: at(200) });
+  await playback.step(99);
+  expect(position()).toBe(200);
+});
+
+it('plays a span once and ends there', async () => {
+  const { playback, played, position, settled } = await open();
+  playback.setSpan({ fromNs: at(500), untilNs: at(700) });
+  playback.play();
+  await settled(1_000);
+  expect(played.map(({ logTimeNs }) => msOf(logTimeNs))).toEqual([600, 700]);
+  expect([playback.state.status, position()]).toEqual(['ended', 700]);
+});
+
+it('waits while the sink takes nothing, and loses nothing', async () => {
+  const { playback, played, position, settled, sink } = await open();
+  playback.play();
+  await settled(300);
+  sink.isReady = () => false;
+  await settled(5_000);
+  expect([position(), playback.state.isBuffering, played.length]).toEqual([300, true, 5]);
+  sink.isReady = () => true;
+  await settled(1_700);
+  expect(played).toEqual(RECORDS);
 });
 
 it('plays a loop again and again', async () => {

@@ -16,7 +16,9 @@ export interface PlaybackState {
   /** 0.1 to 10. */
   readonly rate: number;
   readonly loop: Span | undefined;
-  /** Waits for the source. */
+  /** What is played once when there is no loop; undefined for all. */
+  readonly span: Span | undefined;
+  /** Waits for the source, or for the sink. */
   readonly isBuffering: boolean;
 }
 
@@ -30,6 +32,8 @@ export interface PlaybackSink {
   onState(state: PlaybackState): void;
   /** The source failed; playback is paused. */
   onError(error: unknown): void;
+  /** Whether it can take records now; playback waits until it can. @default always */
+  isReady?(): boolean;
 }
 
 /** Options of a playback. */
@@ -39,6 +43,8 @@ export interface PlaybackOptions {
   readonly sink: PlaybackSink;
   /** Time between two ticks, milliseconds. @default 16 */
   readonly tickMs?: number;
+  /** Bytes of records that are read ahead. @default 16 MiB */
+  readonly readAheadBytes?: number;
 }
 
 const MIN_RATE = 0.1;
@@ -51,6 +57,7 @@ export class Playback {
   readonly #reader: RecordsReader;
   readonly #sink: PlaybackSink;
   readonly #tickMs: number;
+  readonly #readAheadBytes: number | undefined;
   #state: PlaybackState;
   /** Records up to this time were emitted, or are in the values of a seek. */
   #emittedNs: bigint;
@@ -62,17 +69,19 @@ export class Playback {
   #seeking: Promise<void> | undefined;
   #isClosed = false;
 
-  constructor({ clock, reader, sink, tickMs = 16 }: PlaybackOptions) {
+  constructor({ clock, reader, sink, tickMs = 16, readAheadBytes }: PlaybackOptions) {
     this.#clock = clock;
     this.#reader = reader;
     this.#sink = sink;
     this.#tickMs = tickMs;
+    this.#readAheadBytes = readAheadBytes;
     const { startNs } = reader.summary;
     this.#state = {
       status: 'paused',
       positionNs: startNs,
       rate: 1,
       loop: undefined,
+      span: undefined,
       isBuffering: false,
     };
     this.#emittedNs = startNs - 1n;
@@ -107,7 +116,16 @@ export class Playback {
 
   /** Plays this span again and again; undefined ends that. */
   setLoop(loop: Span | undefined): void {
-    this.#change({ loop });
+    this.#setSpans({ loop });
+  }
+
+  /** Plays no more than this span; undefined ends that. A loop counts more. */
+  setSpan(span: Span | undefined): void {
+    this.#setSpans({ span });
+  }
+
+  #setSpans(change: Pick<Partial<PlaybackState>, 'loop' | 'span'>): void {
+    this.#change(change);
     if (this.#state.status !== 'playing') return;
     const { fromNs, untilNs } = this.#span();
     const { positionNs } = this.#state;
@@ -136,6 +154,21 @@ export class Playback {
     }
   }
 
+  /**
+   * Pauses, and goes on by moments that have records, or with a negative number back. Going on emits these records; going
+   * back, the last value of every topic.
+   */
+  async step(moments: number): Promise<void> {
+    this.pause();
+    await this.#seeking;
+    try {
+      if (moments > 0) await this.#stepOn(moments);
+      else if (moments < 0) await this.#stepBack(-moments);
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
   /** Pauses and jumps by a time. @param deltaMs may be negative */
   async stepTime(deltaMs: number): Promise<void> {
     this.pause();
@@ -150,10 +183,40 @@ export class Playback {
     this.#feed?.close();
   }
 
-  /** What is played: the loop, or all. */
+  async #stepOn(moments: number): Promise<void> {
+    const records: RecordedRecord[] = [];
+    let passed = 0;
+    const { untilNs } = this.#span();
+    const fromNs = this.#emittedNs + 1n;
+    for await (const record of this.#reader.records({ fromNs, untilNs })) {
+      if (record.logTimeNs !== records.at(-1)?.logTimeNs && ++passed > moments) break;
+      records.push(record);
+    }
+    const positionNs = records.at(-1)?.logTimeNs;
+    const isCurrent = this.#emittedNs + 1n === fromNs && this.#seeking === undefined;
+    if (positionNs === undefined || !isCurrent || this.#state.status === 'playing') return;
+    this.#emittedNs = positionNs;
+    this.#sink.onRecords(records);
+    this.#change({ positionNs });
+  }
+
+  async #stepBack(moments: number): Promise<void> {
+    let passed = 0;
+    let momentNs: bigint | undefined;
+    const query = { untilNs: this.#state.positionNs - 1n, isReverse: true };
+    for await (const { logTimeNs } of this.#reader.records(query)) {
+      if (logTimeNs === momentNs) continue;
+      if (++passed > moments) break;
+      momentNs = logTimeNs;
+    }
+    if (momentNs !== undefined) await this.seek(momentNs);
+  }
+
+  /** What is played: the loop, the span, or all. */
   #span(): Span {
     const { startNs, endNs } = this.#reader.summary;
-    return this.#state.loop ?? { fromNs: startNs, untilNs: endNs };
+    const { loop, span } = this.#state;
+    return loop ?? span ?? { fromNs: startNs, untilNs: endNs };
   }
 
   #tick(): void {
@@ -161,6 +224,7 @@ export class Playback {
     const elapsedMs = nowMs - this.#tickedAtMs;
     this.#tickedAtMs = nowMs;
     if (this.#feed === undefined || this.#state.status !== 'playing') return;
+    if (this.#sink.isReady?.() === false) return this.#change({ isBuffering: true });
     const { positionNs, rate, loop } = this.#state;
     const { fromNs, untilNs } = this.#span();
     const wantedNs = positionNs + BigInt(Math.round(elapsedMs * rate * NS_PER_MS));
@@ -200,9 +264,13 @@ export class Playback {
     this.#feed?.close();
     this.#tickedAtMs = this.#clock.monotonicMs();
     const { untilNs } = this.#span();
-    this.#feed = new RecordFeed(this.#reader, this.#emittedNs + 1n, untilNs, (error) =>
-      this.#fail(error),
-    );
+    this.#feed = new RecordFeed({
+      reader: this.#reader,
+      fromNs: this.#emittedNs + 1n,
+      untilNs,
+      maxBytes: this.#readAheadBytes,
+      onError: (error) => this.#fail(error),
+    });
   }
 
   #halt(status: 'paused' | 'ended'): void {

@@ -5,6 +5,18 @@ import type { RecordedRecord } from '../records/recorded-record.ts';
 const MAX_RECORDS = 4_000;
 const MAX_BYTES = 16 * 1024 * 1024;
 
+/** What a feed reads. */
+export interface FeedOptions {
+  readonly reader: RecordsReader;
+  /** First time, inclusive. */
+  readonly fromNs: bigint;
+  /** Last time, inclusive. */
+  readonly untilNs: bigint;
+  /** Bytes read ahead. @default 16 MiB */
+  readonly maxBytes?: number | undefined;
+  onError(error: unknown): void;
+}
+
 /** What was due. */
 export interface DueRecords {
   readonly records: readonly RecordedRecord[];
@@ -16,6 +28,7 @@ export interface DueRecords {
 export class RecordFeed {
   readonly #iterator: AsyncIterator<RecordedRecord>;
   readonly #onError: (error: unknown) => void;
+  readonly #maxBytes: number;
   #queue: RecordedRecord[] = [];
   #bytes = 0;
   #reachedNs: bigint;
@@ -23,16 +36,11 @@ export class RecordFeed {
   #isReading = false;
   #isClosed = false;
 
-  /** @param fromNs first time, inclusive @param untilNs last time, inclusive */
-  constructor(
-    reader: RecordsReader,
-    fromNs: bigint,
-    untilNs: bigint,
-    onError: (error: unknown) => void,
-  ) {
+  constructor({ reader, fromNs, untilNs, maxBytes = MAX_BYTES, onError }: FeedOptions) {
     this.#iterator = reader.records({ fromNs, untilNs })[Symbol.asyncIterator]();
     this.#reachedNs = fromNs - 1n;
     this.#onError = onError;
+    this.#maxBytes = maxBytes;
     void this.#readAhead();
   }
 
@@ -59,7 +67,7 @@ export class RecordFeed {
   }
 
   get #isFull(): boolean {
-    return this.#queue.length >= MAX_RECORDS || this.#bytes >= MAX_BYTES;
+    return this.#queue.length >= MAX_RECORDS || this.#bytes >= this.#maxBytes;
   }
 
   async #readAhead(): Promise<void> {
