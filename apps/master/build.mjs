@@ -39,6 +39,7 @@ await build({
   entryPoints: {
     'decode-worker': inPackage('src/adapters/http/bodies/decode-worker.ts'),
     'recorder-worker': inPackage('src/adapters/recording/recorder-worker.ts'),
+    'replay-worker': inPackage('src/adapters/recording/replay-worker.ts'),
   },
   outdir,
   bundle: true,

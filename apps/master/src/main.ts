@@ -29,6 +29,7 @@ const assetsFolders = ['packages/vision', 'demos/ubi-party'].map((folder) =>
 const workerFile = findBuilt('pm-worker.js', import.meta.url);
 const decodeWorkerFile = findBuilt('decode-worker.js', import.meta.url);
 const recorderWorkerFile = findBuilt('recorder-worker.js', import.meta.url);
+const replayWorkerFile = findBuilt('replay-worker.js', import.meta.url);
 
 await runProgram(MASTER_PROGRAM, (options) => run(createConfig(options)), { version });
 
@@ -46,6 +47,7 @@ async function run(config: Config): Promise<void> {
       workerFile,
       decodeWorkerFile,
       recorderWorkerFile,
+      replayWorkerFile,
     });
     endInGoodOrder(master, log, config);
     await present(master, config);

@@ -34,7 +34,7 @@ import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
 import { recordingsFolder } from './adapters/recording/disk-folder.ts';
-import { openRecorder } from './adapters/recording/open-recorder.ts';
+import { openRecordings } from './adapters/recording/open-recordings.ts';
 import { AuditFile } from './adapters/storage/audit-file.ts';
 import { KNOWN_MODELS } from './adapters/models/catalogue.ts';
 import { StoredAssetSets } from './adapters/models/stored-asset-sets.ts';
@@ -67,6 +67,7 @@ export async function startMaster({
   keepAliveMs,
   decodeWorkerFile,
   recorderWorkerFile,
+  replayWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
   const key = readOrCreateTokenKey(config.dataDir);
@@ -148,12 +149,10 @@ export async function startMaster({
       assets: createAssetStore(assets),
       assetSets,
       storage,
-      recorder: openRecorder({
-        workerFile: recorderWorkerFile,
+      ...openRecordings({
         folder: recordings,
         limits: { ...DEFAULT_LIMITS, ...limits },
-        clock,
-        log,
+        ...{ clock, log, recorderWorkerFile, replayWorkerFile },
       }),
       library: () => library.modules(),
     },

@@ -24,6 +24,7 @@ import { FakeLan } from './fake-lan.ts';
 import { FixedUsage } from './fixed-usage.ts';
 import { MemoryAudit } from './memory-audit.ts';
 import { RecorderEngine } from '../core/recorder/recorder-engine.ts';
+import { FolderReplays } from '../core/replayer/folder-replays.ts';
 import { DEFAULT_LIMITS } from '../core/limits/index.ts';
 import { MemoryFolder } from './memory-folder.ts';
 import { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
@@ -106,6 +107,7 @@ export class TestMaster {
           clock: this.clock,
           limits: { ...DEFAULT_LIMITS, ...limits },
         }),
+        replayFiles: new FolderReplays({ folder: this.recordings, clock: this.clock }),
         library: () => library,
       },
       {

@@ -38,6 +38,8 @@ export interface EdgeMasterOptions extends Pick<MasterParts, 'clock' | 'keepAliv
   readonly decodeWorkerFile?: URL;
   /** The built thread that records; without it the main thread does. */
   readonly recorderWorkerFile?: URL;
+  /** The built thread that reads recordings to be played; without it the main thread does. */
+  readonly replayWorkerFile?: URL;
 }
 
 export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<EdgeMaster> {
@@ -68,6 +70,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     ...(options.models && { models: options.models }),
     decodeWorkerFile: options.decodeWorkerFile,
     recorderWorkerFile: options.recorderWorkerFile,
+    replayWorkerFile: options.replayWorkerFile,
   });
   onTestFinished(() => master.close());
   return {

@@ -19,7 +19,10 @@ export type AccessDependencies = Pick<
   'clock' | 'ids' | 'log' | 'tokens' | 'accessSecrets' | 'grants'
 > &
   Pick<Foundation, 'limits' | 'limitWatch' | 'counters' | 'onClose'> &
-  Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'tap' | 'subscriptions' | 'endOfTurn'> &
+  Pick<
+    TopicArea,
+    'accounts' | 'topics' | 'kept' | 'tap' | 'replayed' | 'subscriptions' | 'endOfTurn'
+  > &
   Pick<ClientArea, 'clients' | 'dismissals'> &
   Pick<SessionArea, 'reports'>;
 

@@ -6,6 +6,7 @@ import { createMonitoring, type MonitoringArea } from './monitoring.ts';
 import { createNodes, type NodeArea } from './nodes.ts';
 import { createSessions, type SessionArea } from './sessions.ts';
 import { createRecordings, type RecordingArea } from './recordings.ts';
+import { createReplays, type ReplayArea } from './replays.ts';
 import type { MasterPorts, MasterSettings } from './settings.ts';
 import { createTopics, type TopicArea } from './topics.ts';
 
@@ -27,6 +28,7 @@ export interface Core
     SessionArea,
     AccessArea,
     RecordingArea,
+    ReplayArea,
     MonitoringArea {}
 
 /** Creates the areas of a master in order. Each is given the parts of those before it. */
@@ -39,5 +41,6 @@ export function createCore(ports: MasterPorts, settings: MasterSettings): Core {
   const sessions = { ...nodes, ...createSessions(nodes) };
   const access = { ...sessions, ...createAccess(sessions) };
   const recordings = { ...access, ...createRecordings(access) };
-  return { ...recordings, ...createMonitoring(recordings) };
+  const replays = { ...recordings, ...createReplays(recordings) };
+  return { ...replays, ...createMonitoring(replays) };
 }

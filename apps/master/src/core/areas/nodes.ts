@@ -14,7 +14,7 @@ export type NodeArea = ReturnType<typeof createNodes>;
 
 export type NodeDependencies = Pick<MasterPorts, 'clock' | 'patterns' | 'sandboxes' | 'assets'> &
   Pick<Foundation, 'id' | 'settings' | 'limits' | 'limitWatch' | 'counters'> &
-  Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'tap' | 'subscriptions'> &
+  Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'tap' | 'replayed' | 'subscriptions'> &
   Pick<ClientArea, 'clients' | 'devices'> &
   Pick<LibraryArea, 'modules'>;
 

@@ -16,6 +16,7 @@ import type { IdSource } from '../ports/id-source.ts';
 import type { Lan } from '../ports/lan.ts';
 import type { Log } from '../ports/log.ts';
 import type { Recorder } from '../ports/recorder.ts';
+import type { ReplayFiles } from '../ports/replay-files.ts';
 import type { ResourceUsage } from '../ports/resource-usage.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
 import type { CheckSettings } from '../checks/check-settings.ts';
@@ -48,6 +49,8 @@ export interface MasterPorts {
   readonly storage: SessionStorage;
   /** Writes recordings; the core closes it. */
   readonly recorder: Recorder;
+  /** Reads recordings to be played; the core closes it. */
+  readonly replayFiles: ReplayFiles;
   /** Trusted modules: those that came with the program, and the operator's [PM-51]. The same list as long as nothing changes. */
   readonly library: () => readonly ProcessingModule[];
 }

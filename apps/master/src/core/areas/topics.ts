@@ -5,6 +5,7 @@ import { ExpiringValues } from '../topics/expiring-values.ts';
 import { KeptValues } from '../topics/kept-values.ts';
 import { PatternTable } from '../topics/pattern-table.ts';
 import { RecordTap } from '../topics/record-tap.ts';
+import { ReplayedTopics } from '../topics/replayed-topics.ts';
 import { SelectionTable } from '../topics/selection-table.ts';
 import { subscriberFactory } from '../topics/subscriber-factory.ts';
 import { SubscriptionTable } from '../topics/subscription-table.ts';
@@ -40,6 +41,7 @@ export function createTopics(dependencies: TopicDependencies) {
   });
   const kept = new KeptValues({ clock, limits, topics, accounts });
   const tap = new RecordTap();
+  const replayed = new ReplayedTopics();
   const batches = new TurnBatches();
   const endOfTurn = new EndOfTurn(clock, () => batches.renew());
   const expiring = new ExpiringValues({ clock, topics });
@@ -56,11 +58,16 @@ export function createTopics(dependencies: TopicDependencies) {
     kept,
     /** Where records are picked up to be recorded. */
     tap,
+    /** Topics that replays play. */
+    replayed,
     patternTable: patterns,
     selectionTable: selections,
     subscriptions,
     endOfTurn,
     createSubscriber: subscriberFactory({ clock, limits, counters, endOfTurn, batches, topics }),
-    publisher: new MasterPublisher({ topics, limits, accounts, counters, kept, tap }, clock),
+    publisher: new MasterPublisher(
+      { topics, limits, accounts, counters, kept, tap, replayed },
+      clock,
+    ),
   };
 }

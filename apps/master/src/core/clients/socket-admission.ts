@@ -57,9 +57,9 @@ export class SocketAdmission {
     query: ConnectionQuery,
     connection: ClientConnection,
     caller: CallerFacts,
-    { userAgent = '', addressKind }: ConnectionPeer = {},
+    peer: ConnectionPeer = {},
   ): TopicDataSocket | undefined {
-    const { clients, counters, topics, subscriptions } = this.#context;
+    const { clients, counters } = this.#context;
     const client = clients.get(query.clientId ?? '');
     const isStranger = this.refuse(query, caller) !== undefined;
     const refusal = isStranger ? CLOSE.notThisClient : this.#refusal(client, query);
@@ -69,6 +69,24 @@ export class SocketAdmission {
       connection.close(code, reason);
       return undefined;
     }
+    return this.#attach(client, connection, peer);
+  }
+
+  /**
+   * Makes a connection within the process the socket of its client.
+   * @throws ServiceError when there would be too many sockets
+   */
+  attach(client: Client, connection: ClientConnection): TopicDataSocket {
+    this.#context.accounts.require(client.account, RESOURCE.sockets, 1);
+    return this.#attach(client, connection, {});
+  }
+
+  #attach(
+    client: Client,
+    connection: ClientConnection,
+    { userAgent = '', addressKind }: ConnectionPeer,
+  ): TopicDataSocket {
+    const { clients, counters, topics, subscriptions } = this.#context;
     const before = client.socket;
     if (before === undefined) {
       this.#open++;

@@ -86,6 +86,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     },
     async close(): Promise<void> {
       core.onClose.emit();
+      await ports.replayFiles.close();
       await core.recordings.close();
       await core.localNode.close();
       await ports.sandboxes.close();

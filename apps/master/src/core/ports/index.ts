@@ -23,6 +23,17 @@ export type {
   RecordToKeep,
   RunningJob,
 } from './recorder.ts';
+export type {
+  PlayedBatch,
+  PlayedPart,
+  PlayerCommand,
+  PlayerSink,
+  PlayerState,
+  ReplayFacts,
+  ReplayFile,
+  ReplayFiles,
+  ReplayPlayer,
+} from './replay-files.ts';
 export type { ResourceUsage, UsageMeasurement } from './resource-usage.ts';
 export type { BatchEncoder, RecordBatch } from './record-batch.ts';
 export type { ClientConnection } from './client-connection.ts';

@@ -13,6 +13,7 @@ import type { Clock } from '@ubii/timing';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
+import { Hook } from '../hooks/hook.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { KeptRecording, Recorder, RecorderState, RecordingJob } from '../ports/recorder.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -75,6 +76,11 @@ export class Recordings {
   readonly #uploads: UploadSpace;
   /** Targets of recordings that are started and are in no state of the recorder yet. */
   readonly #starting = new Set<number>();
+  /** Called before a recording is deleted. */
+  readonly onDelete = new Hook<[id: string]>();
+  /** Called when recordings were added, changed or deleted. */
+  readonly onListChanged = new Hook<[]>();
+  #listRevision = 0;
   #targets = 0;
   /** When clocks were looked at last, monotonic milliseconds. */
   #clocksMs = 0;
@@ -140,6 +146,7 @@ export class Recordings {
   }
 
   delete(id: string): Promise<void> {
+    this.onDelete.emit(id);
     return this.#context.recorder.delete(id);
   }
 
@@ -272,6 +279,8 @@ export class Recordings {
       if ((ended & target) !== 0) collector.remove(target);
     }
     this.#targets = state.targets;
+    if (state.listRevision !== this.#listRevision) this.onListChanged.emit();
+    this.#listRevision = state.listRevision;
     this.#recordClocks();
     publishStatus(publisher, state);
   }

@@ -8,6 +8,7 @@ import { listingServices } from './listings.ts';
 import { MODULE_SERVICES } from './modules.ts';
 import { MONITORING_SERVICES } from './monitoring.ts';
 import { RECORDING_SERVICES } from './recordings.ts';
+import { REPLAY_SERVICES } from './replays.ts';
 import { SERVER_SERVICES } from './server.ts';
 import { STORED_SESSION_SERVICES } from './session-database.ts';
 import { SESSION_SERVICES } from './sessions.ts';
@@ -28,6 +29,7 @@ export const ALL_SERVICES: readonly Service[] = [
   ...MONITORING_SERVICES,
   ...ASSET_SET_SERVICES,
   ...RECORDING_SERVICES,
+  ...REPLAY_SERVICES,
 ];
 
 const BY_TOPIC: ReadonlyMap<string, Service> = new Map(

@@ -1,13 +1,15 @@
 import { isMasterTopic } from '@ubii/proto';
+import { changeRecordHead } from '@ubii/proto/wire';
 import type { Accounts } from '../shares/accounts.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { Limits } from '../limits/index.ts';
 import type { Counters } from '../counters/counters.ts';
 import { isOwnFarewell } from './farewell.ts';
 import type { KeptValues } from './kept-values.ts';
-import type { Publication, PublishingClient } from './publication.ts';
+import { Publication, type PublishingClient } from './publication.ts';
 import type { RecordTap } from './record-tap.ts';
 import { REFUSALS, type Refusal } from './refusals.ts';
+import type { LiveRule, ReplayedTopics } from './replayed-topics.ts';
 import { isEventField } from './topic-entry.ts';
 import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
@@ -20,6 +22,7 @@ export interface PublishContext {
   readonly counters: Counters;
   readonly kept: KeptValues;
   readonly tap: RecordTap;
+  readonly replayed: ReplayedTopics;
 }
 
 /**
@@ -31,13 +34,48 @@ export function publish(context: PublishContext, publication: Publication): Refu
   const isClients = publication.client !== undefined;
   const refusal = isClients ? checkClients(context, publication) : undefined;
   if (refusal !== undefined) return refusal;
+  if (context.replayed.isActive && isClients) {
+    const rule = context.replayed.ruleFor(publication);
+    if (rule !== undefined) return publishLive(context, publication, rule);
+  }
+  accept(context, publication);
+  return undefined;
+}
+
+function accept(context: PublishContext, publication: Publication): void {
   createTopic(context, publication);
-  if (isClients) {
+  if (publication.client !== undefined) {
     takeOwnership(context, publication);
     countIn(context, publication);
   }
   storeAndDeliver(context, publication);
-  return undefined;
+}
+
+/** A live record on a topic that is replayed: refuses it, or publishes it elsewhere. [RP-20] [RP-21] */
+function publishLive(
+  context: PublishContext,
+  publication: Publication,
+  { livePrefix }: LiveRule,
+): Refusal | undefined {
+  context.replayed.keepLive(publication);
+  if (livePrefix === undefined) return REFUSALS.replayed;
+  const { client, frame, start, end } = publication;
+  const moved = new Publication();
+  moved.client = client;
+  moved.topic = livePrefix + publication.topic;
+  moved.frame = changeRecordHead(frame.subarray(start, end), { topic: moved.topic });
+  moved.end = moved.frame.byteLength;
+  moved.valueField = publication.valueField;
+  moved.nowMs = publication.nowMs;
+  moved.monotonicMs = publication.monotonicMs;
+  findTopic(context, moved);
+  const refusal =
+    checkTopic(context, moved) ??
+    checkTopicCount(context, moved) ??
+    checkRetainedBytes(context, moved);
+  if (refusal === undefined) accept(context, moved);
+  else publication.shortage = moved.shortage;
+  return refusal;
 }
 
 /** Returns the first reason to refuse a record of a client, in this order. */

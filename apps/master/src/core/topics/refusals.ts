@@ -61,6 +61,12 @@ export const REFUSALS = {
     describe: ({ topic, byteLength }, { publishedBytesPerSecond }) =>
       `The record of ${byteLength} bytes on ${quote(topic)} exceeds the rate limit: a client publishes at most ${publishedBytesPerSecond} bytes per second (limit publishedBytesPerSecond).`,
   },
+  /** [RP-20] */
+  replayed: {
+    code: 'failed_precondition',
+    describe: ({ topic }) =>
+      `The record on ${quote(topic)} was dropped: a replay plays this topic and mutes all others. Publish again when the replay has stopped.`,
+  },
   /** [AC-83] */
   noRoom: {
     code: 'resource_exhausted',

@@ -1,0 +1,40 @@
+import type { Clock } from '@ubii/timing';
+import type { Log, Recorder, ReplayFiles } from '../../core/ports/index.ts';
+import { RecorderEngine, type RecorderLimits } from '../../core/recorder/recorder-engine.ts';
+import { FolderReplays } from '../../core/replayer/folder-replays.ts';
+import { WorkerReplayFiles } from './worker-replay-files.ts';
+import { DiskFolder } from './disk-folder.ts';
+import { WorkerRecorder } from './worker-recorder.ts';
+
+export interface RecordingOptions {
+  /** Path of the folder of the recordings. */
+  readonly folder: string;
+  readonly limits: RecorderLimits;
+  readonly clock: Clock;
+  readonly log: Log;
+  /** The built threads; undefined: this thread does their work. */
+  readonly recorderWorkerFile: URL | undefined;
+  readonly replayWorkerFile: URL | undefined;
+}
+
+/** Opens the recordings of a master: to be written and to be played, each on a thread of its own. */
+export function openRecordings(options: RecordingOptions): {
+  readonly recorder: Recorder;
+  readonly replayFiles: ReplayFiles;
+} {
+  const { folder, clock, log, recorderWorkerFile, replayWorkerFile } = options;
+  const { recordingsBytes, markersPerRecording } = options.limits;
+  const limits: RecorderLimits = { recordingsBytes, markersPerRecording };
+  const here = { folder: new DiskFolder(folder), clock };
+  const onThread = { folder, clock, log };
+  return {
+    recorder:
+      recorderWorkerFile === undefined
+        ? new RecorderEngine({ ...here, limits })
+        : new WorkerRecorder({ ...onThread, limits, workerFile: recorderWorkerFile }),
+    replayFiles:
+      replayWorkerFile === undefined
+        ? new FolderReplays(here)
+        : new WorkerReplayFiles({ ...onThread, workerFile: replayWorkerFile }),
+  };
+}

@@ -1,0 +1,91 @@
+import { ReplayConflict } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
+import type { ClientRegistry } from '../clients/client-registry.ts';
+import { Publication } from '../topics/publication.ts';
+import { publish, type PublishContext } from '../topics/publisher.ts';
+import type { LiveRule, LiveValue } from '../topics/replayed-topics.ts';
+
+/** What muting works with. */
+export interface MutingContext extends PublishContext {
+  readonly clock: Clock;
+  readonly clients: ClientRegistry;
+}
+
+/** Muted topics that are named. [RP-20] */
+const MAX_NAMED = 100;
+
+/** What one replay does to live records on its topics, and how it ends. */
+export class LiveMuting {
+  readonly #context: MutingContext;
+  readonly #conflict: ReplayConflict;
+  readonly #rule: LiveRule;
+  readonly #muted = new Set<string>();
+  #count = 0;
+
+  constructor(
+    context: MutingContext,
+    conflict: ReplayConflict,
+    livePrefix: string,
+    clientIds: ReadonlySet<string>,
+  ) {
+    this.#context = context;
+    this.#conflict = conflict;
+    this.#rule = {
+      clientIds,
+      livePrefix: livePrefix === '' ? undefined : livePrefix,
+      onLive: (topic) => {
+        this.#count++;
+        this.#muted.add(topic);
+      },
+    };
+  }
+
+  /** Live records that were refused or moved. */
+  get count(): number {
+    return this.#count;
+  }
+
+  /** Topics of these, the first of them. */
+  get topics(): string[] {
+    return [...this.#muted].slice(0, MAX_NAMED);
+  }
+
+  /** The replay plays this topic from now on. */
+  add(topic: string): void {
+    if (this.#conflict === ReplayConflict.REPLAY_CONFLICT_KEEP_LIVE) return;
+    const { replayed, topics } = this.#context;
+    replayed.add(topic, this.#rule, topics.get(topic));
+  }
+
+  /** Lets live records flow again. Call `restore` when the topics of the replay are gone. */
+  end(): LiveValue[] {
+    const { replayed, topics } = this.#context;
+    const { livePrefix } = this.#rule;
+    if (livePrefix !== undefined) {
+      for (const topic of this.#muted) {
+        const entry = topics.get(livePrefix + topic);
+        if (entry !== undefined) topics.deleteValue(entry);
+      }
+    }
+    return replayed.remove(this.#rule);
+  }
+
+  /** Gives topics their last live values. [RP-23] */
+  restore(values: readonly LiveValue[]): void {
+    const { clients, topics, clock } = this.#context;
+    for (const { topic, client, record, valueField } of values) {
+      const isThere = clients.get(client.id) === client || topics.get(topic)?.owner === client;
+      if (!isThere) continue;
+      const publication = new Publication();
+      publication.client = client;
+      publication.topic = topic;
+      publication.frame = record;
+      publication.start = 0;
+      publication.end = record.byteLength;
+      publication.valueField = valueField;
+      publication.nowMs = clock.nowMs();
+      publication.monotonicMs = clock.monotonicMs();
+      publish(this.#context, publication);
+    }
+  }
+}

@@ -1,0 +1,88 @@
+import { decode, encode } from '@ubii/proto';
+import type { ClientAccess } from '../access/caller.ts';
+import type { ClientRegistry } from '../clients/client-registry.ts';
+import type { Client } from '../clients/client.ts';
+import type { SocketAdmission } from '../clients/socket-admission.ts';
+import type { InfoTopics } from '../info/info-topics.ts';
+import type { ClientConnection } from '../ports/client-connection.ts';
+import type { ConnectionHandle } from '../ports/connection-handle.ts';
+import type { TopicTable } from '../topics/topic-table.ts';
+
+/** What a client of a replay works with. */
+export interface ReplayClientContext {
+  readonly clients: ClientRegistry;
+  readonly sockets: SocketAdmission;
+  readonly info: InfoTopics;
+  readonly topics: TopicTable;
+}
+
+/** How the client appears. */
+export interface ReplayClientSpec {
+  readonly name: string;
+  readonly access: ClientAccess;
+  /** What the master refuses of it. */
+  onError(message: string): void;
+  /** Its connection was closed by the master. */
+  onClosed(reason: string): void;
+}
+
+const TAG = 'replay';
+
+/** A client within the process: listed, limited and counted as all others. [RP-1] */
+export class ReplayClient {
+  readonly client: Client;
+  readonly #context: ReplayClientContext;
+  readonly #handle: ConnectionHandle;
+  #isOpen = true;
+
+  /** @throws ServiceError when there is no room for another client */
+  constructor(context: ReplayClientContext, spec: ReplayClientSpec) {
+    const { clients, sockets, info } = context;
+    this.#context = context;
+    const message = { name: spec.name, tags: [TAG], extension: { recordLists: true } };
+    const complete = decode('ubii.clients.Client', encode('ubii.clients.Client', message));
+    this.client = clients.register(complete, spec.access).client;
+    try {
+      this.#handle = sockets.attach(this.client, this.#connection(spec));
+    } catch (cause) {
+      clients.handleEvent(this.client, 'deregistered');
+      throw cause;
+    }
+    info.announceClient(this.client);
+  }
+
+  get id(): string {
+    return this.client.id;
+  }
+
+  /** Publishes a frame of records. */
+  publish(frame: Uint8Array): void {
+    this.#handle.handleReadStart();
+    this.#handle.handleBinary(frame);
+    this.#handle.handleReadEnd();
+  }
+
+  /** Removes the client and all its topics, kept values included. */
+  close(): void {
+    if (!this.#isOpen) return;
+    this.#isOpen = false;
+    const { clients, topics } = this.#context;
+    for (const entry of [...this.client.ownedTopics]) topics.deleteValue(entry);
+    clients.handleEvent(this.client, 'deregistered');
+  }
+
+  #connection({ onError, onClosed }: ReplayClientSpec): ClientConnection {
+    return {
+      queuedBytes: 0,
+      send: () => undefined, // It subscribes to nothing.
+      sendFrame: () => undefined,
+      sendError: ({ message }) => onError(message),
+      sendPing: () => this.#handle.handleText('PONG'),
+      sendPong: () => undefined,
+      setRecordLists: () => undefined,
+      close: (_code, reason) => {
+        if (this.#isOpen) onClosed(reason);
+      },
+    };
+  }
+}

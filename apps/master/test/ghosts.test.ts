@@ -1,0 +1,77 @@
+import { describe, expect, it } from 'vitest';
+import { at, heard, list, listener, masterWith, play, stop } from './replay-world.ts';
+
+const RECORDED = [at('/ada/tilt', 0, 1), at('/room/light', 0, 2), at('/ada/tilt', 100, 3)];
+
+describe('a ghost', () => {
+  it('[RP-30] [RP-31] plays its span in a loop, as clients with topics of their own', async () => {
+    const master = await masterWith(RECORDED);
+    const ada = await listener(master);
+    const { clientIds, isLooping, name } = await play(master, { isGhost: true, copies: 2 });
+    const [first, second] = clientIds as [string, string];
+    expect([name, isLooping, clientIds.length]).toEqual(['1: Ghost of Tuesday', true, 2]);
+    await master.pass(260);
+    const values = heard(ada);
+    for (const [id, number] of [
+      [first, 1],
+      [second, 2],
+    ]) {
+      const own = values.filter(([topic]) => topic === `/${id}/tilt`);
+      expect(own.slice(0, 4).map(([, value]) => value)).toEqual([1, 3, 1, 3]);
+      expect(values).toContainEqual([`/ghost-${number}/room/light`, 2]);
+    }
+    expect(values.some(([topic]) => topic.startsWith('/ada/'))).toBe(false);
+  });
+
+  it('[RP-31] states its own client id in records that state one', async () => {
+    const master = await masterWith(RECORDED);
+    const ada = await listener(master);
+    const { clientIds } = await play(master, { isGhost: true, isPaused: true });
+    const own = ada.takeRecords().filter(({ topic }) => topic.endsWith('/tilt'));
+    expect(own.map(({ clientId }) => clientId)).toEqual(clientIds);
+  });
+
+  it('[RP-31] keeps topics of several recorded clients apart, and numbers of all ghosts', async () => {
+    const master = await masterWith([
+      at('/ada/tilt', 0, 1, 'ada'),
+      at('/bob/tilt', 0, 2, 'bob'),
+      at('/ada/tilt', 100, 3, 'ada'),
+    ]);
+    const ada = await listener(master);
+    const { id } = await play(master, { isGhost: true, isPaused: true });
+    const other = await play(master, { isGhost: true, isPaused: true });
+    expect(heard(ada).filter(([topic]) => topic.startsWith('/ghost'))).toEqual([
+      ['/ghost-1/bob/tilt', 2],
+      ['/ghost-2/bob/tilt', 2],
+    ]);
+    await stop(master, id);
+    await play(master, { isGhost: true, isPaused: true });
+    expect(heard(ada).filter(([topic]) => topic.startsWith('/ghost'))).toEqual([
+      ['/ghost-1/bob/tilt', 2],
+    ]);
+    expect((await list(master)).map((replay) => replay.id)).toContain(other.id);
+  });
+
+  it('[RP-32] spreads the starts of its copies', async () => {
+    const master = await masterWith([...RECORDED, at('/room/light', 1_000, 4)]);
+    const ada = await listener(master);
+    await play(master, { isGhost: true, copies: 4, jitterMs: 400 });
+    const moved = (): number => heard(ada).filter(([, value]) => value === 3).length;
+    await master.pass(50);
+    expect(moved()).toBe(0);
+    for (let copy = 0; copy < 4; copy++) {
+      await master.pass(100);
+      expect(moved()).toBe(1);
+    }
+  });
+
+  it('[RP-30] plays beside live topics and beside another replay of the recording', async () => {
+    const master = await masterWith(RECORDED);
+    const ada = await master.extension('ada');
+    await play(master, { isPaused: true });
+    await play(master, { isGhost: true, isPaused: true });
+    ada.publish('/other', 'double', 1);
+    expect(ada.takeErrors()).toEqual([]);
+    expect((await list(master)).length).toBe(2);
+  });
+});
