@@ -54,6 +54,8 @@ export interface RecordingAuthor {
 export interface RecordingWish extends RecordingAuthor {
   readonly name: string;
   readonly notes: string;
+  /** Of a comparison: id of the recording that is replayed meanwhile. [RP-41] */
+  readonly replayedRecordingId?: string;
 }
 
 /** A file that is uploaded. */
@@ -251,11 +253,11 @@ export class Recordings {
     return presentEvents(clients.values(), sessions(), clock.nowMs());
   }
 
-  #jobOf({ name, notes, author, makerId }: RecordingWish): RecordingJob {
+  #jobOf({ name, ...wish }: RecordingWish): RecordingJob {
     const { ids, clock, masterName, version } = this.#context;
     const time = new Date(clock.nowMs()).toISOString().slice(0, 19).replace('T', ' ');
     return {
-      ...{ id: ids.uuid(), notes, author, makerId, masterName, version },
+      ...{ ...wish, id: ids.uuid(), masterName, version },
       name: name === '' ? `${time} UTC` : name,
     };
   }

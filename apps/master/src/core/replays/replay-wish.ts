@@ -33,7 +33,9 @@ export function wishOf(
   facts: ReplayFacts,
   limits: LimitWatch,
 ): ReplayWish {
-  const { isGhost, jitterMs } = request;
+  const { isGhost, jitterMs, sessionId } = request;
+  require(!isGhost ||
+    sessionId === '', 'A ghost runs no session again. Leave session_id out, or is_ghost.');
   const conflict = isGhost ? ReplayConflict.REPLAY_CONFLICT_KEEP_LIVE : request.conflict;
   const isMoving = conflict === ReplayConflict.REPLAY_CONFLICT_MOVE_LIVE;
   require(jitterMs >= 0 &&

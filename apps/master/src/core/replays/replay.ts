@@ -20,6 +20,7 @@ import { oneLine } from '../texts/one-line.ts';
 import { LiveMuting, type MutingContext } from './live-muting.ts';
 import { ghostTopics, renamedTopics, type PlayedTopics } from './played-topics.ts';
 import { ReplayClient, type ReplayClientContext } from './replay-client.ts';
+import type { Rerun } from './rerun.ts';
 import { momentOf, msBetween, rateOf, spanOf, type ReplayWish } from './replay-wish.ts';
 
 /** What a replay works with. */
@@ -41,6 +42,8 @@ export interface ReplayParts {
   readonly access: ClientAccess;
   /** Numbers of the copies, among those of all ghosts. */
   readonly numbers: readonly number[];
+  /** The session that runs again on what is played; undefined when none does. */
+  readonly rerun?: Rerun;
   /** Something of it changed. */
   onChange(): void;
   /** It cannot go on: its client was disconnected, or the thread failed. */
@@ -105,6 +108,7 @@ export class Replay {
   /** Publishes the values at the start of the span, and plays. */
   async begin(): Promise<void> {
     const { rate, span, isLooping, jitterMs, copies } = this.#wish;
+    await this.parts.rerun?.start();
     await this.#all({ kind: 'span', span, isLooping });
     await this.#all({ kind: 'rate', rate });
     await this.#all({ kind: 'seek', positionNs: span.fromNs });
@@ -144,6 +148,7 @@ export class Replay {
     if (this.#isClosed) return;
     this.#isClosed = true;
     this.#cancelStarts();
+    this.parts.rerun?.close();
     for (const { player } of this.#copies) player.close();
     const live = this.#muting.end();
     for (const { client } of this.#copies) client.close();
@@ -172,8 +177,8 @@ export class Replay {
       mutedCount: this.#muting.count,
       mutedTopics: this.#muting.topics,
       refusedCount: traffic.reduce((sum, { refused }) => sum + refused, 0),
-      problem: problem || this.#refusal,
-      session: undefined,
+      problem: problem || this.#refusal || (this.parts.rerun?.problem ?? ''),
+      session: this.parts.rerun?.toMessage(),
       startedMs: this.#startedMs,
       recordingStartedMs: msBetween(0n, startNs),
     };
@@ -211,9 +216,11 @@ export class Replay {
   }
 
   #topicsOf(clientId: string, copy: number): PlayedTopics {
-    const { request, recorded, numbers } = this.parts;
+    const { request, recorded, numbers, rerun } = this.parts;
     if (request.isGhost) return ghostTopics(recorded, clientId, numbers[copy]!);
-    return renamedTopics(recorded, request.renames, this.#context.limits.topicBytes);
+    const renames =
+      rerun === undefined ? request.renames : [{ fromPrefix: '', toPrefix: rerun.inputPrefix }];
+    return renamedTopics(recorded, renames, this.#context.limits.topicBytes);
   }
 
   #nameOf(copy: number): string {
@@ -246,6 +253,7 @@ export class Replay {
   #handleState(state: PlayerState, copy: number): void {
     if (copy !== 0 || this.#isClosed) return;
     this.#state = state;
+    if (state.status === 'ended') this.parts.rerun?.finish();
     this.parts.onChange();
   }
 

@@ -9,20 +9,19 @@ import type { ClientAccess } from '../access/caller.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { IdSource } from '../ports/id-source.ts';
-import type { ReplayFile, ReplayFiles } from '../ports/replay-files.ts';
-import type { Recordings } from '../recordings/recordings.ts';
+import type { ReplayFiles } from '../ports/replay-files.ts';
 import { quote } from '../texts/quote.ts';
 import { chosenTopics } from './played-topics.ts';
 import { ReplayNews } from './replay-news.ts';
-import { Replay, type ReplayContext } from './replay.ts';
+import { Replay, type ReplayContext, type ReplayParts } from './replay.ts';
+import { Rerun, type RerunContext } from './rerun.ts';
 import { wishOf } from './replay-wish.ts';
 
 /** What replays work with. */
-export interface ReplaysContext extends ReplayContext {
+export interface ReplaysContext extends ReplayContext, RerunContext {
   readonly ids: IdSource;
   readonly limitWatch: LimitWatch;
   readonly publisher: MasterPublisher;
-  readonly recordings: Recordings;
   readonly replayFiles: ReplayFiles;
 }
 
@@ -35,6 +34,8 @@ export interface ReplayAuthor {
   /** Rights and share of the clients of the replay. */
   readonly access: ClientAccess;
 }
+
+type Facts = Omit<ReplayParts, 'numbers' | 'onChange' | 'onEnd' | 'recorded'>;
 
 /** All replays of a master. */
 export class Replays {
@@ -106,7 +107,7 @@ export class Replays {
   }
 
   async #open(request: ReplayStartRequest, author: ReplayAuthor): Promise<Replay> {
-    const { recordings, replayFiles } = this.#context;
+    const { ids, limitWatch, recordings, replayFiles } = this.#context;
     const { recording } = await recordings.get(request.recordingId);
     if (recording.state === RecordingState.RECORDING_STATE_RECORDING) {
       throw new ServiceError(
@@ -116,26 +117,31 @@ export class Replays {
     }
     const file = await replayFiles.open(request.recordingId);
     try {
-      return this.#create(request, author, file, recording.name);
+      const id = ids.uuid();
+      const wish = wishOf(request, file.facts, limitWatch);
+      const chosen = chosenTopics(file.facts.topics, request);
+      const facts = { id, request, wish, file, recordingName: recording.name, ...author };
+      if (request.sessionId === '') return this.#create({ ...facts, recorded: chosen });
+      const rerun = await this.#rerunOf(facts);
+      const recorded = chosen.filter(({ topic }) => rerun.readsTopic(topic));
+      if (recorded.length === 0) throw nothingToRead();
+      return this.#create({ ...facts, recorded, rerun });
     } catch (cause) {
       await file.close();
       throw cause;
     }
   }
 
-  #create(
-    request: ReplayStartRequest,
-    author: ReplayAuthor,
-    file: ReplayFile,
-    recordingName: string,
-  ): Replay {
-    const { ids, limitWatch } = this.#context;
-    const id = ids.uuid();
-    const wish = wishOf(request, file.facts, limitWatch);
-    const recorded = chosenTopics(file.facts.topics, request);
+  #rerunOf({ id, request, wish, file, recordingName, author, makerId }: Facts): Promise<Rerun> {
+    const { sessionId, recordingId } = request;
+    const names = { replayId: id, sessionId, recordingId, recordingName, author, makerId };
+    return Rerun.prepare(this.#context, names, file, wish.span.fromNs);
+  }
+
+  #create(facts: Omit<ReplayParts, 'numbers' | 'onChange' | 'onEnd'>): Replay {
+    const { request, wish } = facts;
     const replay: Replay = new Replay(this.#context, {
-      ...{ id, request, wish, file, recordingName, recorded },
-      ...author,
+      ...facts,
       numbers: this.#freeNumbers(request.isGhost ? wish.copies : 0),
       onChange: () => this.#news.tell(),
       onEnd: () => this.#end(replay),
@@ -191,4 +197,11 @@ export class Replays {
     replay.close();
     this.#news.tell();
   }
+}
+
+function nothingToRead(): ServiceError {
+  return new ServiceError(
+    'invalid_argument',
+    'The recording has no selected topic that the session reads, so there is nothing to run it on.',
+  );
 }

@@ -1,0 +1,159 @@
+import type { PatternCompiler } from '@ubii/patterns';
+import { fromJson, ServiceError, type RecordingSelection, type ReplayedSession } from '@ubii/proto';
+import type { Cancel, Clock } from '@ubii/timing';
+import type { ModuleLibrary } from '../library/module-library.ts';
+import type { ReplayFile } from '../ports/replay-files.ts';
+import type { Recordings } from '../recordings/recordings.ts';
+import type { Session } from '../sessions/session.ts';
+import type { Sessions } from '../sessions/sessions.ts';
+import { quote } from '../texts/quote.ts';
+import { rerunSession, type RerunSession } from './rerun-session.ts';
+
+/** What running a session again works with. */
+export interface RerunContext {
+  readonly clock: Clock;
+  readonly patterns: PatternCompiler;
+  readonly sessions: Sessions;
+  readonly modules: ModuleLibrary;
+  readonly recordings: Recordings;
+}
+
+/** Which session of which recording. */
+export interface RerunWish {
+  readonly replayId: string;
+  readonly sessionId: string;
+  readonly recordingId: string;
+  readonly recordingName: string;
+  readonly author: string;
+  readonly makerId: string;
+}
+
+/** Time for modules to handle the last inputs, milliseconds. */
+const LAST_OUTPUTS_MS = 500;
+/** Turns of the event loop in which a session comes to run, some seconds. */
+const MAX_TURNS = 5_000;
+
+/** A recorded session that runs again on replayed inputs. [RP-40] [RP-41] */
+export class Rerun {
+  readonly #context: RerunContext;
+  readonly #wish: RerunWish;
+  readonly #rerun: RerunSession;
+  #session: Session | undefined = undefined;
+  #comparisonId = '';
+  #cancel: Cancel | undefined = undefined;
+  #isOver = false;
+
+  private constructor(context: RerunContext, wish: RerunWish, rerun: RerunSession) {
+    this.#context = context;
+    this.#wish = wish;
+    this.#rerun = rerun;
+  }
+
+  /** @throws ServiceError when the recording has no such session */
+  static async prepare(context: RerunContext, wish: RerunWish, file: ReplayFile, timeNs: bigint) {
+    const recorded = await file.session(wish.sessionId, timeNs);
+    if (recorded === undefined) {
+      throw new ServiceError(
+        'not_found',
+        `The recording ${quote(wish.recordingName)} has no session with the id ${quote(wish.sessionId)}.`,
+      );
+    }
+    const message = fromJson('ubii.sessions.Session', JSON.parse(recorded.session));
+    const rerun = rerunSession(message, {
+      inputPrefix: prefixOf(wish.replayId, 'in'),
+      outputPrefix: prefixOf(wish.replayId, 'out'),
+      patterns: context.patterns,
+      isInLibrary: (name) => context.modules.get(name) !== undefined,
+    });
+    return new Rerun(context, wish, rerun);
+  }
+
+  get inputPrefix(): string {
+    return prefixOf(this.#wish.replayId, 'in');
+  }
+
+  /** What differs from the recorded run, one sentence; empty when nothing does. */
+  get problem(): string {
+    const { emptyInputs } = this.#rerun;
+    return emptyInputs.length === 0
+      ? ''
+      : `Inputs that select components stay empty, because recordings hold no devices: ${emptyInputs.join(', ')}.`;
+  }
+
+  /** Whether the session reads this recorded topic. */
+  readsTopic(topic: string): boolean {
+    return this.#rerun.readsTopic(topic);
+  }
+
+  /** Starts the session and the recording of its topics. @throws ServiceError when it cannot run */
+  async start(): Promise<void> {
+    const { sessions, recordings } = this.#context;
+    const { replayId, recordingId, recordingName, author, makerId } = this.#wish;
+    const { name } = this.#rerun.session;
+    const selection: RecordingSelection = {
+      ...{ topics: [], clients: [], devices: [], sessions: [], excludedPatterns: [] },
+      patterns: [`/replays/${replayId}/**`],
+      withoutImages: false,
+    };
+    const wish = { name: `${name} in ${recordingName}`, notes: '', author, makerId };
+    this.#session = await sessions.start(this.#rerun.session, makerId);
+    await this.#untilItRuns(this.#session);
+    const comparison = { ...wish, replayedRecordingId: recordingId };
+    const { id } = await recordings.start(comparison, selection, undefined);
+    this.#comparisonId = id;
+    if (this.#isOver) this.#end();
+  }
+
+  /** The inputs are over: ends it when the last outputs are there. */
+  finish(): void {
+    if (this.#isOver) return;
+    this.#cancel ??= this.#context.clock.after(LAST_OUTPUTS_MS, () => this.close());
+  }
+
+  /** Removes the session and closes the recording. */
+  close(): void {
+    if (this.#isOver) return;
+    this.#isOver = true;
+    this.#cancel?.();
+    this.#end();
+  }
+
+  toMessage(): ReplayedSession {
+    const { replayId, sessionId } = this.#wish;
+    return {
+      sessionId,
+      name: this.#rerun.session.name,
+      runningId: this.#isOver ? '' : (this.#session?.id ?? ''),
+      comparisonRecordingId: this.#comparisonId,
+      inputPrefix: prefixOf(replayId, 'in'),
+      outputPrefix: prefixOf(replayId, 'out'),
+      recordedModules: [...this.#rerun.recordedModules],
+    };
+  }
+
+  #end(): void {
+    const { sessions, recordings } = this.#context;
+    if (this.#comparisonId !== '') {
+      void recordings.stop(this.#comparisonId).catch(() => undefined); // It was deleted meanwhile.
+    }
+    const session = this.#session;
+    this.#session = undefined;
+    if (session !== undefined && sessions.isOpen(session.id)) sessions.remove(session);
+  }
+
+  async #untilItRuns(session: Session): Promise<void> {
+    for (let turn = 0; turn < MAX_TURNS && session.life === 'starting'; turn++) {
+      await new Promise<void>((resolve) => void this.#context.clock.after(0, resolve));
+    }
+    if (session.life === 'running') return;
+    const [problem] = session.problems();
+    throw new ServiceError(
+      'failed_precondition',
+      `The session ${quote(session.label)} does not run: ${problem?.message ?? `it is ${session.life}.`}`,
+    );
+  }
+}
+
+function prefixOf(replayId: string, direction: 'in' | 'out'): string {
+  return `/replays/${replayId}/${direction}`;
+}
