@@ -13,6 +13,7 @@ import { party } from './party.ts';
 import { partyScreen } from './party-screen.ts';
 import { recording } from './recording.ts';
 import { recordingSeek, recordingWrite } from './recording-files.ts';
+import { recordingTimeline } from './recording-timeline.ts';
 import { roundTrip } from './round-trip.ts';
 import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
@@ -39,6 +40,7 @@ export const WORKLOADS: readonly Workload[] = [
   recording,
   recordingWrite,
   recordingSeek,
+  recordingTimeline,
   graphEditor,
   topicsPage,
   clientsPage,
