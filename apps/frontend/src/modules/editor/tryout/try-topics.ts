@@ -26,9 +26,15 @@ export class TryTopics implements TopicPort {
   readonly #records = new Map<string, EncodedRecord>();
   readonly #subscriptions = new Set<Subscription>();
   readonly #patterns: PatternCompiler;
+  readonly #onOutput: (topic: string, bytes: Uint8Array) => void;
 
-  constructor(patterns: PatternCompiler) {
+  /** @param onOutput gets what the module publishes; without it that is observed at the sandbox */
+  constructor(
+    patterns: PatternCompiler,
+    onOutput: (topic: string, bytes: Uint8Array) => void = () => undefined,
+  ) {
     this.#patterns = patterns;
+    this.#onOutput = onOutput;
   }
 
   subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
@@ -40,9 +46,8 @@ export class TryTopics implements TopicPort {
     return () => void this.#subscriptions.delete(subscription);
   }
 
-  /** Drops outputs, which are observed at the sandbox. */
-  publish(): undefined {
-    return undefined;
+  publish(topic: string, bytes: Uint8Array): undefined {
+    this.#onOutput(topic, bytes);
   }
 
   put(topic: string, bytes: Uint8Array, publisherId: string): void {
