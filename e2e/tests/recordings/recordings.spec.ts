@@ -48,6 +48,8 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
   }
   robot.publish('/lab/done', 'bool', true, { immediate: true });
   await anna.expectRecords(7);
+  await anna.page.keyboard.press('m');
+  await expect(anna.page.getByText('Marker added')).toBeVisible();
   await anna.button('Stop recording').click();
 
   const angle = anna.track('/lab/angle');
@@ -61,19 +63,45 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
   await anna.page.keyboard.press('ArrowLeft');
   await expect(angle).toContainText('0.50');
   await expect(anna.graph).toContainText('0.50');
+  await anna.page.getByRole('radio', { name: 'Plot' }).click();
+  await expect(anna.page.getByRole('region', { name: 'Recorded plots' })).toContainText('/lab/');
+  await anna.page.getByRole('radio', { name: 'Graph' }).click();
+
+  await test.step('a span becomes a test case of the module', async () => {
+    await anna.button('Loop what is in view').click();
+    await anna.page.getByRole('button', { name: /^Actions for the span/ }).click();
+    await anna.page.getByRole('menuitem', { name: 'Make a test case of a module' }).click();
+    const dialog = anna.page.getByRole('dialog', { name: 'Test case of a module' });
+    await dialog.getByRole('button', { name: 'Run the case' }).click();
+    await expect(dialog).toContainText('Passed');
+    await dialog.getByRole('button', { name: 'Close' }).click();
+    await anna.button('Stop looping').click();
+  });
 
   await test.step('a marker is added, named and deleted', async () => {
-    await anna.page.keyboard.press('m');
-    await anna.button('Name it').click();
+    // One was added while the recording ran.
+    await expect(anna.markers).toHaveCount(1);
+    await anna.markers.click();
     const dialog = anna.page.getByRole('dialog');
     await dialog.getByLabel('Text').fill('half way');
     await dialog.getByRole('button', { name: 'Save' }).click();
     await expect(anna.markers).toHaveAccessibleName(/half way/);
+    await anna.page.keyboard.press('m');
+    await expect(anna.markers).toHaveCount(2);
     // It is in the file.
     await anna.page.reload();
-    await anna.markers.click();
+    await expect(anna.markers).toHaveCount(2);
+    await anna.markers.filter({ hasText: 'half way' }).click();
     await dialog.getByRole('button', { name: 'Delete' }).click();
-    await expect(anna.markers).toBeHidden();
+    await expect(anna.markers).toHaveCount(1);
+  });
+
+  await test.step('Space plays it as soon as it is opened from the list', async () => {
+    await anna.open();
+    await anna.row('Study').getByRole('link').click();
+    await expect(angle).toBeVisible();
+    await anna.page.keyboard.press('Space');
+    await expect(anna.page.getByRole('group', { name: 'Playback' })).not.toContainText('0:00.000');
   });
 
   await test.step('the file is opened without the master', async () => {
