@@ -1,4 +1,4 @@
-import { FlaskConical } from '@lucide/vue';
+import { FlaskConical, Share } from '@lucide/vue';
 import type { Recording } from '@ubii/proto';
 import type { Component } from 'vue';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
@@ -32,5 +32,10 @@ export const SPAN_ACTIONS: readonly SpanAction[] = [
     text: 'Make a test case of a module',
     icon: FlaskConical,
     dialog: loadLater(() => import('../cases/CaseDialog.vue')),
+  },
+  {
+    text: 'Export the span',
+    icon: Share,
+    dialog: loadLater(() => import('../export/ExportDialog.vue')),
   },
 ];

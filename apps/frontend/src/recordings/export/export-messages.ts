@@ -1,0 +1,30 @@
+/** What a recording is written as. */
+export type ExportFormat = 'csv' | 'parquet' | 'xdf' | 'mcap' | 'video';
+
+/** What of a recording is exported. */
+export interface ExportRequest {
+  readonly format: ExportFormat;
+  readonly topics: readonly string[];
+  /** Milliseconds since the beginning; undefined for all of it. */
+  readonly span: { readonly fromMs: number; readonly untilMs: number } | undefined;
+  /** Name of the recording. */
+  readonly name: string;
+}
+
+/** What the page asks of the worker that exports. */
+export type ExportCommand =
+  | {
+      readonly kind: 'export';
+      readonly source: Blob | string;
+      readonly request: ExportRequest;
+      /** Where the file is written to; undefined to keep it in memory. */
+      readonly handle: FileSystemFileHandle | undefined;
+    }
+  | { readonly kind: 'cancel' };
+
+/** What the worker says. */
+export type ExportReport =
+  | { readonly kind: 'progress'; readonly share: number }
+  /** @remarks `file` is undefined when it was written to the handle */
+  | { readonly kind: 'done'; readonly file: Blob | undefined; readonly leftOut: readonly string[] }
+  | { readonly kind: 'failed'; readonly message: string };

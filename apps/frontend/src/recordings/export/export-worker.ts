@@ -1,0 +1,36 @@
+import { RecordingReader } from '@ubii/recording';
+import { BlobSource, RangeSource } from '@ubii/recording/browser';
+import { sentenceOf } from '../reading/recording-desk.ts';
+import { runExport } from './export-job.ts';
+import type { ExportCommand, ExportReport } from './export-messages.ts';
+import { openHandle, openMemory } from './output.ts';
+
+/** Exports one recording beside the page. */
+const tell = (report: ExportReport): void => self.postMessage(report);
+const abort = new AbortController();
+
+async function start({
+  source,
+  request,
+  handle,
+}: Extract<ExportCommand, { kind: 'export' }>): Promise<void> {
+  const from = typeof source === 'string' ? new RangeSource(source) : new BlobSource(source);
+  const reader = await RecordingReader.open(from);
+  const file = await (handle ? openHandle(handle) : openMemory());
+  try {
+    const leftOut = await runExport(reader, request, file, {
+      signal: abort.signal,
+      onProgress: (share) => tell({ kind: 'progress', share }),
+      video: () => import('./video.ts'),
+    });
+    tell({ kind: 'done', file: await file.end(), leftOut });
+  } catch (error) {
+    await file.abort();
+    throw error;
+  }
+}
+
+self.addEventListener('message', ({ data }: MessageEvent<ExportCommand>) => {
+  if (data.kind === 'cancel') abort.abort(new Error('Cancelled.'));
+  else start(data).catch((error: unknown) => tell({ kind: 'failed', message: sentenceOf(error) }));
+});
