@@ -105,12 +105,15 @@ async function pictureOf(topic: string, bytes: Uint8Array): Promise<ImageBitmap 
 /** Encodes pictures of any size into a video of one size. */
 class Encoder {
   readonly #canvas: OffscreenCanvas;
+  readonly #context: OffscreenCanvasRenderingContext2D;
   readonly #video: VideoOutput<Mp4OutputFormat | WebMOutputFormat, BufferTarget>;
   readonly #source: VideoSampleSource;
-  #shownAt: number | undefined;
+  /** When what is on the canvas was shown: black, until the first picture comes. */
+  #shownAt = 0;
 
   private constructor({ width, height }: Size, kind: VideoKind, codec: VideoCodec) {
     this.#canvas = new OffscreenCanvas(width, height);
+    this.#context = this.#canvas.getContext('2d', { alpha: false })!;
     this.#source = new VideoSampleSource({ codec, quality: QUALITY_HIGH });
     const format = kind === 'mp4' ? new Mp4OutputFormat() : new WebMOutputFormat();
     this.#video = new VideoOutput({ format, target: new BufferTarget() });
@@ -129,13 +132,13 @@ class Encoder {
   /** Shows a picture from a moment on, which is closed. @param atS seconds */
   async show(picture: ImageBitmap, atS: number): Promise<void> {
     // Of several pictures at the same moment, the last one is shown.
-    if (this.#shownAt !== undefined && atS > this.#shownAt) await this.#encode(atS);
+    if (atS > this.#shownAt) await this.#encode(atS);
     this.#draw(picture);
-    this.#shownAt = Math.max(atS, this.#shownAt ?? atS);
+    this.#shownAt = Math.max(atS, this.#shownAt);
   }
 
   async end(): Promise<Uint8Array> {
-    await this.#encode((this.#shownAt ?? 0) + LAST_S);
+    await this.#encode(this.#shownAt + LAST_S);
     await this.#video.finalize();
     return new Uint8Array(this.#video.target.buffer ?? new ArrayBuffer(0));
   }
@@ -145,7 +148,7 @@ class Encoder {
   }
 
   async #encode(untilS: number): Promise<void> {
-    const timestamp = this.#shownAt ?? 0;
+    const timestamp = this.#shownAt;
     const sample = new VideoSample(this.#canvas, { timestamp, duration: untilS - timestamp });
     try {
       await this.#source.add(sample);
@@ -157,7 +160,7 @@ class Encoder {
   /** Fits the picture into the video, with black bars where its sides differ. */
   #draw(picture: ImageBitmap): void {
     const { width, height } = this.#canvas;
-    const context = this.#canvas.getContext('2d')!;
+    const context = this.#context;
     const scale = Math.min(width / picture.width, height / picture.height);
     const [w, h] = [picture.width * scale, picture.height * scale];
     context.fillStyle = 'black';
