@@ -32,3 +32,4 @@ export {
   type Span,
 } from './playback/playback.ts';
 export { cutRecording, type CutOptions, type CutSource } from './cut/cut-recording.ts';
+export type { Treatment } from './personal/treatment.ts';

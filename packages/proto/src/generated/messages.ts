@@ -324,6 +324,21 @@ export const NodeExtensionKind = {
 export type NodeExtensionKind = (typeof NodeExtensionKind)[keyof typeof NodeExtensionKind];
 
 /**
+ * What happens to a personal value when a recording is shared. Rule PD-2.
+ *
+ * `ubii.extension.PersonalTreatment`
+ */
+export const PersonalTreatment = {
+  /** The value is left out; without a field path, the whole topic. */
+  PERSONAL_TREATMENT_DROP: 0,
+  /** The value is replaced by a pseudonym: the same value by the same one, as long as the key is the same. */
+  PERSONAL_TREATMENT_PSEUDONYM: 1,
+  /** Numbers are rounded to multiples of step. */
+  PERSONAL_TREATMENT_ROUND: 2,
+} as const;
+export type PersonalTreatment = (typeof PersonalTreatment)[keyof typeof PersonalTreatment];
+
+/**
  * Where a recording came from. Rule RC-1.
  *
  * `ubii.extension.RecordingKind`
@@ -2222,6 +2237,39 @@ export interface NodeMessage {
 }
 
 /**
+ * All labels of a master. Rule PD-3.
+ *
+ * `ubii.extension.PersonalData`
+ */
+export interface PersonalData {
+  /** In the order in which they are shown. */
+  labels: PersonalLabel[];
+}
+
+/**
+ * Names values in topics that tell something of a person. Rule PD-1.
+ *
+ * `ubii.extension.PersonalLabel`
+ */
+export interface PersonalLabel {
+  /** Id, which the master assigns when it is empty. */
+  id: string;
+  /** Topics with the values, as a glob. */
+  topicPattern: string;
+  /**
+   * Members of the value, such as "object2DList.elements.name": the data format, then names of members. Elements of lists
+   * have no part of their own. Empty for the whole record.
+   */
+  fieldPath: string;
+  /** What happens to the values. */
+  treatment: PersonalTreatment;
+  /** Unit of PERSONAL_TREATMENT_ROUND, in the unit of the value. 0 stands for 1. */
+  step: number;
+  /** Why it is personal, for display. */
+  note: string;
+}
+
+/**
  * What existing clients do not know of a record. Rule EX-10.
  *
  * `ubii.extension.RecordExtension`
@@ -3327,6 +3375,8 @@ export interface ServiceReply {
   replay?: Replay | undefined;
   /** All replays. Rule RP-7. */
   replayList?: ReplayList | undefined;
+  /** Labels of personal data. Rule PD-3. */
+  personalData?: PersonalData | undefined;
 }
 
 /**
@@ -3419,6 +3469,8 @@ export interface ServiceRequest {
   replayChangeRequest?: ReplayChangeRequest | undefined;
   /** Which replay is meant. Rule RP-6. */
   replayRequest?: ReplayRequest | undefined;
+  /** Labels of personal data that replace those before. Rule PD-4. */
+  personalData?: PersonalData | undefined;
 }
 
 /**
@@ -3832,6 +3884,8 @@ export interface MessageTypes {
   'ubii.extension.NodeInfo': NodeInfo;
   'ubii.extension.NodeList': NodeList;
   'ubii.extension.NodeMessage': NodeMessage;
+  'ubii.extension.PersonalData': PersonalData;
+  'ubii.extension.PersonalLabel': PersonalLabel;
   'ubii.extension.RecordExtension': RecordExtension;
   'ubii.extension.Recording': Recording;
   'ubii.extension.RecordingBudget': RecordingBudget;

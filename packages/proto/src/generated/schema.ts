@@ -101,6 +101,10 @@ enum ubii.extension.NodeExtension.Kind
 1 MASTER
 2 NODE
 3 BROWSER
+enum ubii.extension.PersonalTreatment
+0 PERSONAL_TREATMENT_DROP
+1 PERSONAL_TREATMENT_PSEUDONYM
+2 PERSONAL_TREATMENT_ROUND
 enum ubii.extension.RecordingKind
 0 RECORDING_KIND_RECORDING
 1 RECORDING_KIND_FLIGHT_RECORDER
@@ -713,6 +717,15 @@ message ubii.extension.NodeMessage
 2 lockstep_reply ubii.processing.LockstepProcessingReply type
 3 module_reports ubii.extension.ModuleReports type
 4 ended_topics ubii.extension.EndedTopics type
+message ubii.extension.PersonalData
+1 labels ubii.extension.PersonalLabel *
+message ubii.extension.PersonalLabel
+1 id string
+2 topic_pattern string
+3 field_path string
+4 treatment ubii.extension.PersonalTreatment
+5 step double
+6 note string
 message ubii.extension.RecordExtension
 1 keep_seconds int32
 2 expiry_ms int32
@@ -1091,6 +1104,7 @@ message ubii.services.ServiceReply
 1054 flight_recorder ubii.extension.FlightRecorder type
 1070 replay ubii.extension.Replay type
 1071 replay_list ubii.extension.ReplayList type
+1080 personal_data ubii.extension.PersonalData type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -1134,6 +1148,7 @@ message ubii.services.ServiceRequest
 1070 replay_start_request ubii.extension.ReplayStartRequest type
 1071 replay_change_request ubii.extension.ReplayChangeRequest type
 1072 replay_request ubii.extension.ReplayRequest type
+1080 personal_data ubii.extension.PersonalData type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *

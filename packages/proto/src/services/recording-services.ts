@@ -1,6 +1,6 @@
 import { withoutPayload, withPayload } from './define-service.ts';
 
-/** Services on recordings of topics and on the flight recorder. [RC-3] to [RC-6], [RC-15], [RC-20], [RC-30] to [RC-32] */
+/** Services on recordings of topics and on the flight recorder. [RC-3] to [RC-6], [RC-15], [RC-20], [RC-30] to [RC-32], [PD-3], [PD-4] */
 export const RECORDING_SERVICES = {
   recordingList: withoutPayload(
     '/services/ubii/recording_list',
@@ -65,5 +65,16 @@ export const RECORDING_SERVICES = {
     'flightRecorderKeepRequest',
     'recording',
     'Keeps what the flight recorder holds as a recording.',
+  ),
+  personalDataGet: withoutPayload(
+    '/services/ubii/personal_data_get',
+    'personalData',
+    'Lists the labels of personal data in topics.',
+  ),
+  personalDataSet: withPayload(
+    '/services/ubii/personal_data_set',
+    'personalData',
+    'personalData',
+    'Replaces the labels of personal data in topics.',
   ),
 } as const;
