@@ -18,6 +18,7 @@ export type { RecordingFile, RecordingSink, RecordingSource } from './storage/re
 export { RecordingWriter, type WriterStatistics } from './writing/recording-writer.ts';
 export {
   RecordingReader,
+  type EventsReader,
   type RecordsQuery,
   type RecordsReader,
 } from './reading/recording-reader.ts';
@@ -32,4 +33,3 @@ export {
   type Span,
 } from './playback/playback.ts';
 export { cutRecording, type CutOptions, type CutSource } from './cut/cut-recording.ts';
-export type { Treatment } from './personal/treatment.ts';

@@ -2257,7 +2257,7 @@ export interface PersonalLabel {
   /** Topics with the values, as a glob. */
   topicPattern: string;
   /**
-   * Members of the value, such as "object2DList.elements.name": the data format, then names of members. Elements of lists
+   * Members of the value, such as "object2DList.elements.id": the data format, then names of members. Elements of lists
    * have no part of their own. Empty for the whole record.
    */
   fieldPath: string;

@@ -11,6 +11,10 @@ export interface Treatment {
   topic(topic: string): string | undefined;
   /** Returns the id of a client as it is shared. The empty id of the master stays. */
   clientId(id: string): string;
+  /** Returns the name of a client as it is shared. */
+  clientName(name: string): string;
+  /** Added to all absolute times, nanoseconds. */
+  readonly shiftNs: bigint;
   /** Returns the record as it is shared, its topic included; undefined when it is dropped. */
   record(record: RecordedRecord): RecordedRecord | undefined;
   /** Returns the event as it is shared; undefined when it is dropped. */

@@ -42,8 +42,18 @@ export interface RecordsReader {
   latestAt(timeNs: bigint, topics?: readonly string[]): Promise<Map<string, RecordedRecord>>;
 }
 
+/** What copies and exports read: records, and all that is beside them. */
+export interface EventsReader extends RecordsReader {
+  /** Returns all events, in the order in which they were written. */
+  events(): Promise<RecordingEvent[]>;
+  /** Returns all measurements of clocks, in the order in which they were made. */
+  clocks(): Promise<RecordingEvent<'clock'>[]>;
+  /** Finds the last record of each topic and publisher at a moment, the moment included. @param topics all by default */
+  latestOfEachAt(timeNs: bigint, topics?: readonly string[]): Promise<RecordedRecord[]>;
+}
+
 /** Reads a recording by its indexes; files of other programs as well. Files without their end are opened up to the last whole chunk. */
-export class RecordingReader implements RecordsReader {
+export class RecordingReader implements EventsReader {
   readonly summary: RecordingSummary;
   readonly #file: StoredFile;
   readonly #channels: FileChannels;
@@ -104,13 +114,11 @@ export class RecordingReader implements RecordsReader {
     return latest;
   }
 
-  /** Finds the last record of each topic and publisher at a moment, the moment included. @param topics all by default */
   async latestOfEachAt(timeNs: bigint, topics?: readonly string[]): Promise<RecordedRecord[]> {
     const found = await findLatest(this.#file, this.#chunks, this.#idsOf(topics), timeNs);
     return Array.from(found.values(), (message) => this.#toRecord(message));
   }
 
-  /** Returns all events, in the order in which they were written. */
   events(): Promise<RecordingEvent[]> {
     return eventsOf(this.#file, this.#chunks, Object.keys(EVENT_TOPICS) as EventKind[]);
   }
@@ -127,7 +135,6 @@ export class RecordingReader implements RecordsReader {
     return events.filter((event) => event.kind === 'session');
   }
 
-  /** Returns all measurements of clocks, in the order in which they were made. */
   async clocks(): Promise<RecordingEvent<'clock'>[]> {
     const events = await eventsOf(this.#file, this.#chunks, ['clock']);
     return events.filter((event) => event.kind === 'clock');

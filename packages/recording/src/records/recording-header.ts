@@ -13,6 +13,8 @@ export interface RecordingHeader {
   readonly notes: string;
   /** What was chosen to be recorded, as JSON. */
   readonly selection: string;
+  /** `ubii.extension.PersonalData` as JSON: the labels of personal data when it was recorded. @default none */
+  readonly personalData?: string;
 }
 
 /** Name of the metadata record, and profile of the file. */
@@ -26,6 +28,7 @@ export function headerToMetadata(header: RecordingHeader): Map<string, string> {
 /** The header of a metadata record; what is missing is empty. */
 export function headerFromMetadata(metadata: ReadonlyMap<string, string>): RecordingHeader {
   const text = (key: string): string => metadata.get(key) ?? '';
+  const personalData = text('personalData');
   return {
     name: text('name'),
     kind: kindOf(text('kind')),
@@ -33,6 +36,7 @@ export function headerFromMetadata(metadata: ReadonlyMap<string, string>): Recor
     version: text('version'),
     notes: text('notes'),
     selection: text('selection'),
+    ...(personalData !== '' && { personalData }),
   };
 }
 

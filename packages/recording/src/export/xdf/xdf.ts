@@ -1,4 +1,4 @@
-import type { RecordingReader } from '../../reading/recording-reader.ts';
+import type { EventsReader } from '../../reading/recording-reader.ts';
 import type { RecordedTopic } from '../../records/recording-summary.ts';
 import type { Cell } from '../flatten-value.ts';
 import { topicTable, type TableOptions, type TopicTable } from '../topic-table.ts';
@@ -29,7 +29,7 @@ const SAMPLES_PER_CHUNK = 500;
  * @throws the reason of `options.signal` when it is aborted
  */
 export async function* xdfOf(
-  reader: Pick<RecordingReader, 'summary' | 'records' | 'latestAt' | 'clocks'>,
+  reader: EventsReader,
   options: XdfOptions = {},
 ): AsyncGenerator<Uint8Array> {
   yield fileHeader();
@@ -60,7 +60,7 @@ export async function* xdfOf(
   }
 }
 
-function markersOf({ summary }: Pick<RecordingReader, 'summary'>, { fromNs, untilNs }: XdfOptions) {
+function markersOf({ summary }: Pick<EventsReader, 'summary'>, { fromNs, untilNs }: XdfOptions) {
   const fromMs = fromNs === undefined ? -Infinity : Number(fromNs) / 1e6;
   const untilMs = untilNs === undefined ? Infinity : Number(untilNs) / 1e6;
   return summary.markers.filter(({ timeMs }) => timeMs >= fromMs && timeMs <= untilMs);

@@ -1,0 +1,192 @@
+import {
+  dataFormatOfField,
+  decode,
+  encode,
+  messageDescriptor,
+  timestampFromMs,
+  timestampToMs,
+  type TopicDataRecord,
+} from '@ubii/proto';
+import { readRecordHead } from '@ubii/proto/wire';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { RecordingHeader } from '../records/recording-header.ts';
+import { KnownTexts } from './known-texts.ts';
+import type { KnownPeople } from './known-people.ts';
+import { applyLabel, readyLabel, VALUE_FIELDS, type ReadyLabel } from './labels.ts';
+import type { PersonalRules } from './personal-rules.ts';
+import type { Pseudonyms } from './pseudonyms.ts';
+import { treatEvent } from './treat-events.ts';
+import { hasTexts, isMessage, treatMessage, type Fields } from './treat-message.ts';
+import type { Treatment } from './treatment.ts';
+
+const RECORD_TYPE = 'ubii.topicData.TopicDataRecord';
+/** Topics of a client begin with its id. */
+const LEADING_UUID = /^\/([0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12})(?=\/|$)/i;
+/** The members of a record that hold its value. */
+const VALUE_OF_RECORD = { ...messageDescriptor(RECORD_TYPE), fields: VALUE_FIELDS };
+/** Data formats without texts need no decoding, unless a label names them. */
+const FORMATS_WITH_TEXTS = new Set(
+  VALUE_FIELDS.filter(({ type }) => type === 'string' || (isMessage(type) && hasTexts(type))).map(
+    ({ jsonName }) => jsonName,
+  ),
+);
+
+/**
+ * Makes the treatment of one recording.
+ *
+ * @param people of that recording, by `findPeople`
+ * @param pseudonyms has those that were given afterwards, for the key file
+ */
+export function createTreatment(
+  rules: PersonalRules,
+  people: KnownPeople,
+  pseudonyms: Pseudonyms,
+): Treatment {
+  return new RuleTreatment(rules, people, pseudonyms);
+}
+
+class RuleTreatment implements Treatment {
+  readonly #rules: PersonalRules;
+  readonly #people: KnownPeople;
+  readonly #pseudonyms: Pseudonyms;
+  readonly #known = new KnownTexts();
+  readonly #labels: readonly ReadyLabel[];
+  readonly #labelsOfTopic = new Map<string, readonly ReadyLabel[]>();
+  readonly #topics = new Map<string, string | undefined>();
+  readonly #shiftMs: number;
+  /** As message treatments take them. */
+  readonly #parts;
+
+  constructor(rules: PersonalRules, people: KnownPeople, pseudonyms: Pseudonyms) {
+    this.#rules = rules;
+    this.#people = people;
+    this.#pseudonyms = pseudonyms;
+    this.#labels = rules.labels.map(readyLabel);
+    this.#shiftMs = rules.time === 'shift' ? pseudonyms.key.shiftMs : 0;
+    const isReplaced = rules.clients === 'pseudonym';
+    const name = (text: string, prefix: string): string =>
+      isReplaced ? pseudonyms.of(text, prefix) : text;
+    if (isReplaced) {
+      for (const id of people.clientIds) this.#known.add(id, name(id, 'client'));
+      for (const text of people.clientNames) this.#known.add(text, name(text, 'client'));
+      for (const text of people.deviceNames) this.#known.add(text, name(text, 'device'));
+    }
+    this.#parts = {
+      name,
+      clientId: (id: string) => name(id, 'client'),
+      text: (text: string) => this.#known.replaceIn(text),
+      timeMs: (timeMs: number) => timeMs + this.#shiftMs,
+      topic: (topic: string) => this.topic(topic),
+      shiftNs: this.shiftNs,
+    };
+  }
+
+  topic(topic: string): string | undefined {
+    if (this.#topics.has(topic)) return this.#topics.get(topic);
+    const isForeign = this.#people.foreignTopics.has(topic);
+    const isDropped =
+      (isForeign && this.#rules.foreign === 'drop') ||
+      this.#labelsOf(topic).some(({ dropsTopic }) => dropsTopic);
+    const shared = isDropped ? undefined : this.#replacedTopic(topic);
+    this.#topics.set(topic, shared);
+    return shared;
+  }
+
+  get shiftNs(): bigint {
+    return BigInt(this.#shiftMs) * 1_000_000n;
+  }
+
+  clientId(id: string): string {
+    return this.#parts.clientId(id);
+  }
+
+  clientName(name: string): string {
+    return this.#parts.name(name, 'client');
+  }
+
+  record(record: RecordedRecord): RecordedRecord | undefined {
+    const topic = this.topic(record.topic);
+    if (topic === undefined) return undefined;
+    const isForeign = this.#people.foreignTopics.has(record.topic);
+    const bytes = isForeign ? record.record : this.#bytes(record);
+    if (bytes === undefined) return undefined;
+    const clientId = this.clientId(record.clientId);
+    const logTimeNs = record.logTimeNs + this.shiftNs;
+    const publishTimeNs = record.publishTimeNs + this.shiftNs;
+    return { topic, clientId, record: bytes, logTimeNs, publishTimeNs };
+  }
+
+  event(event: Parameters<Treatment['event']>[0]) {
+    return treatEvent(event, this.#rules, this.#parts);
+  }
+
+  header(header: RecordingHeader): RecordingHeader {
+    const { kind, version, masterName } = header;
+    const isKept = this.#rules.notes === 'keep';
+    const { text } = this.#parts;
+    return {
+      kind,
+      version,
+      masterName: text(masterName),
+      name: isKept ? text(header.name) : 'Shared recording',
+      notes: isKept ? text(header.notes) : '',
+      // Tells clients, invitations and devices by name.
+      selection: '{}',
+    };
+  }
+
+  /** The record with what rules change; as it is when they change nothing, undefined when it is dropped. */
+  #bytes({ topic, record }: RecordedRecord): Uint8Array | undefined {
+    const labels = this.#labelsOf(topic);
+    try {
+      const head = readRecordHead(record);
+      const inner = this.topic(head.topic);
+      if (inner === undefined) return undefined;
+      const clientId = this.clientId(head.clientId);
+      const isOuterChanged =
+        inner !== head.topic || clientId !== head.clientId || this.#shiftMs !== 0;
+      const format = dataFormatOfField(head.valueField) ?? '';
+      if (!isOuterChanged && labels.length === 0 && !FORMATS_WITH_TEXTS.has(format)) return record;
+      const message = decode(RECORD_TYPE, record);
+      const isValueChanged = this.#treatValue(message, labels);
+      if (isValueChanged === undefined) return undefined;
+      if (!isOuterChanged && !isValueChanged) return record;
+      const timestamp = this.#shifted(message.timestamp);
+      return encode(RECORD_TYPE, { ...message, topic: inner, clientId, timestamp });
+    } catch {
+      // What cannot be read cannot be searched.
+      return undefined;
+    }
+  }
+
+  /** @returns whether something changed; undefined when the record is dropped */
+  #treatValue(message: TopicDataRecord, labels: readonly ReadyLabel[]): boolean | undefined {
+    const fields = message as unknown as Fields;
+    for (const label of labels) {
+      const isKept = applyLabel(fields, label, (text, prefix) => this.#pseudonyms.of(text, prefix));
+      if (!isKept) return undefined;
+    }
+    return treatMessage(VALUE_OF_RECORD, fields, this.#parts) || labels.length > 0;
+  }
+
+  #shifted(timestamp: TopicDataRecord['timestamp']): TopicDataRecord['timestamp'] {
+    const timeMs = timestampToMs(timestamp);
+    if (timeMs === undefined || this.#shiftMs === 0) return timestamp;
+    return timestampFromMs(timeMs + this.#shiftMs);
+  }
+
+  #labelsOf(topic: string): readonly ReadyLabel[] {
+    const known = this.#labelsOfTopic.get(topic);
+    if (known !== undefined) return known;
+    const labels = this.#labels.filter(({ matches }) => matches(topic));
+    this.#labelsOfTopic.set(topic, labels);
+    return labels;
+  }
+
+  #replacedTopic(topic: string): string {
+    if (this.#rules.clients === 'keep') return topic;
+    const id = LEADING_UUID.exec(topic)?.[1];
+    if (id !== undefined) this.#known.add(id, this.clientId(id));
+    return this.#known.replaceInTopic(topic);
+  }
+}

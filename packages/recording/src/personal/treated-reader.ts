@@ -1,0 +1,96 @@
+import type { EventsReader, RecordsQuery } from '../reading/recording-reader.ts';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { EventKind, EventValue, RecordingEvent } from '../records/recording-event.ts';
+import type { RecordingSummary } from '../records/recording-summary.ts';
+import type { Treatment } from './treatment.ts';
+
+/** A recording as it is shared: everything that is read passes the treatment. Exports read it like any other. */
+export class TreatedReader implements EventsReader {
+  readonly summary: RecordingSummary;
+  readonly #reader: EventsReader;
+  readonly #treatment: Treatment;
+  /** Topics of the file, by how they are shared. */
+  readonly #originals = new Map<string, Set<string>>();
+
+  constructor(reader: EventsReader, treatment: Treatment) {
+    this.#reader = reader;
+    this.#treatment = treatment;
+    this.summary = treatedSummary(reader.summary, treatment);
+    for (const { topic } of reader.summary.topics) {
+      const shared = treatment.topic(topic);
+      if (shared === undefined) continue;
+      this.#originals.set(shared, (this.#originals.get(shared) ?? new Set()).add(topic));
+    }
+  }
+
+  async *records(query: RecordsQuery = {}): AsyncGenerator<RecordedRecord> {
+    const { shiftNs } = this.#treatment;
+    const { fromNs, untilNs } = query;
+    const original = {
+      ...query,
+      topics: this.#originalsOf(query.topics),
+      fromNs: fromNs === undefined ? undefined : fromNs - shiftNs,
+      untilNs: untilNs === undefined ? undefined : untilNs - shiftNs,
+    };
+    for await (const record of this.#reader.records(original)) {
+      const shared = this.#treatment.record(record);
+      if (shared !== undefined) yield shared;
+    }
+  }
+
+  async latestAt(timeNs: bigint, topics?: readonly string[]): Promise<Map<string, RecordedRecord>> {
+    const originals = this.#originalsOf(topics);
+    const found = await this.#reader.latestAt(timeNs - this.#treatment.shiftNs, originals);
+    const latest = new Map<string, RecordedRecord>();
+    for (const record of found.values()) {
+      const shared = this.#treatment.record(record);
+      if (shared !== undefined) latest.set(shared.topic, shared);
+    }
+    return latest;
+  }
+
+  async events(): Promise<RecordingEvent[]> {
+    const events = await this.#reader.events();
+    return events.flatMap((event) => this.#treatment.event(event) ?? []);
+  }
+
+  async clocks(): Promise<RecordingEvent<'clock'>[]> {
+    const events = await this.events();
+    return events.filter((event) => event.kind === 'clock');
+  }
+
+  /** Without a choice, all that are shared at all. */
+  #originalsOf(topics: readonly string[] | undefined): string[] {
+    const chosen = topics ?? [...this.#originals.keys()];
+    return chosen.flatMap((topic) => [...(this.#originals.get(topic) ?? [])]);
+  }
+}
+
+function treatedSummary(summary: RecordingSummary, treatment: Treatment): RecordingSummary {
+  const { startNs, endNs } = summary;
+  const shift = summary.records === 0 ? 0n : treatment.shiftNs;
+  const values = <K extends EventKind>(kind: K, list: readonly EventValue<K>[]) =>
+    list.flatMap((value) => {
+      const event = { kind, timeNs: endNs, value } as unknown as RecordingEvent;
+      return (treatment.event(event)?.value as EventValue<K> | undefined) ?? [];
+    });
+  const topics = summary.topics.flatMap((row) => {
+    const topic = treatment.topic(row.topic);
+    if (topic === undefined) return [];
+    const clientId = treatment.clientId(row.clientId);
+    return { ...row, topic, clientId, clientName: treatment.clientName(row.clientName) };
+  });
+  const { isForeign, isDamaged } = summary;
+  return {
+    ...treatment.header(summary),
+    startNs: startNs + shift,
+    endNs: endNs + shift,
+    records: topics.reduce((sum, { records }) => sum + records, 0),
+    topics,
+    markers: values('marker', summary.markers),
+    clients: values('client', summary.clients),
+    gaps: values('gap', summary.gaps),
+    isForeign,
+    isDamaged,
+  };
+}
