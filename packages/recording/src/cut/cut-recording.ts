@@ -2,13 +2,13 @@ import { RecordingError } from '../records/recording-error.ts';
 import type { RecordingHeader } from '../records/recording-header.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
-import type { RecordingReader } from '../reading/recording-reader.ts';
+import type { EventsReader } from '../reading/recording-reader.ts';
 import type { RecordingSink } from '../storage/recording-storage.ts';
 import { RecordingWriter, type WriterStatistics } from '../writing/recording-writer.ts';
 import { eventsOfSpan, type SpanNs } from './events-of-span.ts';
 
 /** What of a recording a cut reads. */
-export type CutSource = Pick<RecordingReader, 'summary' | 'records' | 'latestOfEachAt' | 'events'>;
+export type CutSource = Pick<EventsReader, 'summary' | 'records' | 'latestOfEachAt' | 'events'>;
 
 /** What is cut out, and who is told. */
 export interface CutOptions extends Partial<SpanNs> {
@@ -43,9 +43,10 @@ export async function cutRecording(
     untilNs: options.untilNs ?? summary.endNs,
   };
   const topics = ownTopics(source, options.topics);
-  const { name, kind, masterName, version, notes, selection } = summary;
+  const { name, kind, masterName, version, notes, selection, personalData } = summary;
   const writer = await RecordingWriter.create(sink, {
     ...{ name, kind, masterName, version, notes, selection },
+    ...(personalData !== undefined && { personalData }),
     ...options.header,
   });
   const addEvents = eventFeed(eventsOfSpan(await source.events(), span), writer);

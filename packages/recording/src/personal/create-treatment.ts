@@ -83,9 +83,9 @@ class RuleTreatment implements Treatment {
 
   topic(topic: string): string | undefined {
     if (this.#topics.has(topic)) return this.#topics.get(topic);
-    const isForeign = this.#people.foreignTopics.has(topic);
+    // Messages of other programs cannot be searched.
     const isDropped =
-      (isForeign && this.#rules.foreign === 'drop') ||
+      this.#people.foreignTopics.has(topic) ||
       this.#labelsOf(topic).some(({ dropsTopic }) => dropsTopic);
     const shared = isDropped ? undefined : this.#replacedTopic(topic);
     this.#topics.set(topic, shared);
@@ -107,8 +107,7 @@ class RuleTreatment implements Treatment {
   record(record: RecordedRecord): RecordedRecord | undefined {
     const topic = this.topic(record.topic);
     if (topic === undefined) return undefined;
-    const isForeign = this.#people.foreignTopics.has(record.topic);
-    const bytes = isForeign ? record.record : this.#bytes(record);
+    const bytes = this.#bytes(record);
     if (bytes === undefined) return undefined;
     const clientId = this.clientId(record.clientId);
     const logTimeNs = record.logTimeNs + this.shiftNs;

@@ -11,4 +11,4 @@ export {
   type PseudonymKey,
 } from './pseudonym-key.ts';
 export { TreatedReader } from './treated-reader.ts';
-export { treatRecording, type TreatOptions } from './treat-recording.ts';
+export { treatRecording } from './treat-recording.ts';

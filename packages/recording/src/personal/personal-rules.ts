@@ -12,8 +12,6 @@ export interface PersonalRules {
   readonly markerTexts: 'drop' | 'keep';
   /** Shift moves all absolute times by the offset of the key. */
   readonly time: 'keep' | 'shift';
-  /** Messages of other programs, which cannot be searched for personal data. They keep their content. */
-  readonly foreign: 'drop' | 'keep';
 }
 
 /** Rules of a recording that is shared, without labels. */
@@ -23,5 +21,4 @@ export const SHARING_RULES: PersonalRules = {
   notes: 'drop',
   markerTexts: 'keep',
   time: 'keep',
-  foreign: 'drop',
 };

@@ -39,14 +39,14 @@ export class TreatedReader implements EventsReader {
   }
 
   async latestAt(timeNs: bigint, topics?: readonly string[]): Promise<Map<string, RecordedRecord>> {
-    const originals = this.#originalsOf(topics);
-    const found = await this.#reader.latestAt(timeNs - this.#treatment.shiftNs, originals);
-    const latest = new Map<string, RecordedRecord>();
-    for (const record of found.values()) {
-      const shared = this.#treatment.record(record);
-      if (shared !== undefined) latest.set(shared.topic, shared);
-    }
-    return latest;
+    const latest = await this.#reader.latestAt(...this.#originalMoment(timeNs, topics));
+    return new Map(this.#treated(latest.values()).map((record) => [record.topic, record]));
+  }
+
+  async latestOfEachAt(timeNs: bigint, topics?: readonly string[]): Promise<RecordedRecord[]> {
+    return this.#treated(
+      await this.#reader.latestOfEachAt(...this.#originalMoment(timeNs, topics)),
+    );
   }
 
   async events(): Promise<RecordingEvent[]> {
@@ -57,6 +57,14 @@ export class TreatedReader implements EventsReader {
   async clocks(): Promise<RecordingEvent<'clock'>[]> {
     const events = await this.events();
     return events.filter((event) => event.kind === 'clock');
+  }
+
+  #treated(records: Iterable<RecordedRecord>): RecordedRecord[] {
+    return [...records].flatMap((record) => this.#treatment.record(record) ?? []);
+  }
+
+  #originalMoment(timeNs: bigint, topics: readonly string[] | undefined): [bigint, string[]] {
+    return [timeNs - this.#treatment.shiftNs, this.#originalsOf(topics)];
   }
 
   /** Without a choice, all that are shared at all. */

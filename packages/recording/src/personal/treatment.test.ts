@@ -255,3 +255,9 @@ it('treating ends when it is cancelled', async () => {
     'Cancelled',
   );
 });
+
+it('messages of other programs are dropped', () => {
+  const treatment = treatmentWith({}, { ...NOBODY, foreignTopics: new Set(['/imu']) });
+  expect(treatment.topic('/imu')).toBeUndefined();
+  expect(treatment.record(sampleRecord('/imu', 0))).toBeUndefined();
+});
