@@ -136,6 +136,7 @@ export async function startMaster({
       tokens,
       accessSecrets: new HmacAccessSecrets(key),
       grants: storage.grants,
+      personalData: storage.personalData,
       audit,
       log,
       logTail: log,

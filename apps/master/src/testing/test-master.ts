@@ -50,6 +50,8 @@ export interface TestMasterOptions {
   readonly idsGiven?: number;
   /** Stored invitations of an earlier run: for a second run of the master. */
   readonly grants?: MemoryDocuments;
+  /** Labels of personal data of an earlier run. */
+  readonly personalData?: MemoryDocuments;
   /** The audit log that was there before: for a second run of the master. */
   readonly audit?: MemoryAudit;
   /** Recordings of an earlier run. */
@@ -72,6 +74,7 @@ export class TestMaster {
   readonly assetSets = new FakeAssetSets();
   readonly storage: MemoryStorage;
   readonly grants: MemoryDocuments;
+  readonly personalData: MemoryDocuments;
   readonly audit: MemoryAudit;
   readonly recordings: MemoryFolder;
   readonly logTail: LogTail;
@@ -83,6 +86,7 @@ export class TestMaster {
     this.logTail = new LogTail(this.log, () => this.clock.nowMs(), false);
     this.storage = options.storage ?? new MemoryStorage();
     this.grants = options.grants ?? new MemoryDocuments();
+    this.personalData = options.personalData ?? new MemoryDocuments();
     this.audit = options.audit ?? new MemoryAudit();
     this.recordings = options.recordings ?? new MemoryFolder();
     this.master = createMaster(
@@ -92,6 +96,7 @@ export class TestMaster {
         tokens: this.tokens,
         accessSecrets: new PlainSecrets(),
         grants: this.grants,
+        personalData: this.personalData,
         audit: this.audit,
         log: this.logTail,
         logTail: this.logTail,

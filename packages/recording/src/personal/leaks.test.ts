@@ -187,7 +187,7 @@ function found(content: Buffer): string[] {
   return SECRETS.filter((secret) => text.includes(secret.toLowerCase()));
 }
 
-it('nothing personal is left anywhere in a shared file', async () => {
+it('[PD-10] [PD-11] [PD-13] nothing personal is left anywhere in a shared file', async () => {
   const file = await tellingFile();
   expect(found(await contentOf(file)).toSorted()).toEqual(SECRETS.toSorted());
   const reader = await RecordingReader.open(file);

@@ -5,7 +5,7 @@ import { Pseudonyms } from './pseudonyms.ts';
 const key = () => createPseudonymKey((bytes) => bytes.fill(7));
 const uuid = (i: number): string => `00000000-0000-4000-8000-${String(i).padStart(12, '0')}`;
 
-it('the same value has the same pseudonym with the same key, and another with another', () => {
+it('[PD-21] the same value has the same pseudonym with the same key, and another with another', () => {
   const [first, second] = [new Pseudonyms(key()), new Pseudonyms(key())];
   expect(first.of('Ada', 'client')).toMatch(/^client-[0-9a-f]{6}$/);
   expect(second.of('Ada', 'client')).toBe(first.of('Ada', 'client'));
@@ -14,7 +14,7 @@ it('the same value has the same pseudonym with the same key, and another with an
   expect(first.of('', 'client')).toBe('');
 });
 
-it('UUIDs stay UUIDs', () => {
+it('[PD-20] UUIDs stay UUIDs', () => {
   const pseudonym = new Pseudonyms(key()).of(uuid(1), 'client');
   expect(pseudonym).toMatch(
     /^[0-9a-f]{8}-[0-9a-f]{4}-8[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$/,
@@ -25,17 +25,22 @@ it('UUIDs stay UUIDs', () => {
 it.each([
   ['names', (i: number) => `person ${i}`],
   ['UUIDs', uuid],
-])('10 000 %s have 10 000 pseudonyms, which stay the same with the key file', (_, valueOf) => {
-  const values = Array.from({ length: 10_000 }, (_each, i) => valueOf(i));
-  const pseudonyms = new Pseudonyms(key());
-  const given = values.map((value) => pseudonyms.of(value, 'client'));
-  expect(new Set(given).size).toBe(10_000);
-  const later = new Pseudonyms(parsePseudonymKey(formatPseudonymKey(pseudonyms.key)));
-  // Those whose digits met others' were given more, depending on who came first.
-  expect(values.toReversed().map((value) => later.of(value, 'client'))).toEqual(given.toReversed());
-});
+])(
+  '[PD-21] 10 000 %s have 10 000 pseudonyms, which stay the same with the key file',
+  (_, valueOf) => {
+    const values = Array.from({ length: 10_000 }, (_each, i) => valueOf(i));
+    const pseudonyms = new Pseudonyms(key());
+    const given = values.map((value) => pseudonyms.of(value, 'client'));
+    expect(new Set(given).size).toBe(10_000);
+    const later = new Pseudonyms(parsePseudonymKey(formatPseudonymKey(pseudonyms.key)));
+    // Those whose digits met others' were given more, depending on who came first.
+    expect(values.toReversed().map((value) => later.of(value, 'client'))).toEqual(
+      given.toReversed(),
+    );
+  },
+);
 
-it('values whose digits are the same get more digits', () => {
+it('[PD-20] values whose digits are the same get more digits', () => {
   const pseudonyms = new Pseudonyms(key());
   const given = Array.from({ length: 10_000 }, (_, i) => pseudonyms.of(`person ${i}`, 'client'));
   const longer = given.filter((pseudonym) => pseudonym.length > 'client-7f3a9c'.length);
@@ -43,7 +48,7 @@ it('values whose digits are the same get more digits', () => {
   for (const pseudonym of longer) expect(given).toContain(pseudonym.slice(0, -2));
 });
 
-it('the key file tells what each pseudonym stands for', () => {
+it('[PD-22] the key file tells what each pseudonym stands for', () => {
   const pseudonyms = new Pseudonyms(key());
   const pseudonym = pseudonyms.of('Ada', 'client');
   const text = formatPseudonymKey(pseudonyms.key);

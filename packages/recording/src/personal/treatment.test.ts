@@ -67,7 +67,7 @@ const THINGS = {
 const IDS = 'object2DList.elements.id';
 const POSES = 'object2DList.elements.pose';
 
-it('a pseudonym replaces a member of each element of a list', () => {
+it('[PD-1] [PD-2] a pseudonym replaces a member of each element of a list', () => {
   expect(treated(THINGS, label(IDS, PERSONAL_TREATMENT_PSEUDONYM))).toMatchObject({
     elements: [
       { id: ADA, userDataJson: '1', pose: { position: { x: 1.26, y: -3.74 } } },
@@ -76,7 +76,7 @@ it('a pseudonym replaces a member of each element of a list', () => {
   });
 });
 
-it('a dropped member is empty, a dropped list has no elements', () => {
+it('[PD-2] a dropped member is empty, a dropped list has no elements', () => {
   expect(treated(THINGS, label(POSES, PERSONAL_TREATMENT_DROP))).toMatchObject({
     elements: [{ id: 'Ada', pose: undefined }, { id: 'Ada' }],
   });
@@ -84,7 +84,7 @@ it('a dropped member is empty, a dropped list has no elements', () => {
   expect(treated(THINGS, list)).toEqual({ elements: [] });
 });
 
-it('numbers below a member are rounded to multiples of the step', () => {
+it('[PD-2] numbers below a member are rounded to multiples of the step', () => {
   expect(treated(THINGS, label(POSES, PERSONAL_TREATMENT_ROUND, 0.5))).toMatchObject({
     elements: [{ pose: { position: { x: 1.5, y: -3.5 } } }, { pose: undefined }],
   });
@@ -98,7 +98,7 @@ it('numbers below a member are rounded to multiples of the step', () => {
   expect(treated(list, tenths)).toEqual({ elements: [1, 2.1] });
 });
 
-it('labels of one record apply one after the other', () => {
+it('[PD-2] labels of one record apply one after the other', () => {
   const labels = [
     label(IDS, PERSONAL_TREATMENT_PSEUDONYM),
     label('object2DList.elements.userDataJson', PERSONAL_TREATMENT_DROP),
@@ -135,17 +135,17 @@ it.each([
     label('object2DList.elements.age', PERSONAL_TREATMENT_DROP),
   ],
   ['a topic whose label has an unknown treatment', THINGS, label('', 7 as PersonalTreatment)],
-] as [string, RecordInit, PersonalLabel][])('%s is dropped', (_, init, each) => {
+] as [string, RecordInit, PersonalLabel][])('[PD-2] %s is dropped', (_, init, each) => {
   expect(treated(init, each)).toBeUndefined();
 });
 
-it('pixels below a label are emptied, as nobody knows what they show', () => {
+it('[PD-2] pixels below a label are emptied, as nobody knows what they show', () => {
   expect(treated(IMAGE, label('', PERSONAL_TREATMENT_ROUND))).toMatchObject({
     data: new Uint8Array(),
   });
 });
 
-it('what no rule touches stays bit for bit', () => {
+it('[PD-14] what no rule touches stays bit for bit', () => {
   const treatment = treatmentWith({ labels: [label('', PERSONAL_TREATMENT_DROP)] });
   const text = recordOf({ topic: '/b', format: 'string', value: 'nobody' });
   // Field 5000 is in no schema.
@@ -153,7 +153,7 @@ it('what no rule touches stays bit for bit', () => {
   expect(treatment.record(unknown)?.record).toBe(unknown.record);
 });
 
-it('the code of modules stays as it is, whatever is in it', () => {
+it('[PD-12] the code of modules stays as it is, whatever is in it', () => {
   const code = "() => 'Ada'";
   const session = JSON.stringify({
     processingModules: [{ name: 'by Ada', onProcessingStringified: code, nodeId: 'ada' }],
@@ -180,7 +180,7 @@ it('the code of modules stays as it is, whatever is in it', () => {
   });
 });
 
-it('a shift moves all times alike', async () => {
+it('[PD-15] a shift moves all times alike', async () => {
   const init = { topic: '/a', format: 'double', value: 1 } as const;
   const ms = Number(SAMPLE_START_NS / 1_000_000n);
   const timed = { ...recordOf(init), record: encodeRecord({ ...init, timestampMs: ms }) };
@@ -203,7 +203,7 @@ it('a shift moves all times alike', async () => {
   expect(timestamp).toEqual(timestampFromMs(ms + KEY.shiftMs));
 });
 
-it('rules that keep everything change nothing but the selection', async () => {
+it('[PD-11] [PD-13] rules that keep everything change nothing but the selection', async () => {
   const record = sampleRecord('/1b9d6bcd-bbfd-4b2d-9b5d-ab8dfbbd4bed/a', 0);
   const reader = await RecordingReader.open(await recorded([record]));
   const rules = { ...SHARING_RULES, clients: 'keep', notes: 'keep' } as const;
@@ -256,7 +256,7 @@ it('treating ends when it is cancelled', async () => {
   );
 });
 
-it('messages of other programs are dropped', () => {
+it('[PD-14] messages of other programs are dropped', () => {
   const treatment = treatmentWith({}, { ...NOBODY, foreignTopics: new Set(['/imu']) });
   expect(treatment.topic('/imu')).toBeUndefined();
   expect(treatment.record(sampleRecord('/imu', 0))).toBeUndefined();

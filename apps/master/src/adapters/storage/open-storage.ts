@@ -6,6 +6,7 @@ import { FileDocuments } from './file-documents.ts';
 /** Opens the stores in the data directory. [SE-20] */
 export function openStorage(dataDir: string): SessionStorage & {
   readonly grants: DocumentStore;
+  readonly personalData: DocumentStore;
   settled(): Promise<void>;
 } {
   const sessions = new FileDocuments(join(dataDir, 'sessions'), '.session');
@@ -13,15 +14,17 @@ export function openStorage(dataDir: string): SessionStorage & {
   const running = new FileDocuments(join(dataDir, 'running'), '.session');
   const history = new FileDocuments(join(dataDir, 'history'), '.json');
   const grants = new FileDocuments(join(dataDir, 'grants'), '.json', true); // [AC-19]
+  const personalData = new FileDocuments(join(dataDir, 'personal-data'), '.json'); // [PD-3]
   return {
     sessions,
     modules,
     running,
     history,
     grants,
+    personalData,
     async settled() {
       await Promise.all(
-        [sessions, modules, running, history, grants].map((store) => store.settled()),
+        [sessions, modules, running, history, grants, personalData].map((store) => store.settled()),
       );
     },
   };

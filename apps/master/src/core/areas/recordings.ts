@@ -1,3 +1,4 @@
+import { PersonalLabels } from '../personal-data/personal-labels.ts';
 import { DEFAULT_FLIGHT_RECORDER } from '../recordings/flight-settings.ts';
 import { RecordCollector } from '../recordings/record-collector.ts';
 import { Recordings } from '../recordings/recordings.ts';
@@ -10,7 +11,10 @@ import type { TopicArea } from './topics.ts';
 /** Recordings of topics, and the flight recorder. */
 export type RecordingArea = ReturnType<typeof createRecordings>;
 
-export type RecordingDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'patterns' | 'recorder'> &
+export type RecordingDependencies = Pick<
+  MasterPorts,
+  'clock' | 'ids' | 'log' | 'patterns' | 'recorder' | 'personalData'
+> &
   Pick<Foundation, 'settings' | 'limits' | 'limitWatch' | 'onClose'> &
   Pick<TopicArea, 'topics' | 'tap' | 'publisher'> &
   Pick<ClientArea, 'clients' | 'devices'> &
@@ -19,10 +23,16 @@ export type RecordingDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'pattern
 export function createRecordings(dependencies: RecordingDependencies) {
   const { settings, limitWatch: limits, sessions, onClose } = dependencies;
   const collector = new RecordCollector(dependencies);
+  const personalLabels = new PersonalLabels({
+    ...dependencies,
+    limits,
+    store: dependencies.personalData,
+  });
   const recordings = new Recordings({
     ...dependencies,
     limits,
     collector,
+    personalLabels,
     sessions: () => sessions.list(),
     flight: { ...DEFAULT_FLIGHT_RECORDER, ...settings.flightRecorder },
     masterName: nameOf(settings),
@@ -30,5 +40,5 @@ export function createRecordings(dependencies: RecordingDependencies) {
   });
   dependencies.topics.onEnd.add((entry) => collector.handleEnd(entry));
   onClose.add(() => collector.close());
-  return { recordings };
+  return { recordings, personalLabels };
 }

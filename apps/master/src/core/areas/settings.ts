@@ -31,6 +31,8 @@ export interface MasterPorts {
   readonly accessSecrets: AccessSecrets;
   /** Store of the invitations, readable by the master alone [AC-19]. */
   readonly grants: DocumentStore;
+  /** Labels of personal data. [PD-3] */
+  readonly personalData: DocumentStore;
   /** Storage of the audit log. [EX-92] */
   readonly audit: AuditStore;
   readonly log: Log;

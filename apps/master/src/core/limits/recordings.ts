@@ -48,6 +48,12 @@ export const RECORDING_LIMITS = {
     'storage',
     'Markers of one recording, with their changes. Each of them is in its list.',
   ),
+  personalLabels: limit(
+    200,
+    'labels',
+    'storage',
+    'Labels of personal data. Each topic of a recording that is shared is compared with all of them.',
+  ),
   flightRecorderMs: limit(
     3_600_000,
     'ms',

@@ -41,6 +41,8 @@ export interface RecordingJob {
   readonly version: string;
   /** Id of the recording that is replayed meanwhile; then it is a comparison [RP-41]. Default: none. */
   readonly replayedRecordingId?: string;
+  /** Labels of personal data as JSON; empty when there are none. [PD-6] */
+  readonly personalData: string;
 }
 
 /** A recording to start. */

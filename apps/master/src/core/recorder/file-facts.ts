@@ -23,6 +23,8 @@ export interface FileFacts {
   readonly selection: RecordingSelection | undefined;
   /** Of a comparison: id of the recording that was replayed; else empty [RP-41]. */
   readonly replayedRecordingId: string;
+  /** Labels of personal data as JSON; empty when there are none. [PD-6] */
+  readonly personalData: string;
 }
 
 const KINDS: { readonly [K in RecordingKind]?: RecordingHeader['kind'] } = {
@@ -34,34 +36,37 @@ const KINDS: { readonly [K in RecordingKind]?: RecordingHeader['kind'] } = {
 
 /** What the file of a new recording begins with. */
 export function factsOf(
-  { name, notes, author, makerId, masterName, version, replayedRecordingId = '' }: RecordingJob,
+  job: RecordingJob,
   kind: RecordingKind,
   startedMs: number,
   selection?: RecordingSelection,
 ): FileFacts {
   const state = RecordingState.RECORDING_STATE_COMPLETE;
-  const texts = { name, notes, author, makerId, masterName, version, replayedRecordingId };
-  return { ...texts, kind, startedMs, state, problem: '', selection };
+  const { name, notes, author, makerId, masterName, version, personalData } = job;
+  const { replayedRecordingId = '' } = job;
+  const texts = { name, notes, author, makerId, masterName, version, personalData };
+  return { ...texts, kind, startedMs, state, problem: '', selection, replayedRecordingId };
 }
 
 /** The header for a file. The member `selection` of it is JSON with all that has no member of its own. */
 export function formatHeader(facts: FileFacts): RecordingHeader {
-  const { name, notes, kind, masterName, version, selection, ...rest } = facts;
+  const { name, notes, kind, masterName, version, selection, personalData, ...rest } = facts;
   return {
     ...{ name, notes, masterName, version },
     kind: KINDS[kind] ?? 'recording',
     selection: JSON.stringify({ ...selection, ...rest }),
+    ...(personalData !== '' && { personalData }),
   };
 }
 
 /** What a file says of itself; of files of other programs, little. */
 export function parseFacts(summary: RecordingSummary): FileFacts {
-  const { name, notes, masterName, version, kind } = summary;
+  const { name, notes, masterName, version, kind, personalData = '' } = summary;
   const { author, makerId, startedMs, state, problem, replayedRecordingId, ...selection } =
     parseObject(summary.selection);
   const kinds = Object.entries(KINDS).find(([, word]) => word === kind);
   return {
-    ...{ name, notes, masterName, version },
+    ...{ name, notes, masterName, version, personalData },
     kind: summary.isForeign
       ? RecordingKind.RECORDING_KIND_IMPORT
       : (Number(kinds?.[0] ?? 0) as RecordingKind),

@@ -14,6 +14,7 @@ import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import { Hook } from '../hooks/hook.ts';
+import type { PersonalLabels } from '../personal-data/personal-labels.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { KeptRecording, Recorder, RecorderState, RecordingJob } from '../ports/recorder.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -37,6 +38,7 @@ export interface RecordingsContext extends SelectionContext {
   readonly publisher: MasterPublisher;
   readonly recorder: Recorder;
   readonly collector: RecordCollector;
+  readonly personalLabels: PersonalLabels;
   readonly flight: FlightRecorderSettings;
   readonly masterName: string;
   readonly version: string;
@@ -254,10 +256,11 @@ export class Recordings {
   }
 
   #jobOf({ name, ...wish }: RecordingWish): RecordingJob {
-    const { ids, clock, masterName, version } = this.#context;
+    const { ids, clock, masterName, version, personalLabels } = this.#context;
     const time = new Date(clock.nowMs()).toISOString().slice(0, 19).replace('T', ' ');
     return {
       ...{ ...wish, id: ids.uuid(), masterName, version },
+      personalData: personalLabels.toHeader(),
       name: name === '' ? `${time} UTC` : name,
     };
   }

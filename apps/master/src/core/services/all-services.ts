@@ -7,6 +7,7 @@ import { DEVICE_SERVICES } from './devices.ts';
 import { listingServices } from './listings.ts';
 import { MODULE_SERVICES } from './modules.ts';
 import { MONITORING_SERVICES } from './monitoring.ts';
+import { PERSONAL_DATA_SERVICES } from './personal-data.ts';
 import { RECORDING_SERVICES } from './recordings.ts';
 import { REPLAY_SERVICES } from './replays.ts';
 import { SERVER_SERVICES } from './server.ts';
@@ -30,6 +31,7 @@ export const ALL_SERVICES: readonly Service[] = [
   ...ASSET_SET_SERVICES,
   ...RECORDING_SERVICES,
   ...REPLAY_SERVICES,
+  ...PERSONAL_DATA_SERVICES,
 ];
 
 const BY_TOPIC: ReadonlyMap<string, Service> = new Map(

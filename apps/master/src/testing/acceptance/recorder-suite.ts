@@ -28,7 +28,7 @@ const SELECTION = { topics: [], patterns: [], clients: [], devices: [], sessions
 export function runningJob(id: string, more: Partial<RunningJob> = {}): RunningJob {
   return {
     ...{ id, name: `Recording ${id}`, notes: '', author: 'Ada', makerId: 'grant' },
-    ...{ masterName: 'Lab', version: '1.2.3', target: TARGET, present: [] },
+    ...{ masterName: 'Lab', version: '1.2.3', personalData: '', target: TARGET, present: [] },
     selection: { ...SELECTION, excludedPatterns: [], withoutImages: false },
     budget: { maxDurationMs: 1e9, maxBytes: 1e9, minFreeBytes: 0 },
     ...more,
