@@ -105,6 +105,31 @@ describe('the programs for recordings', () => {
     expect(late.stderr).toContain('has none of these topics');
   });
 
+  it('replace personal data by rules, and keep the key apart', async () => {
+    const folder = temporaryFolder();
+    const file = join(folder, 'steps.mcap');
+    await recordSteps(file);
+    const rules = join(folder, 'rules.json');
+    const word = { topicPattern: '/lab/word', treatment: 'PERSONAL_TREATMENT_DROP' };
+    writeFileSync(rules, JSON.stringify({ labels: [word] }));
+    const key = join(folder, 'key.json');
+    const share = ['export', file, '--personal', rules, '--key', key];
+    await run(...share, '--out', join(folder, 'a'));
+    expect(readdirSync(join(folder, 'a'))).toEqual(['lab-step.csv']);
+    const { pseudonyms } = JSON.parse(readFileSync(key, 'utf8')) as { pseudonyms: object };
+    const ada = Object.entries(pseudonyms).find(([, original]) => original === 'Ada')![0];
+    const table = readFileSync(join(folder, 'a/lab-step.csv'), 'utf8');
+    expect(table).toContain(`${ada},/lab/step,vector2,1,-1`);
+    expect(table).not.toContain('Ada');
+    // The same key gives the same pseudonyms.
+    await run(...share, '--out', join(folder, 'b'), '--format', 'mcap');
+    const text = await run('info', join(folder, 'b/Shared-recording.mcap'), '--json');
+    expect(JSON.parse(text)).toMatchObject({ topics: [{ topic: '/lab/step', clientName: ada }] });
+    const broken = new Program(recordingsProgram, ['export', file, '--personal', file]);
+    expect(await broken.ended()).toBe(1);
+    expect(broken.stderr).toContain('The rules for personal data are no JSON object');
+  });
+
   it('play a recording under other topics, with times of today', async () => {
     const file = join(temporaryFolder(), 'steps.mcap');
     const url = await recordSteps(file);

@@ -12,9 +12,10 @@ import {
   parsePath,
 } from '@ubii/program';
 import type { OptionValues, ProgramOptions } from '@ubii/program';
-import { cutRecording, RecordingError, type RecordingReader } from '@ubii/recording';
+import { cutRecording, RecordingError, type EventsReader } from '@ubii/recording';
 import { csvOf, topicTable, writeParquet, xdfOf } from '@ubii/recording/export';
 import { createRecording, openRecording } from './recording-words.ts';
+import { shareRecording } from './shared-reader.ts';
 import { parseTopics, topicChoice } from './topic-choice.ts';
 
 const OPTIONS = {
@@ -43,6 +44,21 @@ const OPTIONS = {
     description: 'Folder of the files. It is created when it does not exist.',
     parse: parsePath,
   }),
+  personal: option({
+    placeholder: '<rules.json|recording|none>',
+    fallback: 'none',
+    description:
+      'Replace personal data: by a file with rules, or by the labels in the recording. none exports everything as it is.',
+    parse: (text, baseDir) =>
+      text === 'recording' || text === 'none' ? text : parsePath(text, baseDir),
+  }),
+  key: option({
+    placeholder: '<file>',
+    fallback: '',
+    fallbackText: 'a key that is thrown away',
+    description: 'Key file of pseudonyms. It is created when it does not exist, and completed.',
+    parse: parsePath,
+  }),
   ...HELP_OPTIONS,
 } as const;
 
@@ -69,27 +85,30 @@ interface Output {
  */
 export async function exportRecording(
   [path, ...more]: readonly string[],
-  { format, topics, from, until, out }: OptionValues<typeof OPTIONS>,
+  { format, topics, from, until, out, personal, key }: OptionValues<typeof OPTIONS>,
   signal: AbortSignal,
   write: (text: string) => void,
 ): Promise<void> {
   if (more.length > 0) throw new ConfigError('Export one recording at a time.');
-  const { file, reader } = await openRecording(path);
+  const { file, reader: whole } = await openRecording(path);
   try {
-    const chosen = chosenTopics(reader, topics);
+    const shared = await shareRecording(whole, personal, key);
+    const { reader } = shared;
+    const chosen = chosenTopics(whole, topics, shared.topic);
     await mkdir(out, { recursive: true });
     const options = { ...spanOf(reader, from, until), topics: chosen, signal };
     if (format === 'xdf' || format === 'mcap') {
       const target = join(out, `${fileName(reader.summary.name || 'recording')}.${format}`);
       await (format === 'xdf' ? exportXdf : exportCut)(reader, target, options);
       write(`${target}\n`);
-      return;
+    } else {
+      for (const topic of chosen) {
+        const target = join(out, `${fileName(topic)}.${format}`);
+        await exportTable(reader, topic, format, await createOutput(target), options);
+        write(`${target}\n`);
+      }
     }
-    for (const topic of chosen) {
-      const target = join(out, `${fileName(topic)}.${format}`);
-      await exportTable(reader, topic, format, await createOutput(target), options);
-      write(`${target}\n`);
-    }
+    await shared.saveKey();
   } finally {
     await file.close();
   }
@@ -106,7 +125,7 @@ interface Span {
 }
 
 /** @param from @param until seconds after the beginning */
-function spanOf({ summary }: RecordingReader, from: number, until: number): Span {
+function spanOf({ summary }: EventsReader, from: number, until: number): Span {
   if (until < from) throw new ConfigError('--until is before --from.');
   const at = (seconds: number): bigint => summary.startNs + BigInt(Math.round(seconds * 1e9));
   return {
@@ -116,7 +135,7 @@ function spanOf({ summary }: RecordingReader, from: number, until: number): Span
 }
 
 async function exportXdf(
-  reader: RecordingReader,
+  reader: EventsReader,
   target: string,
   options: PartOptions,
 ): Promise<void> {
@@ -126,7 +145,7 @@ async function exportXdf(
 }
 
 async function exportCut(
-  reader: RecordingReader,
+  reader: EventsReader,
   target: string,
   options: PartOptions,
 ): Promise<void> {
@@ -143,7 +162,7 @@ async function exportCut(
 }
 
 async function exportTable(
-  reader: RecordingReader,
+  reader: EventsReader,
   topic: string,
   format: 'csv' | 'parquet',
   output: Output,
@@ -157,10 +176,14 @@ async function exportTable(
   await output.end();
 }
 
-function chosenTopics(reader: RecordingReader, topics: readonly string[]): readonly string[] {
+function chosenTopics(
+  reader: EventsReader,
+  topics: readonly string[],
+  shared: (topic: string) => string | undefined,
+): readonly string[] {
   const isChosen = topics.length === 0 ? () => true : topicChoice(topics);
   const all = reader.summary.topics.filter(({ isRaw }) => !isRaw).map(({ topic }) => topic);
-  const chosen = [...new Set(all)].filter(isChosen);
+  const chosen = [...new Set(all)].filter(isChosen).flatMap((topic) => shared(topic) ?? []);
   if (chosen.length > 0) return chosen;
   throw new ConfigError('The recording has none of these topics. "npm run info" lists its topics.');
 }

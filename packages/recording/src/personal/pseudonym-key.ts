@@ -19,7 +19,7 @@ export interface PseudonymKey {
 }
 
 /** Makes a new key. @param random fills an array with random bytes, such as `crypto.getRandomValues` */
-export function createPseudonymKey(random: (bytes: Uint8Array) => void): PseudonymKey {
+export function createPseudonymKey(random: (bytes: Uint8Array<ArrayBuffer>) => void): PseudonymKey {
   const bytes = new Uint8Array(KEY_BYTES + 4);
   random(bytes);
   const part = new DataView(bytes.buffer).getUint32(KEY_BYTES) / 2 ** 32;
