@@ -1,3 +1,5 @@
+import type { PersonalChoice } from '../personal/personal-choice.ts';
+
 /** What a recording is written as. */
 export type ExportFormat = 'csv' | 'parquet' | 'xdf' | 'mcap' | 'video';
 
@@ -9,6 +11,8 @@ export interface ExportRequest {
   readonly span: { readonly fromMs: number; readonly untilMs: number } | undefined;
   /** Name of the recording. */
   readonly name: string;
+  /** How personal data is replaced; undefined to keep it. */
+  readonly personal?: PersonalChoice | undefined;
 }
 
 /** What the page asks of the worker that exports. */
@@ -26,5 +30,11 @@ export type ExportCommand =
 export type ExportReport =
   | { readonly kind: 'progress'; readonly share: number }
   /** @remarks `file` is undefined when it was written to the handle */
-  | { readonly kind: 'done'; readonly file: Blob | undefined; readonly leftOut: readonly string[] }
+  | {
+      readonly kind: 'done';
+      readonly file: Blob | undefined;
+      readonly leftOut: readonly string[];
+      /** Content of the key file, when personal data was replaced. */
+      readonly key: string | undefined;
+    }
   | { readonly kind: 'failed'; readonly message: string };

@@ -1,7 +1,4 @@
-import type { RecordingReader } from '@ubii/recording';
+import type { EventsReader } from '@ubii/recording';
 
 /** What an export reads: a recording as it is, or as it is shared. */
-export type ExportReader = Pick<
-  RecordingReader,
-  'summary' | 'records' | 'latestAt' | 'latestOfEachAt' | 'events' | 'clocks'
->;
+export type ExportReader = EventsReader;

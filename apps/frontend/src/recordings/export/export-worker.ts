@@ -15,15 +15,20 @@ async function start({
   handle,
 }: Extract<ExportCommand, { kind: 'export' }>): Promise<void> {
   const from = typeof source === 'string' ? new RangeSource(source) : new BlobSource(source);
-  const reader = await RecordingReader.open(from);
+  const whole = await RecordingReader.open(from);
+  const { personal } = request;
+  const shared =
+    personal && (await (await import('../personal/share-reader.ts')).shareReader(whole, personal));
+  const topics = request.topics.flatMap((topic) => (shared ? (shared.topic(topic) ?? []) : topic));
+  if (topics.length === 0) throw new Error('The labels of personal data drop all of these topics.');
   const file = await (handle ? openHandle(handle) : openMemory());
   try {
-    const leftOut = await runExport(reader, request, file, {
+    const leftOut = await runExport(shared?.reader ?? whole, { ...request, topics }, file, {
       signal: abort.signal,
       onProgress: (share) => tell({ kind: 'progress', share }),
       video: () => import('./video.ts'),
     });
-    tell({ kind: 'done', file: await file.end(), leftOut });
+    tell({ kind: 'done', file: await file.end(), leftOut, key: shared?.key() });
   } catch (error) {
     await file.abort();
     throw error;

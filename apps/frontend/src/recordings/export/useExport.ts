@@ -1,5 +1,5 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
-import { saveBlob } from '../../files/save-file.ts';
+import { saveBlob, saveFile } from '../../files/save-file.ts';
 import type { ExportCommand, ExportReport, ExportRequest } from './export-messages.ts';
 
 /** An export as the dialog shows it. */
@@ -46,6 +46,7 @@ export function useExport(): Export {
           end(undefined);
         } else {
           if (data.file !== undefined) saveBlob(name, data.file);
+          if (data.key !== undefined) saveFile({ name: `key-of-${name}.json`, text: data.key });
           end(data.leftOut);
         }
       };

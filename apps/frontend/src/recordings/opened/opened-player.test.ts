@@ -38,6 +38,7 @@ const A_RECORDING = {
     gaps: [],
     clockErrorMs: undefined,
     isDamaged: false,
+    labels: [],
   },
 };
 const player = (timeMs: number): RecordingReport => ({

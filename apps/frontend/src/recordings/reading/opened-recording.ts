@@ -1,3 +1,4 @@
+import { fromJson, type PersonalLabel } from '@ubii/proto';
 import type { RecordingEvent, RecordingSummary } from '@ubii/recording';
 import type { OpenedRecording } from './recording-messages.ts';
 import { TimeBase } from './recording-time-base.ts';
@@ -43,5 +44,14 @@ export function openedRecording(
     })),
     clockErrorMs: errors.length === 0 ? undefined : Math.max(...errors),
     isDamaged: summary.isDamaged,
+    labels: labelsOf(summary),
   };
+}
+
+function labelsOf({ personalData = '{}' }: RecordingSummary): readonly PersonalLabel[] {
+  try {
+    return fromJson('ubii.extension.PersonalData', JSON.parse(personalData)).labels;
+  } catch {
+    return [];
+  }
 }

@@ -1,3 +1,4 @@
+import type { PersonalLabel } from '@ubii/proto';
 import type { Span } from '../timeline/span.ts';
 import type { Survey } from '../timeline/survey.ts';
 import type { TileRequest } from '../timeline/tile-store.ts';
@@ -37,6 +38,8 @@ export interface OpenedRecording {
   /** The largest error of a clock in it, milliseconds; undefined when no clock was measured. */
   readonly clockErrorMs: number | undefined;
   readonly isDamaged: boolean;
+  /** Labels of personal data when it was recorded. */
+  readonly labels: readonly PersonalLabel[];
 }
 
 /** What the player does, milliseconds since the beginning. */

@@ -1,0 +1,38 @@
+import type { EventsReader } from '@ubii/recording';
+import {
+  createPseudonymKey,
+  createTreatment,
+  findPeople,
+  formatPseudonymKey,
+  parsePseudonymKey,
+  Pseudonyms,
+  TreatedReader,
+} from '@ubii/recording/personal';
+import type { PersonalChoice } from './personal-choice.ts';
+
+/** A recording as it is exported with personal data replaced. */
+export interface SharedRecording {
+  readonly reader: EventsReader;
+  /** Returns a topic as it is exported; undefined when it is dropped. */
+  topic(topic: string): string | undefined;
+  /** Content of the key file, with the pseudonyms given so far. */
+  key(): string;
+}
+
+/** @throws RecordingError when the key file is none */
+export async function shareReader(
+  reader: EventsReader,
+  { rules, key }: PersonalChoice,
+): Promise<SharedRecording> {
+  const pseudonyms = new Pseudonyms(
+    key === undefined
+      ? createPseudonymKey((bytes) => crypto.getRandomValues(bytes))
+      : parsePseudonymKey(key),
+  );
+  const treatment = createTreatment(rules, await findPeople(reader), pseudonyms);
+  return {
+    reader: new TreatedReader(reader, treatment),
+    topic: (topic) => treatment.topic(topic),
+    key: () => formatPseudonymKey(pseudonyms.key),
+  };
+}
