@@ -1,7 +1,7 @@
 import { compileGlob } from '@ubii/patterns';
 import type { PersonalLabel } from '@ubii/proto';
 import type { PersonalRules } from '@ubii/recording/personal';
-import { counted } from '@ubii/words';
+import { counted, plural } from '@ubii/words';
 import type { RecordedTopic } from '../timeline/track.ts';
 
 /** How personal data is replaced in an export. */
@@ -40,6 +40,6 @@ export function previewOf(
   const labelled = [...names].filter((topic) => globs.some((matches) => matches(topic))).length;
   const replaced = `${counted(clients.size, 'client')} will have pseudonyms.`;
   if (applied.length === 0) return `${replaced} No label matches a topic of this recording.`;
-  const verb = applied.length === 1 ? 'applies' : 'apply';
+  const verb = plural(applied.length, 'applies', 'apply');
   return `${replaced} ${counted(applied.length, 'label')} ${verb} to ${counted(labelled, 'topic')}.`;
 }
