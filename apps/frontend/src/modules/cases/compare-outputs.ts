@@ -30,8 +30,11 @@ export const EDGE_OUTPUTS = 3;
 export interface Exactness {
   /** Numbers are the same when they differ by at most this share of the larger one, or of 1. */
   readonly tolerance: number;
-  /** So many places earlier or later an output may be: modules that run at a rhythm may get an input one run later. */
-  readonly slack: number;
+  /**
+   * For modules that run at a rhythm, whose phase is not recorded: outputs may be so much earlier or later. Undefined for
+   * modules that inputs trigger, whose outputs are the same one by one.
+   */
+  readonly windowMs?: number | undefined;
 }
 
 /** Compares recorded outputs with those of a run, topic by topic in the order of time. */
@@ -43,7 +46,9 @@ export function compareCaseOutputs(
   const topics = new Set([...recorded, ...run].map(({ topic }) => topic));
   return [...topics].map((topic) => {
     const on = (all: readonly CaseRecord[]) => all.filter((one) => one.topic === topic);
-    return bestShift(topic, on(recorded), on(run), exactness);
+    return exactness.windowMs === undefined
+      ? bestShift(topic, on(recorded), on(run), exactness)
+      : compareNear(topic, on(recorded), on(run), exactness.tolerance, exactness.windowMs);
   });
 }
 
@@ -71,7 +76,7 @@ function compareShifted(
   recorded: readonly CaseRecord[],
   run: readonly CaseRecord[],
   shift: number,
-  { tolerance, slack }: Exactness,
+  { tolerance }: Exactness,
 ): TopicOutputs {
   let matched = 0;
   const differences: OutputDifference[] = [];
@@ -79,9 +84,7 @@ function compareShifted(
     const other = run[index + shift];
     if (other === undefined) continue;
     const difference = differenceOf(record, other.record, tolerance);
-    const near = run.slice(Math.max(0, index + shift - slack), index + shift + slack + 1);
-    const isNear = near.some((one) => differenceOf(record, one.record, tolerance) === undefined);
-    if (difference === undefined || isNear) matched += 1;
+    if (difference === undefined) matched += 1;
     else differences.push({ atMs, ...difference });
   }
   const pairs = matched + differences.length;
@@ -93,6 +96,31 @@ function compareShifted(
     additional: run.length - pairs,
     first: differences[0],
   };
+}
+
+/** Looks for the same value near in time. */
+function compareNear(
+  topic: string,
+  recorded: readonly CaseRecord[],
+  run: readonly CaseRecord[],
+  tolerance: number,
+  windowMs: number,
+): TopicOutputs {
+  const near = (all: readonly CaseRecord[], { atMs }: CaseRecord): readonly CaseRecord[] =>
+    all.filter((one) => Math.abs(one.atMs - atMs) <= windowMs);
+  let matched = 0;
+  let missing = 0;
+  const differences: OutputDifference[] = [];
+  for (const one of recorded) {
+    const found = near(run, one).map((other) => differenceOf(one.record, other.record, tolerance));
+    const [difference] = found;
+    if (found.length === 0) missing += 1;
+    else if (difference === undefined || found.includes(undefined)) matched += 1;
+    else differences.push({ atMs: one.atMs, ...difference });
+  }
+  const additional = run.filter((one) => near(recorded, one).length === 0).length;
+  const [first] = differences;
+  return { topic, matched, different: differences.length, missing, additional, first };
 }
 
 type Difference = Omit<OutputDifference, 'atMs'>;

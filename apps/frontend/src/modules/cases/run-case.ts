@@ -17,6 +17,7 @@ export interface CaseResult {
 const CASE_ID = 'case';
 /** Interval of lockstep passes, the default of sessions, milliseconds. [SE-40] */
 const PASS_MS = 1000 / 60;
+const MIN_WINDOW_MS = 100;
 /** A chain of promises of the runtime is no longer than this. */
 const SETTLE_TURNS = 20;
 
@@ -128,9 +129,16 @@ export async function runCase(
   } finally {
     await runtime.close();
   }
-  const slack = module.processingMode?.triggerOnInput ? 0 : 1;
   const { tolerance } = theCase;
-  const compared = compareCaseOutputs(theCase.outputs, outputs, { tolerance, slack });
+  const windowMs = windowOf(module);
+  const compared = compareCaseOutputs(theCase.outputs, outputs, { tolerance, windowMs });
   const isPassed = fault === undefined && compared.length > 0 && compared.every(isSame);
   return { isPassed, topics: compared, fault };
+}
+
+/** Two runs, and no less than a busy node is late. */
+function windowOf({ processingMode }: ProcessingModule): number | undefined {
+  if (processingMode?.triggerOnInput) return undefined;
+  const hertz = processingMode?.frequency?.hertz;
+  return Math.max(MIN_WINDOW_MS, 2 * (hertz ? 1000 / hertz : PASS_MS));
 }

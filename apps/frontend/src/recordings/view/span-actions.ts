@@ -1,9 +1,7 @@
-import { FlaskConical, Share } from '@lucide/vue';
 import type { Recording } from '@ubii/proto';
 import type { Component } from 'vue';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { Span } from '../timeline/span.ts';
-import { loadLater } from '../../ui/load-later.ts';
 
 /** A span of an opened recording: what an action gets. */
 export interface SpanTarget {
@@ -25,17 +23,3 @@ export interface SpanAction {
   /** Dialog with the property `target: SpanTarget` and the event `close`; loaded on first use (`loadLater`). */
   readonly dialog: Component;
 }
-
-/** All actions of the menu of a span, in its order: one line for each feature. */
-export const SPAN_ACTIONS: readonly SpanAction[] = [
-  {
-    text: 'Make a test case of a module',
-    icon: FlaskConical,
-    dialog: loadLater(() => import('../cases/CaseDialog.vue')),
-  },
-  {
-    text: 'Export the span',
-    icon: Share,
-    dialog: loadLater(() => import('../export/ExportDialog.vue')),
-  },
-];
