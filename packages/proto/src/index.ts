@@ -65,6 +65,7 @@ export {
   moduleEventTopic,
   RECORDING_STATUS_TOPIC,
   REPLAYS_TOPIC,
+  STUDY_STATUS_TOPIC,
   sessionStatisticsTopic,
   UUID_PATTERN,
   isUuid,

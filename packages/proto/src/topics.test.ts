@@ -10,6 +10,7 @@ import {
   moduleEventTopic,
   RECORDING_STATUS_TOPIC,
   REPLAYS_TOPIC,
+  STUDY_STATUS_TOPIC,
   sessionStatisticsTopic,
   UUID_PATTERN,
   isUuid,
@@ -63,6 +64,11 @@ describe('topics', () => {
   it('[RP-7] of the replays is ours', () => {
     expect(isExtensionTopic(REPLAYS_TOPIC)).toBe(true);
     expect(isMasterTopic(REPLAYS_TOPIC)).toBe(true);
+  });
+
+  it('[ST-40] of the studies is ours', () => {
+    expect(isExtensionTopic(STUDY_STATUS_TOPIC)).toBe(true);
+    expect(isMasterTopic(STUDY_STATUS_TOPIC)).toBe(true);
   });
 
   it('[CL-31] of clients carry their id', () => {

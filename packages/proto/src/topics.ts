@@ -82,6 +82,8 @@ export const RECORDING_STATUS_TOPIC = `${EXTENSION_PREFIX}recordings`;
 
 /** The topic on which the master says what is replayed, up to five times a second. [RP-7] */
 export const REPLAYS_TOPIC = `${EXTENSION_PREFIX}replays`;
+/** The topic on which the master tells of open runs and check lists of studies. [ST-40] */
+export const STUDY_STATUS_TOPIC = `${EXTENSION_PREFIX}studies`;
 
 /**
  * The topic a component publishes on by convention: `/<client id>/<device>/<component>`.

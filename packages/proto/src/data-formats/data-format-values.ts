@@ -31,6 +31,7 @@ import type {
   SessionList,
   SessionStatistics,
   StringList,
+  StudyStatus,
   TouchEventList,
   TouchEventMessage,
   Vector2,
@@ -101,6 +102,7 @@ export interface DataFormatValues {
   moduleEvent: ModuleEvent;
   recordingStatus: RecordingStatus;
   replayList: ReplayList;
+  studyStatus: StudyStatus;
 }
 
 /** Short name of a data format, for example `vector2`. */

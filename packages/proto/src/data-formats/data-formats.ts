@@ -72,6 +72,7 @@ const FAMILIES: { readonly [F in DataFormat]: DataFormatFamily } = {
   moduleEvent: 'system',
   recordingStatus: 'system',
   replayList: 'system',
+  studyStatus: 'system',
 };
 
 /** A `bool` shows like an event, but its newest value is all that matters. */

@@ -846,6 +846,118 @@ export function decodeSessionProblem(r: Reader, into?: T.SessionProblem): T.Sess
   return m;
 }
 
+export function encodeStudyCheckItem(m: Init<T.StudyCheckItem>, w: Writer): void {
+  if (m.kind != null) w.int32(8, m.kind);
+  if (m.state != null) w.int32(16, m.state);
+  if (m.text != null) w.string(26, m.text);
+}
+
+export function decodeStudyCheckItem(r: Reader, into?: T.StudyCheckItem): T.StudyCheckItem {
+  const m: T.StudyCheckItem = into ?? { kind: 0, state: 0, text: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.kind = r.int32() as T.StudyCheckKind; break;
+      case 16: m.state = r.int32() as T.StudyCheckState; break;
+      case 26: m.text = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeStudyCheckList(m: Init<T.StudyCheckList>, w: Writer): void {
+  if (m.studyId != null) w.string(10, m.studyId);
+  if (m.timeMs != null) w.double(17, m.timeMs);
+  if (m.rows != null) for (const e of m.rows) { const at = w.open(26); encodeStudyCheckRow(e, w); w.close(at); }
+  if (m.isReady != null) w.bool(32, m.isReady);
+}
+
+export function decodeStudyCheckList(r: Reader, into?: T.StudyCheckList): T.StudyCheckList {
+  const m: T.StudyCheckList = into ?? { studyId: '', timeMs: 0, rows: [], isReady: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.studyId = r.string(); break;
+      case 17: m.timeMs = r.double(); break;
+      case 26: { const end = r.enter(); m.rows.push(decodeStudyCheckRow(r)); r.end = end; break; }
+      case 32: m.isReady = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeStudyCheckRow(m: Init<T.StudyCheckRow>, w: Writer): void {
+  if (m.name != null) w.string(10, m.name);
+  if (m.state != null) w.int32(16, m.state);
+  if (m.items != null) for (const e of m.items) { const at = w.open(26); encodeStudyCheckItem(e, w); w.close(at); }
+  if (m.found != null) for (const e of m.found) w.string(34, e);
+}
+
+export function decodeStudyCheckRow(r: Reader, into?: T.StudyCheckRow): T.StudyCheckRow {
+  const m: T.StudyCheckRow = into ?? { name: '', state: 0, items: [], found: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.name = r.string(); break;
+      case 16: m.state = r.int32() as T.StudyCheckState; break;
+      case 26: { const end = r.enter(); m.items.push(decodeStudyCheckItem(r)); r.end = end; break; }
+      case 34: m.found.push(r.string()); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeStudyRunNews(m: Init<T.StudyRunNews>, w: Writer): void {
+  if (m.runId != null) w.string(10, m.runId);
+  if (m.studyId != null) w.string(18, m.studyId);
+  if (m.revision != null) w.int32(24, m.revision);
+  if (m.block != null) w.int32(32, m.block);
+  if (m.recordingId != null) w.string(42, m.recordingId);
+  if (m.elapsedMs != null) w.double(49, m.elapsedMs);
+  if (m.blockMs != null) w.double(57, m.blockMs);
+}
+
+export function decodeStudyRunNews(r: Reader, into?: T.StudyRunNews): T.StudyRunNews {
+  const m: T.StudyRunNews = into ?? { runId: '', studyId: '', revision: 0, block: 0, recordingId: '', elapsedMs: 0, blockMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.runId = r.string(); break;
+      case 18: m.studyId = r.string(); break;
+      case 24: m.revision = r.int32(); break;
+      case 32: m.block = r.int32(); break;
+      case 42: m.recordingId = r.string(); break;
+      case 49: m.elapsedMs = r.double(); break;
+      case 57: m.blockMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeStudyStatus(m: Init<T.StudyStatus>, w: Writer): void {
+  if (m.runs != null) for (const e of m.runs) { const at = w.open(10); encodeStudyRunNews(e, w); w.close(at); }
+  if (m.checkLists != null) for (const e of m.checkLists) { const at = w.open(18); encodeStudyCheckList(e, w); w.close(at); }
+  if (m.listRevision != null) w.int32(24, m.listRevision);
+}
+
+export function decodeStudyStatus(r: Reader, into?: T.StudyStatus): T.StudyStatus {
+  const m: T.StudyStatus = into ?? { runs: [], checkLists: [], listRevision: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.runs.push(decodeStudyRunNews(r)); r.end = end; break; }
+      case 18: { const end = r.enter(); m.checkLists.push(decodeStudyCheckList(r)); r.end = end; break; }
+      case 24: m.listRevision = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeErrorMessage(m: Init<T.ErrorMessage>, w: Writer): void {
   if (m.title != null) w.string(10, m.title);
   if (m.message != null) w.string(18, m.message);
@@ -1015,9 +1127,10 @@ export function encodeTopicDataRecord(m: Init<T.TopicDataRecord>, w: Writer): vo
   if (m.extension != null) { const at = w.open(8026); encodeRecordExtension(m.extension, w); w.close(at); }
   if (m.recordingStatus != null) { const at = w.open(8082); RecordingStatus.encode(m.recordingStatus, w); w.close(at); }
   if (m.replayList != null) { const at = w.open(8090); encodeReplayList(m.replayList, w); w.close(at); }
+  if (m.studyStatus != null) { const at = w.open(8682); encodeStudyStatus(m.studyStatus, w); w.close(at); }
 }
 
-const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent', 'recordingStatus', 'replayList'] as const;
+const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent', 'recordingStatus', 'replayList', 'studyStatus'] as const;
 export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.TopicDataRecord {
   const m: T.TopicDataRecord = into ?? { topic: '', timestamp: undefined, clientId: '', extension: undefined };
   let type = into && setMember(into, TopicDataRecord_type);
@@ -1074,6 +1187,7 @@ export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.To
       case 8026: { const end = r.enter(); m.extension = decodeRecordExtension(r, m.extension); r.end = end; break; }
       case 8082: type = only(m, type, 'recordingStatus'); { const end = r.enter(); m.recordingStatus = RecordingStatus.decode(r, m.recordingStatus); r.end = end; break; }
       case 8090: type = only(m, type, 'replayList'); { const end = r.enter(); m.replayList = decodeReplayList(r, m.replayList); r.end = end; break; }
+      case 8682: type = only(m, type, 'studyStatus'); { const end = r.enter(); m.studyStatus = decodeStudyStatus(r, m.studyStatus); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1136,6 +1250,11 @@ export const GENERATED_CODECS = {
   'ubii.extension.ReplaySpan': { encode: encodeReplaySpan, decode: decodeReplaySpan },
   'ubii.extension.ReplayedSession': { encode: encodeReplayedSession, decode: decodeReplayedSession },
   'ubii.extension.SessionProblem': { encode: encodeSessionProblem, decode: decodeSessionProblem },
+  'ubii.extension.StudyCheckItem': { encode: encodeStudyCheckItem, decode: decodeStudyCheckItem },
+  'ubii.extension.StudyCheckList': { encode: encodeStudyCheckList, decode: decodeStudyCheckList },
+  'ubii.extension.StudyCheckRow': { encode: encodeStudyCheckRow, decode: decodeStudyCheckRow },
+  'ubii.extension.StudyRunNews': { encode: encodeStudyRunNews, decode: decodeStudyRunNews },
+  'ubii.extension.StudyStatus': { encode: encodeStudyStatus, decode: decodeStudyStatus },
   'ubii.general.Error': { encode: encodeErrorMessage, decode: decodeErrorMessage },
   'ubii.processing.LockstepProcessingReply': { encode: encodeLockstepProcessingReply, decode: decodeLockstepProcessingReply },
   'ubii.processing.LockstepProcessingRequest': { encode: encodeLockstepProcessingRequest, decode: decodeLockstepProcessingRequest },

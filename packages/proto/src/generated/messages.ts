@@ -508,6 +508,116 @@ export const StatusProblemSeverity = {
 export type StatusProblemSeverity = (typeof StatusProblemSeverity)[keyof typeof StatusProblemSeverity];
 
 /**
+ * Where a block is in its life. Rule ST-21.
+ *
+ * `ubii.extension.StudyBlockState`
+ */
+export const StudyBlockState = {
+  /** It has not begun, or is to be repeated. */
+  STUDY_BLOCK_STATE_PENDING: 0,
+  /** It runs. */
+  STUDY_BLOCK_STATE_RUNNING: 1,
+  /** It ended. */
+  STUDY_BLOCK_STATE_DONE: 2,
+  /** It was skipped. */
+  STUDY_BLOCK_STATE_SKIPPED: 3,
+  /** The master exited while it ran; it can be repeated. */
+  STUDY_BLOCK_STATE_INTERRUPTED: 4,
+} as const;
+export type StudyBlockState = (typeof StudyBlockState)[keyof typeof StudyBlockState];
+
+/**
+ * What is checked of a required device.
+ *
+ * `ubii.extension.StudyCheckKind`
+ */
+export const StudyCheckKind = {
+  /** That as many as needed are there. */
+  STUDY_CHECK_KIND_PRESENCE: 0,
+  /** Records per second. */
+  STUDY_CHECK_KIND_RATE: 1,
+  /** Charge. */
+  STUDY_CHECK_KIND_BATTERY: 2,
+  /** Clock error. */
+  STUDY_CHECK_KIND_CLOCK: 3,
+} as const;
+export type StudyCheckKind = (typeof StudyCheckKind)[keyof typeof StudyCheckKind];
+
+/**
+ * What is known of one requirement. Rule ST-30.
+ *
+ * `ubii.extension.StudyCheckState`
+ */
+export const StudyCheckState = {
+  /** Fulfilled. */
+  STUDY_CHECK_STATE_OK: 0,
+  /** Not there, or not known. */
+  STUDY_CHECK_STATE_MISSING: 1,
+  /** There, and not enough. */
+  STUDY_CHECK_STATE_LOW: 2,
+} as const;
+export type StudyCheckState = (typeof StudyCheckState)[keyof typeof StudyCheckState];
+
+/**
+ * How the conditions of a study are ordered for a participant. Rule ST-10.
+ *
+ * `ubii.extension.StudyOrder`
+ */
+export const StudyOrder = {
+  /** As the study lists them. */
+  STUDY_ORDER_FIXED: 0,
+  /** Shuffled for each participant, visit and repetition. */
+  STUDY_ORDER_RANDOM: 1,
+  /** By a balanced Latin square: over participants, each condition comes equally often at each position and after each other one. */
+  STUDY_ORDER_BALANCED: 2,
+} as const;
+export type StudyOrder = (typeof StudyOrder)[keyof typeof StudyOrder];
+
+/**
+ * What to do with a run. Rules ST-21 to ST-25.
+ *
+ * `ubii.extension.StudyRunAction`
+ */
+export const StudyRunAction = {
+  /** Unknown to a newer or older program. */
+  STUDY_RUN_ACTION_UNSPECIFIED: 0,
+  /** The participant consented to the text with consent_version. */
+  STUDY_RUN_ACTION_CONSENT: 1,
+  /** Begins a block: starts its recording and its session. */
+  STUDY_RUN_ACTION_BEGIN_BLOCK: 2,
+  /** Ends the block that runs. */
+  STUDY_RUN_ACTION_END_BLOCK: 3,
+  /** Skips a block that is pending or was interrupted. */
+  STUDY_RUN_ACTION_SKIP_BLOCK: 4,
+  /** Makes a block pending that is done, skipped or interrupted. Its recordings stay. */
+  STUDY_RUN_ACTION_REPEAT_BLOCK: 5,
+  /** Adds a note. During a block, it is a marker of the recording as well. */
+  STUDY_RUN_ACTION_NOTE: 6,
+  /** Ends the run, and the block that runs. */
+  STUDY_RUN_ACTION_END: 7,
+  /** Opens a run again that was interrupted or ended. */
+  STUDY_RUN_ACTION_CONTINUE: 8,
+} as const;
+export type StudyRunAction = (typeof StudyRunAction)[keyof typeof StudyRunAction];
+
+/**
+ * Where a run is in its life. Rule ST-20.
+ *
+ * `ubii.extension.StudyRunState`
+ */
+export const StudyRunState = {
+  /** Unknown to a newer or older program. */
+  STUDY_RUN_STATE_UNSPECIFIED: 0,
+  /** Blocks can begin. */
+  STUDY_RUN_STATE_OPEN: 1,
+  /** The master exited while it was open; it can be continued. */
+  STUDY_RUN_STATE_INTERRUPTED: 2,
+  /** It was ended. */
+  STUDY_RUN_STATE_ENDED: 3,
+} as const;
+export type StudyRunState = (typeof StudyRunState)[keyof typeof StudyRunState];
+
+/**
  * What the callbacks are written in. Only nodes of that language can run it.
  *
  * `ubii.processing.ProcessingModule.Language`
@@ -2328,6 +2438,8 @@ export interface Recording {
   markers: RecordingMarker[];
   /** Of a comparison: id of the recording that was replayed; empty for others. Rule RP-40. */
   replayedRecordingId: string;
+  /** Which part of a study it is; absent when it is none. Rule ST-24. */
+  study: RecordingStudy | undefined;
 }
 
 /**
@@ -2475,6 +2587,30 @@ export interface RecordingStatus {
   flightRecorder: FlightRecorder | undefined;
   /** Grows when the list of recordings changes: one is added, changed, finished or deleted. */
   listRevision: number;
+}
+
+/**
+ * Which part of a study a recording is.
+ *
+ * `ubii.extension.RecordingStudy`
+ */
+export interface RecordingStudy {
+  /** Id of the study. */
+  studyId: string;
+  /** Its name. */
+  studyName: string;
+  /** Id of the run. */
+  runId: string;
+  /** Pseudonym of the participant. */
+  participantCode: string;
+  /** Which visit of the participant. */
+  visit: string;
+  /** Name of the condition. */
+  condition: string;
+  /** Number of the block in the run, from 1. */
+  block: number;
+  /** {run} of the name of the recording, from 1. */
+  runNumber: number;
 }
 
 /**
@@ -2889,6 +3025,433 @@ export interface StatusSample {
   delayMs: number;
   /** Records handed to subscribers per second. */
   recordsOutPerSecond: number;
+}
+
+/**
+ * A study: what each participant does, and what is recorded of it. As a request: creates or replaces it. Rules ST-1 to ST-4.
+ *
+ * `ubii.extension.Study`
+ */
+export interface Study {
+  /** Assigned by the master; empty in a request that creates it. */
+  id: string;
+  /** Name, for display; its letters and digits are {study} in names of recordings. */
+  name: string;
+  /** Notes for those who run the study. */
+  notes: string;
+  /** What participants consent to; when it is empty, blocks begin without consent. Rule ST-22. */
+  consentText: string;
+  /** What has to be there before a block begins. Rule ST-30. */
+  devices: StudyDevice[];
+  /** Conditions, at least one. */
+  conditions: StudyCondition[];
+  /** How they are ordered. */
+  order: StudyOrder;
+  /** Times that each condition is done, from 1. */
+  repetitions: number;
+  /** Duration after which a block ends by itself, milliseconds; 0 for none. */
+  blockMs: number;
+  /** What a block records; absent for everything. */
+  selection: RecordingSelection | undefined;
+  /** Template of names of recordings, such as sub-{participant}_ses-{session}_task-{condition}_run-{run}; empty for that. Rule ST-12. */
+  nameTemplate: string;
+  /** Grows with each change. In a request: the revision that was changed; 0 to create. Rule ST-3. */
+  revision: number;
+  /** Version of the consent text, from 1; 0 without a text. Set by the master. */
+  consentVersion: number;
+  /** Texts that participants consented to and that were changed since. Set by the master; only in replies of study_get. */
+  earlierConsentTexts: StudyConsentText[];
+  /** Participants. Set by the master. */
+  participantCount: number;
+  /** Runs. Set by the master. */
+  runCount: number;
+  /** Last change: milliseconds since the Unix epoch. Set by the master. */
+  changedMs: number;
+}
+
+/**
+ * One condition of a run, done once.
+ *
+ * `ubii.extension.StudyBlock`
+ */
+export interface StudyBlock {
+  /** Name of the condition. */
+  condition: string;
+  /** Which repetition of the condition, from 1. */
+  repetition: number;
+  /** Id of the session that runs with it; empty for none. */
+  sessionId: string;
+  /** Where it is in its life. */
+  state: StudyBlockState;
+  /** Its recordings, the oldest first; more than one when it was repeated. */
+  takes: StudyTake[];
+}
+
+/**
+ * One requirement of a device, as it is now.
+ *
+ * `ubii.extension.StudyCheckItem`
+ */
+export interface StudyCheckItem {
+  /** What is checked. */
+  kind: StudyCheckKind;
+  /** Whether it is fulfilled. */
+  state: StudyCheckState;
+  /** A few words with values, such as "12 of 30 Hz". */
+  text: string;
+}
+
+/**
+ * The required devices of a study, as they are now. Rule ST-30.
+ *
+ * `ubii.extension.StudyCheckList`
+ */
+export interface StudyCheckList {
+  /** Id of the study. */
+  studyId: string;
+  /** When: milliseconds since the Unix epoch. */
+  timeMs: number;
+  /** In the order of the study. */
+  rows: StudyCheckRow[];
+  /** True: no row is missing or low. */
+  isReady: boolean;
+}
+
+/**
+ * One required device, as it is now.
+ *
+ * `ubii.extension.StudyCheckRow`
+ */
+export interface StudyCheckRow {
+  /** Name of the required device. */
+  name: string;
+  /** The worst of its items. */
+  state: StudyCheckState;
+  /** Presence, and each requirement that the study has. */
+  items: StudyCheckItem[];
+  /** Names of the devices and clients that were found; at most 20. */
+  found: string[];
+}
+
+/**
+ * One condition of a study.
+ *
+ * `ubii.extension.StudyCondition`
+ */
+export interface StudyCondition {
+  /** Name, for display; its letters and digits are {condition} in names of recordings. */
+  name: string;
+  /** Id of a stored session that runs during its blocks; empty for none. */
+  sessionId: string;
+}
+
+/**
+ * Consent of a participant. Rule ST-22.
+ *
+ * `ubii.extension.StudyConsent`
+ */
+export interface StudyConsent {
+  /** Version of the text. */
+  version: number;
+  /** When: milliseconds since the Unix epoch. */
+  timeMs: number;
+  /** Name of the client that confirmed it; empty when none did. */
+  author: string;
+}
+
+/**
+ * A consent text as it was.
+ *
+ * `ubii.extension.StudyConsentText`
+ */
+export interface StudyConsentText {
+  /** Its version. */
+  version: number;
+  /** The text. */
+  text: string;
+}
+
+/**
+ * What was deleted of a participant. Rule ST-51.
+ *
+ * `ubii.extension.StudyDeletion`
+ */
+export interface StudyDeletion {
+  /** Names of the deleted recordings. */
+  recordingNames: string[];
+  /** Size of them, bytes. */
+  sizeBytes: number;
+  /** Deleted runs. */
+  runCount: number;
+  /** Deleted notes. */
+  noteCount: number;
+  /** Names of the studies that had the participant. */
+  studyNames: string[];
+}
+
+/**
+ * What a study needs. One of topic_pattern, data_format and tag is set. Rule ST-30.
+ *
+ * `ubii.extension.StudyDevice`
+ */
+export interface StudyDevice {
+  /** Name, for display. */
+  name: string;
+  /** Glob of topics that it publishes. */
+  topicPattern: string;
+  /** Short name of the data format that it publishes. */
+  dataFormat: string;
+  /** Tag of a device or of a component. */
+  tag: string;
+  /** How many are needed; 0 for one. */
+  count: number;
+  /** Records per second at least; 0 for any. */
+  minRateHz: number;
+  /** Charge at least, 0 to 1; 0 for any. */
+  minBattery: number;
+  /** Clock error at most, milliseconds; 0 for any. */
+  maxClockErrorMs: number;
+}
+
+/**
+ * All studies, in the order of their names, without notes and texts.
+ *
+ * `ubii.extension.StudyList`
+ */
+export interface StudyList {
+  /** The studies. */
+  elements: Study[];
+}
+
+/**
+ * A note on a run.
+ *
+ * `ubii.extension.StudyNote`
+ */
+export interface StudyNote {
+  /** When: milliseconds since the Unix epoch. */
+  timeMs: number;
+  /** Text. */
+  text: string;
+  /** Name of the client that wrote it; empty when none did. */
+  author: string;
+  /** Number of the block that ran, from 1; 0 when none did. */
+  block: number;
+}
+
+/**
+ * One participant of a study. Rule ST-50.
+ *
+ * `ubii.extension.StudyParticipant`
+ */
+export interface StudyParticipant {
+  /** Id of the study. */
+  studyId: string;
+  /** Pseudonym. */
+  code: string;
+  /** Number in the study, from 1. */
+  number: number;
+  /** Ids of the runs, the newest first. */
+  runIds: string[];
+  /** Ids of the recordings that are there, the newest first. */
+  recordingIds: string[];
+  /** Size of them, bytes. */
+  sizeBytes: number;
+  /** Start of the last run: milliseconds since the Unix epoch. */
+  lastMs: number;
+}
+
+/**
+ * Participants, by study and code.
+ *
+ * `ubii.extension.StudyParticipantList`
+ */
+export interface StudyParticipantList {
+  /** The participants. */
+  elements: StudyParticipant[];
+}
+
+/**
+ * Which participants are meant. Rules ST-50 and ST-51.
+ *
+ * `ubii.extension.StudyParticipantRequest`
+ */
+export interface StudyParticipantRequest {
+  /** Id of the study; empty for all studies. */
+  studyId: string;
+  /** Pseudonym of the participant. To list: empty for all. */
+  participantCode: string;
+}
+
+/**
+ * Which study is meant.
+ *
+ * `ubii.extension.StudyRequest`
+ */
+export interface StudyRequest {
+  /** Its id. */
+  id: string;
+}
+
+/**
+ * One participant doing a study once. Rule ST-20.
+ *
+ * `ubii.extension.StudyRun`
+ */
+export interface StudyRun {
+  /** Assigned by the master. */
+  id: string;
+  /** Id of the study. */
+  studyId: string;
+  /** Pseudonym of the participant, letters and digits, such as P01. */
+  participantCode: string;
+  /** Number of the participant in the study, from 1: the row of the balanced order. */
+  participantNumber: number;
+  /** Which visit of the participant, letters and digits, such as 1; {session} in names of recordings. */
+  visit: string;
+  /** Where it is in its life. */
+  state: StudyRunState;
+  /** Grows with each change. */
+  revision: number;
+  /** Its start: milliseconds since the Unix epoch. */
+  startedMs: number;
+  /** Its end, the same clock; 0 while it is not ended. */
+  endedMs: number;
+  /** Consent; absent before it is given. */
+  consent: StudyConsent | undefined;
+  /** Blocks, in the order in which they are done. */
+  blocks: StudyBlock[];
+  /** Notes, the oldest first. */
+  notes: StudyNote[];
+}
+
+/**
+ * Does something with a run. Rules ST-21 to ST-25.
+ *
+ * `ubii.extension.StudyRunChangeRequest`
+ */
+export interface StudyRunChangeRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Id of the run. */
+  runId: string;
+  /** What to do. */
+  action: StudyRunAction;
+  /** Number of the block, from 1; 0 for the next one that is pending. */
+  block: number;
+  /** To begin a block: also when required devices are missing. Rule ST-31. */
+  isForced: boolean;
+  /** Text of the note. */
+  text: string;
+  /** To consent: version of the text that the participant read. */
+  consentVersion: number;
+}
+
+/**
+ * Runs, the newest first.
+ *
+ * `ubii.extension.StudyRunList`
+ */
+export interface StudyRunList {
+  /** The runs. */
+  elements: StudyRun[];
+}
+
+/**
+ * Which runs are listed.
+ *
+ * `ubii.extension.StudyRunListRequest`
+ */
+export interface StudyRunListRequest {
+  /** Id of the study; empty for all. */
+  studyId: string;
+  /** Pseudonym of the participant; empty for all. */
+  participantCode: string;
+}
+
+/**
+ * A run that is open, in short. Participants are not named in it.
+ *
+ * `ubii.extension.StudyRunNews`
+ */
+export interface StudyRunNews {
+  /** Id of the run. */
+  runId: string;
+  /** Id of the study. */
+  studyId: string;
+  /** Revision of the run. */
+  revision: number;
+  /** Number of the block that runs, from 1; 0 for none. */
+  block: number;
+  /** Id of its recording. */
+  recordingId: string;
+  /** Time since the block began, milliseconds. */
+  elapsedMs: number;
+  /** Duration after which the block ends by itself, milliseconds; 0 for none. */
+  blockMs: number;
+}
+
+/**
+ * Which run is meant.
+ *
+ * `ubii.extension.StudyRunRequest`
+ */
+export interface StudyRunRequest {
+  /** Its id. */
+  id: string;
+}
+
+/**
+ * Starts a run. Rule ST-20.
+ *
+ * `ubii.extension.StudyRunStartRequest`
+ */
+export interface StudyRunStartRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Id of the study. */
+  studyId: string;
+  /** Pseudonym of the participant, letters and digits. */
+  participantCode: string;
+  /** Which visit, letters and digits; empty for 1. */
+  visit: string;
+}
+
+/**
+ * Open runs and check lists, published on /ubii/studies when something changes, and each second while a run is open or a check
+ * list is wanted. Rule ST-40.
+ *
+ * `ubii.extension.StudyStatus`
+ */
+export interface StudyStatus {
+  /** Open runs. */
+  runs: StudyRunNews[];
+  /** Check lists of studies with open runs, and of those that are wanted. */
+  checkLists: StudyCheckList[];
+  /** Grows when studies, runs or participants change. */
+  listRevision: number;
+}
+
+/**
+ * One recording of a block.
+ *
+ * `ubii.extension.StudyTake`
+ */
+export interface StudyTake {
+  /** Id of the recording. */
+  recordingId: string;
+  /** Its name when it was made. */
+  name: string;
+  /** {run} of its name. */
+  runNumber: number;
+  /** Its start: milliseconds since the Unix epoch. */
+  startedMs: number;
+  /** Its end, the same clock; 0 while it runs, and when the master exited before. */
+  endedMs: number;
+  /** What was wrong with required devices when it began all the same; empty when nothing was. Rule ST-31. */
+  forced: string;
+  /** What is wrong with it; empty when nothing is. */
+  problem: string;
 }
 
 /**
@@ -3377,6 +3940,20 @@ export interface ServiceReply {
   replayList?: ReplayList | undefined;
   /** Labels of personal data. Rule PD-3. */
   personalData?: PersonalData | undefined;
+  /** A study. Rule ST-1. */
+  study?: Study | undefined;
+  /** All studies. Rule ST-1. */
+  studyList?: StudyList | undefined;
+  /** A run of a study. Rule ST-20. */
+  studyRun?: StudyRun | undefined;
+  /** Runs of studies. Rule ST-20. */
+  studyRunList?: StudyRunList | undefined;
+  /** Required devices, as they are now. Rule ST-30. */
+  studyCheckList?: StudyCheckList | undefined;
+  /** Participants of studies. Rule ST-50. */
+  studyParticipantList?: StudyParticipantList | undefined;
+  /** What was deleted of a participant. Rule ST-51. */
+  studyDeletion?: StudyDeletion | undefined;
 }
 
 /**
@@ -3471,6 +4048,20 @@ export interface ServiceRequest {
   replayRequest?: ReplayRequest | undefined;
   /** Labels of personal data that replace those before. Rule PD-4. */
   personalData?: PersonalData | undefined;
+  /** Which study is meant. Rule ST-1. */
+  studyRequest?: StudyRequest | undefined;
+  /** A study to create or replace. Rule ST-3. */
+  study?: Study | undefined;
+  /** A run to start. Rule ST-20. */
+  studyRunStartRequest?: StudyRunStartRequest | undefined;
+  /** What to do with a run. Rule ST-21. */
+  studyRunChangeRequest?: StudyRunChangeRequest | undefined;
+  /** Which run is meant. Rule ST-20. */
+  studyRunRequest?: StudyRunRequest | undefined;
+  /** Which runs to list. Rule ST-20. */
+  studyRunListRequest?: StudyRunListRequest | undefined;
+  /** Which participants are meant. Rule ST-50. */
+  studyParticipantRequest?: StudyParticipantRequest | undefined;
 }
 
 /**
@@ -3752,6 +4343,8 @@ export interface TopicDataRecord {
   recordingStatus?: RecordingStatus | undefined;
   /** All replays. Rule RP-7. */
   replayList?: ReplayList | undefined;
+  /** Open runs and check lists of studies. Rule ST-40. */
+  studyStatus?: StudyStatus | undefined;
 }
 
 /**
@@ -3897,6 +4490,7 @@ export interface MessageTypes {
   'ubii.extension.RecordingSelection': RecordingSelection;
   'ubii.extension.RecordingStartRequest': RecordingStartRequest;
   'ubii.extension.RecordingStatus': RecordingStatus;
+  'ubii.extension.RecordingStudy': RecordingStudy;
   'ubii.extension.RecordingTopic': RecordingTopic;
   'ubii.extension.RecordingTopicRate': RecordingTopicRate;
   'ubii.extension.Replay': Replay;
@@ -3917,6 +4511,31 @@ export interface MessageTypes {
   'ubii.extension.StatusEvent': StatusEvent;
   'ubii.extension.StatusProblem': StatusProblem;
   'ubii.extension.StatusSample': StatusSample;
+  'ubii.extension.Study': Study;
+  'ubii.extension.StudyBlock': StudyBlock;
+  'ubii.extension.StudyCheckItem': StudyCheckItem;
+  'ubii.extension.StudyCheckList': StudyCheckList;
+  'ubii.extension.StudyCheckRow': StudyCheckRow;
+  'ubii.extension.StudyCondition': StudyCondition;
+  'ubii.extension.StudyConsent': StudyConsent;
+  'ubii.extension.StudyConsentText': StudyConsentText;
+  'ubii.extension.StudyDeletion': StudyDeletion;
+  'ubii.extension.StudyDevice': StudyDevice;
+  'ubii.extension.StudyList': StudyList;
+  'ubii.extension.StudyNote': StudyNote;
+  'ubii.extension.StudyParticipant': StudyParticipant;
+  'ubii.extension.StudyParticipantList': StudyParticipantList;
+  'ubii.extension.StudyParticipantRequest': StudyParticipantRequest;
+  'ubii.extension.StudyRequest': StudyRequest;
+  'ubii.extension.StudyRun': StudyRun;
+  'ubii.extension.StudyRunChangeRequest': StudyRunChangeRequest;
+  'ubii.extension.StudyRunList': StudyRunList;
+  'ubii.extension.StudyRunListRequest': StudyRunListRequest;
+  'ubii.extension.StudyRunNews': StudyRunNews;
+  'ubii.extension.StudyRunRequest': StudyRunRequest;
+  'ubii.extension.StudyRunStartRequest': StudyRunStartRequest;
+  'ubii.extension.StudyStatus': StudyStatus;
+  'ubii.extension.StudyTake': StudyTake;
   'ubii.extension.SubscribedModule': SubscribedModule;
   'ubii.extension.TopicStatistic': TopicStatistic;
   'ubii.extension.TopicStatistics': TopicStatistics;

@@ -158,6 +158,40 @@ enum ubii.extension.StatusEvent.Kind
 enum ubii.extension.StatusProblem.Severity
 0 WARNING
 1 ERROR
+enum ubii.extension.StudyBlockState
+0 STUDY_BLOCK_STATE_PENDING
+1 STUDY_BLOCK_STATE_RUNNING
+2 STUDY_BLOCK_STATE_DONE
+3 STUDY_BLOCK_STATE_SKIPPED
+4 STUDY_BLOCK_STATE_INTERRUPTED
+enum ubii.extension.StudyCheckKind
+0 STUDY_CHECK_KIND_PRESENCE
+1 STUDY_CHECK_KIND_RATE
+2 STUDY_CHECK_KIND_BATTERY
+3 STUDY_CHECK_KIND_CLOCK
+enum ubii.extension.StudyCheckState
+0 STUDY_CHECK_STATE_OK
+1 STUDY_CHECK_STATE_MISSING
+2 STUDY_CHECK_STATE_LOW
+enum ubii.extension.StudyOrder
+0 STUDY_ORDER_FIXED
+1 STUDY_ORDER_RANDOM
+2 STUDY_ORDER_BALANCED
+enum ubii.extension.StudyRunAction
+0 STUDY_RUN_ACTION_UNSPECIFIED
+1 STUDY_RUN_ACTION_CONSENT
+2 STUDY_RUN_ACTION_BEGIN_BLOCK
+3 STUDY_RUN_ACTION_END_BLOCK
+4 STUDY_RUN_ACTION_SKIP_BLOCK
+5 STUDY_RUN_ACTION_REPEAT_BLOCK
+6 STUDY_RUN_ACTION_NOTE
+7 STUDY_RUN_ACTION_END
+8 STUDY_RUN_ACTION_CONTINUE
+enum ubii.extension.StudyRunState
+0 STUDY_RUN_STATE_UNSPECIFIED
+1 STUDY_RUN_STATE_OPEN
+2 STUDY_RUN_STATE_INTERRUPTED
+3 STUDY_RUN_STATE_ENDED
 enum ubii.processing.ProcessingModule.Language
 0 CPP
 1 PY
@@ -749,6 +783,7 @@ message ubii.extension.Recording
 17 topics ubii.extension.RecordingTopic *
 18 markers ubii.extension.RecordingMarker *
 19 replayed_recording_id string
+30 study ubii.extension.RecordingStudy
 message ubii.extension.RecordingBudget
 1 max_duration_ms double
 2 max_bytes double
@@ -795,6 +830,15 @@ message ubii.extension.RecordingStatus
 1 running ubii.extension.Recording *
 2 flight_recorder ubii.extension.FlightRecorder
 3 list_revision int32
+message ubii.extension.RecordingStudy
+1 study_id string
+2 study_name string
+3 run_id string
+4 participant_code string
+5 visit string
+6 condition string
+7 block int32
+8 run_number int32
 message ubii.extension.RecordingTopic
 1 topic string
 2 client_id string
@@ -938,6 +982,144 @@ message ubii.extension.StatusSample
 4 busy_percent double
 5 delay_ms double
 6 records_out_per_second double
+message ubii.extension.Study
+1 id string
+2 name string
+3 notes string
+4 consent_text string
+5 devices ubii.extension.StudyDevice *
+6 conditions ubii.extension.StudyCondition *
+7 order ubii.extension.StudyOrder
+8 repetitions int32
+9 block_ms double
+10 selection ubii.extension.RecordingSelection
+11 name_template string
+12 revision int32
+13 consent_version int32
+14 earlier_consent_texts ubii.extension.StudyConsentText *
+15 participant_count int32
+16 run_count int32
+17 changed_ms double
+message ubii.extension.StudyBlock
+1 condition string
+2 repetition int32
+3 session_id string
+4 state ubii.extension.StudyBlockState
+5 takes ubii.extension.StudyTake *
+message ubii.extension.StudyCheckItem
+1 kind ubii.extension.StudyCheckKind
+2 state ubii.extension.StudyCheckState
+3 text string
+message ubii.extension.StudyCheckList
+1 study_id string
+2 time_ms double
+3 rows ubii.extension.StudyCheckRow *
+4 is_ready bool
+message ubii.extension.StudyCheckRow
+1 name string
+2 state ubii.extension.StudyCheckState
+3 items ubii.extension.StudyCheckItem *
+4 found string *
+message ubii.extension.StudyCondition
+1 name string
+2 session_id string
+message ubii.extension.StudyConsent
+1 version int32
+2 time_ms double
+3 author string
+message ubii.extension.StudyConsentText
+1 version int32
+2 text string
+message ubii.extension.StudyDeletion
+1 recording_names string *
+2 size_bytes double
+3 run_count int32
+4 note_count int32
+5 study_names string *
+message ubii.extension.StudyDevice
+1 name string
+2 topic_pattern string
+3 data_format string
+4 tag string
+5 count int32
+6 min_rate_hz double
+7 min_battery double
+8 max_clock_error_ms double
+message ubii.extension.StudyList
+1 elements ubii.extension.Study *
+message ubii.extension.StudyNote
+1 time_ms double
+2 text string
+3 author string
+4 block int32
+message ubii.extension.StudyParticipant
+1 study_id string
+2 code string
+3 number int32
+4 run_ids string *
+5 recording_ids string *
+6 size_bytes double
+7 last_ms double
+message ubii.extension.StudyParticipantList
+1 elements ubii.extension.StudyParticipant *
+message ubii.extension.StudyParticipantRequest
+1 study_id string
+2 participant_code string
+message ubii.extension.StudyRequest
+1 id string
+message ubii.extension.StudyRun
+1 id string
+2 study_id string
+3 participant_code string
+4 participant_number int32
+5 visit string
+6 state ubii.extension.StudyRunState
+7 revision int32
+8 started_ms double
+9 ended_ms double
+10 consent ubii.extension.StudyConsent
+11 blocks ubii.extension.StudyBlock *
+12 notes ubii.extension.StudyNote *
+message ubii.extension.StudyRunChangeRequest
+1 client_id string
+2 run_id string
+3 action ubii.extension.StudyRunAction
+4 block int32
+5 is_forced bool
+6 text string
+7 consent_version int32
+message ubii.extension.StudyRunList
+1 elements ubii.extension.StudyRun *
+message ubii.extension.StudyRunListRequest
+1 study_id string
+2 participant_code string
+message ubii.extension.StudyRunNews
+1 run_id string
+2 study_id string
+3 revision int32
+4 block int32
+5 recording_id string
+6 elapsed_ms double
+7 block_ms double
+message ubii.extension.StudyRunRequest
+1 id string
+message ubii.extension.StudyRunStartRequest
+1 client_id string
+2 study_id string
+3 participant_code string
+4 visit string
+message ubii.extension.StudyStatus
+1 runs ubii.extension.StudyRunNews *
+2 check_lists ubii.extension.StudyCheckList *
+3 list_revision int32
+message ubii.extension.StudyTake
+1 recording_id string
+2 name string
+3 run_number int32
+4 started_ms double
+5 ended_ms double
+6 forced string
+7 problem string
 message ubii.extension.SubscribedModule
 1 name string
 2 session_id string
@@ -1105,6 +1287,13 @@ message ubii.services.ServiceReply
 1070 replay ubii.extension.Replay type
 1071 replay_list ubii.extension.ReplayList type
 1080 personal_data ubii.extension.PersonalData type
+1085 study ubii.extension.Study type
+1086 study_list ubii.extension.StudyList type
+1087 study_run ubii.extension.StudyRun type
+1088 study_run_list ubii.extension.StudyRunList type
+1089 study_check_list ubii.extension.StudyCheckList type
+1090 study_participant_list ubii.extension.StudyParticipantList type
+1091 study_deletion ubii.extension.StudyDeletion type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -1149,6 +1338,13 @@ message ubii.services.ServiceRequest
 1071 replay_change_request ubii.extension.ReplayChangeRequest type
 1072 replay_request ubii.extension.ReplayRequest type
 1080 personal_data ubii.extension.PersonalData type
+1085 study_request ubii.extension.StudyRequest type
+1086 study ubii.extension.Study type
+1087 study_run_start_request ubii.extension.StudyRunStartRequest type
+1088 study_run_change_request ubii.extension.StudyRunChangeRequest type
+1089 study_run_request ubii.extension.StudyRunRequest type
+1090 study_run_list_request ubii.extension.StudyRunListRequest type
+1091 study_participant_request ubii.extension.StudyParticipantRequest type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *
@@ -1251,6 +1447,7 @@ message ubii.topicData.TopicDataRecord
 1003 extension ubii.extension.RecordExtension
 1010 recording_status ubii.extension.RecordingStatus type
 1011 replay_list ubii.extension.ReplayList type
+1085 study_status ubii.extension.StudyStatus type
 message ubii.topicData.TopicDataRecordList
 1 elements ubii.topicData.TopicDataRecord *
 message ubii.topicData.TopicDataSource

@@ -6,6 +6,7 @@ import { PROCESSING_MODULE_SERVICES } from './processing-module-services.ts';
 import { RECORDING_SERVICES } from './recording-services.ts';
 import { REPLAY_SERVICES } from './replay-services.ts';
 import { SESSION_SERVICES } from './session-services.ts';
+import { STUDY_SERVICES } from './study-services.ts';
 import { TOPIC_MAPPING_SERVICES } from './topic-mapping-services.ts';
 
 /**
@@ -157,6 +158,7 @@ export const SERVICES = {
   ...PROCESSING_MODULE_SERVICES,
   ...RECORDING_SERVICES,
   ...REPLAY_SERVICES,
+  ...STUDY_SERVICES,
   ...SESSION_SERVICES,
   ...TOPIC_MAPPING_SERVICES,
 } as const;

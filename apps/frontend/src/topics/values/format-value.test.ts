@@ -47,6 +47,7 @@ describe('formatValue', () => {
     ['error', { title: 'Refused', message: 'No room' }, 'Refused: No room'],
     ['recordingStatus', { running: [{ name: 'Lesson 3' }] }, '1 recording: Lesson 3'],
     ['replayList', { elements: [{ name: 'Lesson 3' }] }, '1 replay: Lesson 3'],
+    ['studyStatus', { runs: [{ block: 2 }] }, '1 run'],
     ['sessionStatistics', { modules: [{ moduleName: 'smooth' }] }, '1 module: smooth'],
     [
       'moduleEvent',

@@ -205,4 +205,5 @@ const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
       'replays',
       elements.map(({ name }) => name),
     ),
+  studyStatus: ({ runs }) => counted(runs.length, 'run', 'runs'),
 };

@@ -10,6 +10,7 @@ import { SUBSCRIPTION_LIMITS } from './subscriptions.ts';
 import { DELIVERY_LIMITS } from './delivery.ts';
 import { RECORDING_LIMITS } from './recordings.ts';
 import { SESSION_LIMITS } from './sessions.ts';
+import { STUDY_LIMITS } from './studies.ts';
 
 /**
  * All limits of the master. A request beyond a limit fails with `resource_exhausted` and the name of the
@@ -28,6 +29,7 @@ export const LIMITS = {
   ...DELIVERY_LIMITS,
   ...SESSION_LIMITS,
   ...RECORDING_LIMITS,
+  ...STUDY_LIMITS,
 } as const satisfies Record<string, LimitInfo>;
 
 /** Name of a limit, as in errors, metrics and problems. */

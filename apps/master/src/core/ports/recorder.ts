@@ -5,6 +5,7 @@ import type {
   RecordingBudget,
   RecordingMarker,
   RecordingSelection,
+  RecordingStudy,
 } from '@ubii/proto';
 import type { RecordingEvent } from '@ubii/recording';
 
@@ -43,6 +44,8 @@ export interface RecordingJob {
   readonly replayedRecordingId?: string;
   /** Labels of personal data as JSON; empty when there are none. [PD-6] */
   readonly personalData: string;
+  /** Which part of a study it is [ST-24]. */
+  readonly study?: RecordingStudy | undefined;
 }
 
 /** A recording to start. */

@@ -1,8 +1,11 @@
 import {
+  fromJson,
   RecordingKind,
   RecordingState,
+  type JsonObject,
   type Recording,
   type RecordingSelection,
+  type RecordingStudy,
 } from '@ubii/proto';
 import type { RecordingHeader, RecordingSummary } from '@ubii/recording';
 import type { RecordingJob } from '../ports/recorder.ts';
@@ -25,6 +28,8 @@ export interface FileFacts {
   readonly replayedRecordingId: string;
   /** Labels of personal data as JSON; empty when there are none. [PD-6] */
   readonly personalData: string;
+  /** [ST-24] */
+  readonly study: RecordingStudy | undefined;
 }
 
 const KINDS: { readonly [K in RecordingKind]?: RecordingHeader['kind'] } = {
@@ -42,10 +47,10 @@ export function factsOf(
   selection?: RecordingSelection,
 ): FileFacts {
   const state = RecordingState.RECORDING_STATE_COMPLETE;
-  const { name, notes, author, makerId, masterName, version, personalData } = job;
+  const { name, notes, author, makerId, masterName, version, personalData, study } = job;
   const { replayedRecordingId = '' } = job;
   const texts = { name, notes, author, makerId, masterName, version, personalData };
-  return { ...texts, kind, startedMs, state, problem: '', selection, replayedRecordingId };
+  return { ...texts, kind, startedMs, state, problem: '', selection, replayedRecordingId, study };
 }
 
 /** The header for a file. The member `selection` of it is JSON with all that has no member of its own. */
@@ -62,7 +67,7 @@ export function formatHeader(facts: FileFacts): RecordingHeader {
 /** What a file says of itself; of files of other programs, little. */
 export function parseFacts(summary: RecordingSummary): FileFacts {
   const { name, notes, masterName, version, kind, personalData = '' } = summary;
-  const { author, makerId, startedMs, state, problem, replayedRecordingId, ...selection } =
+  const { author, makerId, startedMs, state, problem, replayedRecordingId, study, ...selection } =
     parseObject(summary.selection);
   const kinds = Object.entries(KINDS).find(([, word]) => word === kind);
   return {
@@ -80,6 +85,7 @@ export function parseFacts(summary: RecordingSummary): FileFacts {
     problem: textOf(problem),
     selection: selectionOf(selection),
     replayedRecordingId: textOf(replayedRecordingId),
+    study: studyOf(study),
   };
 }
 
@@ -107,6 +113,7 @@ export function describeFile(
     notes: facts.notes,
     author: facts.author,
     selection: facts.selection,
+    study: facts.study,
     budget: undefined,
     topics: [],
     markers: [],
@@ -125,6 +132,15 @@ function parseObject(json: string): Record<string, unknown> {
 
 function textOf(value: unknown): string {
   return typeof value === 'string' ? value : '';
+}
+
+function studyOf(value: unknown): RecordingStudy | undefined {
+  if (typeof value !== 'object' || value === null) return undefined;
+  try {
+    return fromJson('ubii.extension.RecordingStudy', value as JsonObject);
+  } catch {
+    return undefined;
+  }
 }
 
 function selectionOf(value: Readonly<Record<string, unknown>>): RecordingSelection {

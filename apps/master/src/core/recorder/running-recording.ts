@@ -126,6 +126,7 @@ export class RunningRecording {
       markerCount: this.markers.size,
       author: job.author,
       selection: job.selection,
+      study: job.study,
       budget: job.budget,
       topics: [],
       markers: [],

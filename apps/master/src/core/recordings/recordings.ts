@@ -8,6 +8,7 @@ import {
   type RecordingList,
   type RecordingMarker,
   type RecordingSelection,
+  type RecordingStudy,
 } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import type { ClientRegistry } from '../clients/client-registry.ts';
@@ -58,6 +59,8 @@ export interface RecordingWish extends RecordingAuthor {
   readonly notes: string;
   /** Of a comparison: id of the recording that is replayed meanwhile. [RP-41] */
   readonly replayedRecordingId?: string;
+  /** Which part of a study it is [ST-24]. */
+  readonly study?: RecordingStudy;
 }
 
 /** A file that is uploaded. */
