@@ -1,0 +1,38 @@
+import { ServiceError } from '@ubii/proto';
+import { capitalised } from '@ubii/words';
+import { quote } from '../texts/quote.ts';
+
+/** Most characters of a code or of a visit. [ST-11] */
+const MAX_CHARACTERS = 32;
+const LABEL = /^[A-Za-z0-9]+$/;
+
+/**
+ * The label of a name: its letters and digits (ASCII), each word after the first with a capital. [ST-13]
+ * @returns an empty text when there are none
+ */
+export function labelOf(name: string): string {
+  return name
+    .split(/[^A-Za-z0-9]+/)
+    .filter(Boolean)
+    .map((word, index) => (index === 0 ? word : capitalised(word)))
+    .join('');
+}
+
+/** A number as a label: two digits at least. [ST-13] */
+export function labelOfNumber(number: number): string {
+  return String(number).padStart(2, '0');
+}
+
+/** @param member name of the member of the request @throws ServiceError when the text is no label [ST-11] */
+export function requireLabel(member: string, text: string): string {
+  if (text.length <= MAX_CHARACTERS && LABEL.test(text)) return text;
+  throw new ServiceError(
+    'invalid_argument',
+    `The member ${member} is ${quote(text)}. Set it to 1 to ${MAX_CHARACTERS} letters from A to Z and digits, such as P01.`,
+  );
+}
+
+/** Whether two codes are those of one participant. [ST-11] */
+export function isSameCode(a: string, b: string): boolean {
+  return a.toLowerCase() === b.toLowerCase();
+}
