@@ -45,6 +45,11 @@ export class NameTemplate {
     this.#check();
   }
 
+  /** Whether the placeholder of this name is in it. */
+  uses(name: string): boolean {
+    return this.#parts.some((part, index) => index % 2 === 1 && part === name);
+  }
+
   format(values: Values): string {
     return this.#parts
       .map((part, index) => (index % 2 === 0 ? part : PLACEHOLDERS.get(part)!(values)))

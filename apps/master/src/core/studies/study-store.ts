@@ -1,0 +1,124 @@
+import {
+  fromJson,
+  ServiceError,
+  toJson,
+  type MessageType,
+  type Study,
+  type StudyRun,
+} from '@ubii/proto';
+import type { LimitWatch } from '../counters/limit-watch.ts';
+import type { DocumentStore } from '../ports/document-store.ts';
+import type { Log } from '../ports/log.ts';
+import { quote } from '../texts/quote.ts';
+import { interrupted } from './run-changes.ts';
+
+/** What a store of studies works with. */
+export interface StudyStoreContext {
+  /** Studies by id. */
+  readonly studies: DocumentStore;
+  /** Runs by id. */
+  readonly studyRuns: DocumentStore;
+  readonly limits: LimitWatch;
+  readonly log: Log;
+}
+
+/** Studies and their runs, in memory and on disk. [ST-1] */
+export class StudyStore {
+  readonly #context: StudyStoreContext;
+  readonly #studies = new Map<string, Study>();
+  readonly #runs = new Map<string, StudyRun>();
+  /** Grows with each change. */
+  revision = 1;
+
+  constructor(context: StudyStoreContext) {
+    this.#context = context;
+    for (const study of this.#read(context.studies, 'ubii.extension.Study')) {
+      this.#studies.set(study.id, study);
+    }
+    for (const run of this.#read(context.studyRuns, 'ubii.extension.StudyRun')) {
+      this.#runs.set(run.id, interrupted(run));
+    }
+  }
+
+  /** By name. */
+  studies(): Study[] {
+    return [...this.#studies.values()].sort((a, b) => a.name.localeCompare(b.name, 'en'));
+  }
+
+  find(id: string): Study | undefined {
+    return this.#studies.get(id);
+  }
+
+  /** @throws ServiceError when there is none of this id */
+  require(id: string): Study {
+    const study = this.#studies.get(id);
+    if (study !== undefined) return study;
+    throw new ServiceError('not_found', `No study has the id ${quote(id)}.`);
+  }
+
+  /** The newest first. @param studyId empty for all */
+  runs(studyId = ''): StudyRun[] {
+    return [...this.#runs.values()]
+      .filter((run) => studyId === '' || run.studyId === studyId)
+      .sort((a, b) => b.startedMs - a.startedMs || b.participantNumber - a.participantNumber);
+  }
+
+  /** @throws ServiceError when there is none of this id */
+  requireRun(id: string): StudyRun {
+    const run = this.#runs.get(id);
+    if (run !== undefined) return run;
+    throw new ServiceError('not_found', `No run of a study has the id ${quote(id)}.`);
+  }
+
+  /** @throws ServiceError when there is no room for another study [ST-2] */
+  async save(study: Study): Promise<void> {
+    const { studies, limits } = this.#context;
+    const max = limits.limits.studies;
+    if (!this.#studies.has(study.id) && this.#studies.size >= max) {
+      throw limits.refusal('studies', `more than ${max} studies`);
+    }
+    await studies.write(study.id, toJson('ubii.extension.Study', study));
+    this.#studies.set(study.id, study);
+    this.revision++;
+  }
+
+  async delete(id: string): Promise<void> {
+    await this.#context.studies.delete(id);
+    this.#studies.delete(id);
+    this.revision++;
+  }
+
+  /** @throws ServiceError when there is no room for another run [ST-2] */
+  async saveRun(run: StudyRun): Promise<void> {
+    const { studyRuns, limits } = this.#context;
+    const max = limits.limits.studyRuns;
+    if (!this.#runs.has(run.id) && this.runs(run.studyId).length >= max) {
+      throw limits.refusal('studyRuns', `more than ${max} runs of a study`);
+    }
+    await studyRuns.write(run.id, toJson('ubii.extension.StudyRun', run));
+    this.#runs.set(run.id, run);
+    this.revision++;
+  }
+
+  async deleteRun(id: string): Promise<void> {
+    await this.#context.studyRuns.delete(id);
+    this.#runs.delete(id);
+    this.revision++;
+  }
+
+  #read<T extends 'ubii.extension.Study' | 'ubii.extension.StudyRun'>(
+    store: DocumentStore,
+    type: T & MessageType,
+  ) {
+    return [...store.documents()].flatMap(([key, { json, fault }]) => {
+      try {
+        if (fault !== undefined) throw new Error(fault);
+        return [{ ...fromJson<T>(type, json), id: key }];
+      } catch (error) {
+        const reason = error instanceof Error ? error.message : String(error);
+        this.#context.log.warn('a study cannot be read', { where: store.describe(key), reason });
+        return [];
+      }
+    });
+  }
+}
