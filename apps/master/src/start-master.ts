@@ -137,6 +137,7 @@ export async function startMaster({
       accessSecrets: new HmacAccessSecrets(key),
       grants: storage.grants,
       personalData: storage.personalData,
+      studyStorage: storage.studyStorage,
       audit,
       log,
       logTail: log,

@@ -1,6 +1,6 @@
 export { MemoryAudit } from './memory-audit.ts';
 export { MemoryFolder } from './memory-folder.ts';
-export { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
+export { MemoryDocuments, MemoryStorage, MemoryStudyStorage } from './memory-documents.ts';
 export { FixedUsage } from './fixed-usage.ts';
 export { PlainSecrets } from './plain-secrets.ts';
 export { PlainTokens } from './plain-tokens.ts';

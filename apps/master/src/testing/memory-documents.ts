@@ -4,6 +4,7 @@ import type {
   DocumentStore,
   SessionStorage,
   StoredDocument,
+  StudyStorage,
 } from '../core/ports/document-store.ts';
 
 /** Documents in memory, which a test may change as people do with files. */
@@ -58,6 +59,12 @@ export class MemoryStorage implements SessionStorage {
   readonly modules = new MemoryDocuments();
   readonly running = new MemoryDocuments();
   readonly history = new MemoryDocuments();
+}
+
+/** Studies in memory. */
+export class MemoryStudyStorage implements StudyStorage {
+  readonly studies = new MemoryDocuments();
+  readonly runs = new MemoryDocuments();
 }
 
 function parse(text: string): StoredDocument {

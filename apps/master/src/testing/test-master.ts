@@ -27,7 +27,7 @@ import { RecorderEngine } from '../core/recorder/recorder-engine.ts';
 import { FolderReplays } from '../core/replayer/folder-replays.ts';
 import { DEFAULT_LIMITS } from '../core/limits/index.ts';
 import { MemoryFolder } from './memory-folder.ts';
-import { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
+import { MemoryDocuments, MemoryStorage, MemoryStudyStorage } from './memory-documents.ts';
 import { PlainSecrets } from './plain-secrets.ts';
 import { PlainTokens } from './plain-tokens.ts';
 import { RecordingLog } from './recording-log.ts';
@@ -52,6 +52,8 @@ export interface TestMasterOptions {
   readonly grants?: MemoryDocuments;
   /** Labels of personal data of an earlier run. */
   readonly personalData?: MemoryDocuments;
+  /** Studies of an earlier run. */
+  readonly studyStorage?: MemoryStudyStorage;
   /** The audit log that was there before: for a second run of the master. */
   readonly audit?: MemoryAudit;
   /** Recordings of an earlier run. */
@@ -75,6 +77,7 @@ export class TestMaster {
   readonly storage: MemoryStorage;
   readonly grants: MemoryDocuments;
   readonly personalData: MemoryDocuments;
+  readonly studyStorage: MemoryStudyStorage;
   readonly audit: MemoryAudit;
   readonly recordings: MemoryFolder;
   readonly logTail: LogTail;
@@ -87,6 +90,7 @@ export class TestMaster {
     this.storage = options.storage ?? new MemoryStorage();
     this.grants = options.grants ?? new MemoryDocuments();
     this.personalData = options.personalData ?? new MemoryDocuments();
+    this.studyStorage = options.studyStorage ?? new MemoryStudyStorage();
     this.audit = options.audit ?? new MemoryAudit();
     this.recordings = options.recordings ?? new MemoryFolder();
     this.master = createMaster(
@@ -97,6 +101,7 @@ export class TestMaster {
         accessSecrets: new PlainSecrets(),
         grants: this.grants,
         personalData: this.personalData,
+        studyStorage: this.studyStorage,
         audit: this.audit,
         log: this.logTail,
         logTail: this.logTail,

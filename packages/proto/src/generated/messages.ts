@@ -3057,7 +3057,7 @@ export interface Study {
   nameTemplate: string;
   /** Grows with each change. In a request: the revision that was changed; 0 to create. Rule ST-3. */
   revision: number;
-  /** Version of the consent text, from 1; 0 without a text. Set by the master. */
+  /** Version of the consent text: grows with each change; 0 when there was never one. Set by the master. */
   consentVersion: number;
   /** Texts that participants consented to and that were changed since. Set by the master; only in replies of study_get. */
   earlierConsentTexts: StudyConsentText[];
@@ -3448,7 +3448,7 @@ export interface StudyTake {
   startedMs: number;
   /** Its end, the same clock; 0 while it runs, and when the master exited before. */
   endedMs: number;
-  /** What was wrong with required devices when it began all the same; empty when nothing was. Rule ST-31. */
+  /** What was wrong with required devices when it began anyway; empty when nothing was. Rule ST-31. */
   forced: string;
   /** What is wrong with it; empty when nothing is. */
   problem: string;

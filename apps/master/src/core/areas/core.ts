@@ -8,6 +8,7 @@ import { createSessions, type SessionArea } from './sessions.ts';
 import { createRecordings, type RecordingArea } from './recordings.ts';
 import { createReplays, type ReplayArea } from './replays.ts';
 import type { MasterPorts, MasterSettings } from './settings.ts';
+import { createStudies, type StudyArea } from './studies.ts';
 import { createTopics, type TopicArea } from './topics.ts';
 
 /** Ports that services use. */
@@ -29,6 +30,7 @@ export interface Core
     AccessArea,
     RecordingArea,
     ReplayArea,
+    StudyArea,
     MonitoringArea {}
 
 /** Creates the areas of a master in order. Each is given the parts of those before it. */
@@ -42,5 +44,6 @@ export function createCore(ports: MasterPorts, settings: MasterSettings): Core {
   const access = { ...sessions, ...createAccess(sessions) };
   const recordings = { ...access, ...createRecordings(access) };
   const replays = { ...recordings, ...createReplays(recordings) };
-  return { ...replays, ...createMonitoring(replays) };
+  const studies = { ...replays, ...createStudies(replays) };
+  return { ...studies, ...createMonitoring(studies) };
 }

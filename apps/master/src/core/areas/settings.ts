@@ -11,7 +11,7 @@ import type { PreciseClock } from '@ubii/timing';
 import type { AssetSets } from '../ports/asset-sets.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
-import type { DocumentStore, SessionStorage } from '../ports/document-store.ts';
+import type { DocumentStore, SessionStorage, StudyStorage } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Lan } from '../ports/lan.ts';
 import type { Log } from '../ports/log.ts';
@@ -33,6 +33,8 @@ export interface MasterPorts {
   readonly grants: DocumentStore;
   /** Labels of personal data. [PD-3] */
   readonly personalData: DocumentStore;
+  /** Stores of studies and of their runs, by id, readable by the master alone [ST-1]. */
+  readonly studyStorage: StudyStorage;
   /** Storage of the audit log. [EX-92] */
   readonly audit: AuditStore;
   readonly log: Log;

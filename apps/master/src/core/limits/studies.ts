@@ -16,12 +16,8 @@ export const STUDY_LIMITS = {
     'storage',
     'Required devices of one study. Each is compared with all topics each second.',
   ),
-  studyBlocks: limit(
-    200,
-    'blocks',
-    'storage',
-    'Blocks of a run: conditions times repetitions, and recordings of one block.',
-  ),
+  studyBlocks: limit(200, 'blocks', 'storage', 'Blocks of a run: conditions times repetitions.'),
+  studyTakes: limit(500, 'recordings', 'storage', 'Recordings of one run.'),
   studyNotes: limit(500, 'notes', 'storage', 'Notes of one run.'),
   studyConsentTexts: limit(
     50,

@@ -36,3 +36,11 @@ export interface SessionStorage {
   /** Earlier versions of modules [EX-42]. */
   readonly history: DocumentStore;
 }
+
+/** The stored studies of a master, readable by the master alone [ST-1]. */
+export interface StudyStorage {
+  /** Studies, by id. */
+  readonly studies: DocumentStore;
+  /** Runs of studies, by id. */
+  readonly runs: DocumentStore;
+}

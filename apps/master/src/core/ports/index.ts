@@ -37,5 +37,10 @@ export type {
 export type { ResourceUsage, UsageMeasurement } from './resource-usage.ts';
 export type { BatchEncoder, RecordBatch } from './record-batch.ts';
 export type { ClientConnection } from './client-connection.ts';
-export type { DocumentStore, SessionStorage, StoredDocument } from './document-store.ts';
+export type {
+  DocumentStore,
+  SessionStorage,
+  StoredDocument,
+  StudyStorage,
+} from './document-store.ts';
 export type { ConnectionHandle } from './connection-handle.ts';

@@ -129,7 +129,7 @@ export class FileList {
         const own = parseFacts(summary);
         const name = job.name || own.name;
         const facts = factsOf(
-          { ...job, name, notes: own.notes, personalData: own.personalData },
+          { ...job, name, notes: own.notes, personalData: own.personalData, study: own.study },
           RecordingKind.RECORDING_KIND_IMPORT,
           nowMs,
         );

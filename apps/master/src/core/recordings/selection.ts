@@ -6,6 +6,17 @@ import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { Session } from '../sessions/session.ts';
 import { matchesProfile } from '../topics/profiles.ts';
 
+/** The selection that has all topics. [RC-10] */
+export const EVERYTHING: RecordingSelection = {
+  topics: [],
+  patterns: [],
+  clients: [],
+  devices: [],
+  sessions: [],
+  excludedPatterns: [],
+  withoutImages: false,
+};
+
 /** What a selection is compared with. */
 export interface SelectionContext {
   readonly patterns: PatternCompiler;

@@ -13,6 +13,7 @@ import { REPLAY_SERVICES } from './replays.ts';
 import { SERVER_SERVICES } from './server.ts';
 import { STORED_SESSION_SERVICES } from './session-database.ts';
 import { SESSION_SERVICES } from './sessions.ts';
+import { STUDY_SERVICES } from './studies.ts';
 import { TOPIC_SERVICES } from './topics.ts';
 
 /** Every service this master answers. The others of the protocol are `unimplemented`. */
@@ -32,6 +33,7 @@ export const ALL_SERVICES: readonly Service[] = [
   ...RECORDING_SERVICES,
   ...REPLAY_SERVICES,
   ...PERSONAL_DATA_SERVICES,
+  ...STUDY_SERVICES,
 ];
 
 const BY_TOPIC: ReadonlyMap<string, Service> = new Map(

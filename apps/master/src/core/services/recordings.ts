@@ -1,25 +1,15 @@
-import type { RecordingSelection } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
 import { roleRefusal } from '../access/join-refusals.ts';
 import { ADMINS, PARTICIPANTS, PUBLISHERS, READERS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import type { RecordingWish } from '../recordings/recordings.ts';
+import { EVERYTHING } from '../recordings/selection.ts';
 import { nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
 type Parts = Pick<Core, 'recordings' | 'clients'>;
 const define = definer<keyof Parts>();
-
-const EVERYTHING: RecordingSelection = {
-  topics: [],
-  patterns: [],
-  clients: [],
-  devices: [],
-  sessions: [],
-  excludedPatterns: [],
-  withoutImages: false,
-};
 
 /** Services on recordings. What was published by others is for participants and admins; marking is for all that publish. */
 export const RECORDING_SERVICES = [
@@ -50,7 +40,8 @@ export const RECORDING_SERVICES = [
   // [RC-6]
   define('recordingChange', {
     roles: PARTICIPANTS,
-    auditObject: (_core, { id, name }) => `${id} → ${name}`,
+    // Without the name, which has the code of a participant in a study. [ST-52]
+    auditObject: (_core, { id }) => id,
     handle: ({ recordings }, { id, name, notes }) => recordings.change(id, name, notes),
   }),
   // Of others, only an admin's: see `requireOwn`. [RC-5]

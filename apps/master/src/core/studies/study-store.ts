@@ -7,17 +7,14 @@ import {
   type StudyRun,
 } from '@ubii/proto';
 import type { LimitWatch } from '../counters/limit-watch.ts';
-import type { DocumentStore } from '../ports/document-store.ts';
+import type { DocumentStore, StudyStorage } from '../ports/document-store.ts';
 import type { Log } from '../ports/log.ts';
 import { quote } from '../texts/quote.ts';
 import { interrupted } from './run-changes.ts';
 
 /** What a store of studies works with. */
 export interface StudyStoreContext {
-  /** Studies by id. */
-  readonly studies: DocumentStore;
-  /** Runs by id. */
-  readonly studyRuns: DocumentStore;
+  readonly storage: StudyStorage;
   readonly limits: LimitWatch;
   readonly log: Log;
 }
@@ -32,10 +29,10 @@ export class StudyStore {
 
   constructor(context: StudyStoreContext) {
     this.#context = context;
-    for (const study of this.#read(context.studies, 'ubii.extension.Study')) {
+    for (const study of this.#read(context.storage.studies, 'ubii.extension.Study')) {
       this.#studies.set(study.id, study);
     }
-    for (const run of this.#read(context.studyRuns, 'ubii.extension.StudyRun')) {
+    for (const run of this.#read(context.storage.runs, 'ubii.extension.StudyRun')) {
       this.#runs.set(run.id, interrupted(run));
     }
   }
@@ -72,36 +69,36 @@ export class StudyStore {
 
   /** @throws ServiceError when there is no room for another study [ST-2] */
   async save(study: Study): Promise<void> {
-    const { studies, limits } = this.#context;
+    const { storage, limits } = this.#context;
     const max = limits.limits.studies;
     if (!this.#studies.has(study.id) && this.#studies.size >= max) {
       throw limits.refusal('studies', `more than ${max} studies`);
     }
-    await studies.write(study.id, toJson('ubii.extension.Study', study));
+    await storage.studies.write(study.id, toJson('ubii.extension.Study', study));
     this.#studies.set(study.id, study);
     this.revision++;
   }
 
   async delete(id: string): Promise<void> {
-    await this.#context.studies.delete(id);
+    await this.#context.storage.studies.delete(id);
     this.#studies.delete(id);
     this.revision++;
   }
 
   /** @throws ServiceError when there is no room for another run [ST-2] */
   async saveRun(run: StudyRun): Promise<void> {
-    const { studyRuns, limits } = this.#context;
+    const { storage, limits } = this.#context;
     const max = limits.limits.studyRuns;
     if (!this.#runs.has(run.id) && this.runs(run.studyId).length >= max) {
       throw limits.refusal('studyRuns', `more than ${max} runs of a study`);
     }
-    await studyRuns.write(run.id, toJson('ubii.extension.StudyRun', run));
+    await storage.runs.write(run.id, toJson('ubii.extension.StudyRun', run));
     this.#runs.set(run.id, run);
     this.revision++;
   }
 
   async deleteRun(id: string): Promise<void> {
-    await this.#context.studyRuns.delete(id);
+    await this.#context.storage.runs.delete(id);
     this.#runs.delete(id);
     this.revision++;
   }
