@@ -136,6 +136,16 @@ describe('a recorded session', () => {
     expect([await list(master), await runningSessions(master)]).toEqual([[], 0]);
   });
 
+  it('[RP-41] ends with its replay, also while it starts', async () => {
+    const master = await masterWithSession(CHAIN);
+    const starting = play(master, { sessionId: SESSION_ID }).catch(() => undefined);
+    while ((await list(master)).length === 0) await master.pass();
+    await stop(master, (await list(master))[0]!.id);
+    await starting;
+    await master.pass(100);
+    expect([await list(master), await runningSessions(master)]).toEqual([[], 0]);
+  });
+
   it('[RP-40] needs a topic that it reads', async () => {
     const master = await masterWithSession(CHAIN);
     const started = play(master, { sessionId: SESSION_ID, topics: ['/out'] });

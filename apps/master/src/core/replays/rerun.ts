@@ -96,12 +96,16 @@ export class Rerun {
       withoutImages: false,
     };
     const wish = { name: `${name} in ${recordingName}`, notes: '', author, makerId };
-    this.#session = await sessions.start(this.#rerun.session, makerId);
-    await this.#untilItRuns(this.#session);
-    const comparison = { ...wish, replayedRecordingId: recordingId };
-    const { id } = await recordings.start(comparison, selection, undefined);
-    this.#comparisonId = id;
-    if (this.#isOver) this.#end();
+    try {
+      this.#session = await sessions.start(this.#rerun.session, makerId);
+      await this.#untilItRuns(this.#session);
+      const comparison = { ...wish, replayedRecordingId: recordingId };
+      const { id } = await recordings.start(comparison, selection, undefined);
+      this.#comparisonId = id;
+    } finally {
+      // The replay was stopped meanwhile.
+      if (this.#isOver) this.#end();
+    }
   }
 
   /** The inputs are over: ends it when the last outputs are there. */
