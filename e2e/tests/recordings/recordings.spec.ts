@@ -91,7 +91,7 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
     // It is in the file.
     await anna.page.reload();
     await expect(anna.markers).toHaveCount(2);
-    await anna.markers.filter({ hasText: 'half way' }).click();
+    await anna.timeline.getByRole('button', { name: /half way/ }).click();
     await dialog.getByRole('button', { name: 'Delete' }).click();
     await expect(anna.markers).toHaveCount(1);
   });
