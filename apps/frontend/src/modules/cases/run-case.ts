@@ -1,7 +1,7 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import { createModuleRuntime, type SandboxFactory } from '@ubii/pm-sandbox';
 import { decodeRecord, ModuleEventKind, type ProcessingModule } from '@ubii/proto';
-import { TryTopics } from '../editor/tryout/try-topics.ts';
+import { TryTopics } from './try-topics.ts';
 import { compareCaseOutputs, isSame, type TopicOutputs } from './compare-outputs.ts';
 import { encodeCaseRecord, recordJson, type CaseRecord, type ModuleCase } from './module-case.ts';
 import { SteppedClock } from './stepped-clock.ts';

@@ -3,7 +3,7 @@ import { Scissors } from '@lucide/vue';
 import { mount } from '@vue/test-utils';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick } from 'vue';
-import type { SpanTarget } from './span-actions.ts';
+import type { SpanTarget } from '../opened/span-action.ts';
 import SpanMenu from './SpanMenu.vue';
 import { TIMELINE } from './useTimeline.ts';
 

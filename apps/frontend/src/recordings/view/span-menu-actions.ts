@@ -1,6 +1,6 @@
 import { FlaskConical, Share } from '@lucide/vue';
 import { loadLater } from '../../ui/load-later.ts';
-import type { SpanAction } from './span-actions.ts';
+import type { SpanAction } from '../opened/span-action.ts';
 
 /** All actions of the menu of a span, in its order: one line for each feature. */
 export const SPAN_ACTIONS: readonly SpanAction[] = [

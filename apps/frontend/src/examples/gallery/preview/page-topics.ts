@@ -2,7 +2,7 @@ import type { PatternCompiler } from '@ubii/patterns';
 import type { TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
 import { decodeRecord, encodeRecord, type RecordInit, type TopicRecord } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
-import { TryTopics } from '../../../modules/editor/tryout/try-topics.ts';
+import { TryTopics } from '../../../modules/cases/try-topics.ts';
 
 const PAGE = 'this-page';
 

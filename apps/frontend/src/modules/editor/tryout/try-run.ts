@@ -15,7 +15,7 @@ import {
 } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import { tapSandboxes } from './tap-sandboxes.ts';
-import { TryTopics } from './try-topics.ts';
+import { TryTopics } from '../../cases/try-topics.ts';
 
 /** `failed`: killed, or it could not be created. */
 export type TryStatus = 'off' | 'starting' | 'ready' | 'running' | 'failed';

@@ -1,6 +1,6 @@
 import type { Recording } from '@ubii/proto';
 import type { Component } from 'vue';
-import type { OpenedPlayer } from '../opened/opened-player.ts';
+import type { OpenedPlayer } from './opened-player.ts';
 import type { Span } from '../timeline/span.ts';
 
 /** A span of an opened recording: what an action gets. */

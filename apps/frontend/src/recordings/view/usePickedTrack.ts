@@ -1,6 +1,6 @@
 import { computed, shallowRef, type ComputedRef, type WritableComputedRef } from 'vue';
 import type { Track } from '../timeline/track.ts';
-import { useTimeline } from '../view/useTimeline.ts';
+import { useTimeline } from './useTimeline.ts';
 
 /**
  * One of the tracks of a stage: the chosen one, else that of the inspector, else the first.
