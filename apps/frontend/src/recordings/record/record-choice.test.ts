@@ -1,5 +1,14 @@
+import { fromJson } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { budgetOf, isChosen, limitError, selectionOf, type RecordChoice } from './record-choice.ts';
+import {
+  budgetOf,
+  choiceOf,
+  EVERYTHING,
+  isChosen,
+  limitError,
+  selectionOf,
+  type RecordChoice,
+} from './record-choice.ts';
 
 const choice: RecordChoice = {
   by: 'all',
@@ -28,6 +37,16 @@ describe('what to record', () => {
     expect(isChosen(choice)).toBe(true);
     expect(isChosen({ ...choice, by: 'sessions', sessions: [] })).toBe(false);
     expect(isChosen({ ...choice, by: 'topics', topics: [], patterns: ' ' })).toBe(false);
+  });
+
+  it('is read from a selection as it was chosen', () => {
+    for (const by of ['all', 'topics', 'clients', 'sessions'] as const) {
+      const selection = selectionOf({ ...choice, by, withImages: false });
+      const read = choiceOf(fromJson('ubii.extension.RecordingSelection', { ...selection }));
+      expect(read).toMatchObject({ by, withImages: false });
+      expect(selectionOf(read)).toEqual(selection);
+    }
+    expect(choiceOf(undefined)).toEqual(EVERYTHING);
   });
 
   it('has limits, or those of the master', () => {

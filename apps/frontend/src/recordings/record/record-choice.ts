@@ -14,6 +14,16 @@ export interface RecordChoice {
   readonly withImages: boolean;
 }
 
+/** The choice that nobody has changed yet. */
+export const EVERYTHING: RecordChoice = {
+  by: 'all',
+  topics: [],
+  patterns: '',
+  clients: [],
+  sessions: [],
+  withImages: true,
+};
+
 /** The selection as the master takes it; empty members select nothing by themselves. */
 export function selectionOf(choice: RecordChoice): Init<RecordingSelection> {
   const { by, topics, patterns, clients, sessions, withImages } = choice;
@@ -22,6 +32,24 @@ export function selectionOf(choice: RecordChoice): Init<RecordingSelection> {
     ...(by === 'clients' && { clients: [...clients] }),
     ...(by === 'sessions' && { sessions: [...sessions] }),
     withoutImages: !withImages,
+  };
+}
+
+/** The choice that makes a selection. Of one that names several kinds of things, the first kind stays. */
+export function choiceOf(selection: RecordingSelection | undefined): RecordChoice {
+  if (selection === undefined) return EVERYTHING;
+  const { topics, patterns, clients, sessions, withoutImages } = selection;
+  const isOf = (...lists: readonly (readonly string[])[]): boolean =>
+    lists.some(({ length }) => length > 0);
+  const others = isOf(sessions) ? 'sessions' : 'all';
+  const by = isOf(topics, patterns) ? 'topics' : isOf(clients) ? 'clients' : others;
+  return {
+    by,
+    topics,
+    patterns: patterns.join(' '),
+    clients,
+    sessions,
+    withImages: !withoutImages,
   };
 }
 
