@@ -1,8 +1,7 @@
 import { ServiceError, StudyOrder, type Study, type StudyDevice } from '@ubii/proto';
+import { labelOf, NameTemplate } from '@ubii/recording/studies';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { quote } from '../texts/quote.ts';
-import { labelOf } from './labels.ts';
-import { NameTemplate } from './name-template.ts';
 
 /** Most devices of one kind that a study can require. */
 const MAX_COUNT = 1_000;

@@ -1,27 +1,9 @@
 import { ServiceError } from '@ubii/proto';
-import { capitalised } from '@ubii/words';
 import { quote } from '../texts/quote.ts';
 
 /** Most characters of a code or of a visit. [ST-11] */
 const MAX_CHARACTERS = 32;
 const LABEL = /^[A-Za-z0-9]+$/;
-
-/**
- * The label of a name: its letters and digits (ASCII), each word after the first with a capital. [ST-13]
- * @returns an empty text when there are none
- */
-export function labelOf(name: string): string {
-  return name
-    .split(/[^A-Za-z0-9]+/)
-    .filter(Boolean)
-    .map((word, index) => (index === 0 ? word : capitalised(word)))
-    .join('');
-}
-
-/** A number as a label: two digits at least. [ST-13] */
-export function labelOfNumber(number: number): string {
-  return String(number).padStart(2, '0');
-}
 
 /** @param member name of the member of the request @throws ServiceError when the text is no label [ST-11] */
 export function requireLabel(member: string, text: string): string {

@@ -8,13 +8,13 @@ import {
   type StudyRun,
   type StudyTake,
 } from '@ubii/proto';
+import { NameTemplate } from '@ubii/recording/studies';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { RecordingAuthor, Recordings } from '../recordings/recordings.ts';
 import { EVERYTHING } from '../recordings/selection.ts';
 import type { Sessions } from '../sessions/sessions.ts';
 import { troublesOf } from './check-row.ts';
-import { NameTemplate } from './name-template.ts';
 import { beginBlock, endBlock, requireStart, runningBlock } from './run-changes.ts';
 import type { StudyChecks } from './study-checks.ts';
 import type { StudyStore } from './study-store.ts';

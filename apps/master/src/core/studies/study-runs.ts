@@ -11,11 +11,11 @@ import {
   type StudyRunListRequest,
   type StudyRunStartRequest,
 } from '@ubii/proto';
+import { orderOfConditions } from '@ubii/recording/studies';
 import type { Clock } from '@ubii/timing';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { RecordingAuthor } from '../recordings/recordings.ts';
-import { orderOfConditions } from './condition-order.ts';
 import { isSameCode, requireLabel } from './labels.ts';
 import { addNote, blockIndex, changeBlock, requireOpen, runningBlock } from './run-changes.ts';
 import type { StudyBlocks } from './study-blocks.ts';

@@ -1,5 +1,4 @@
 import { ServiceError } from '@ubii/proto';
-import { quote } from '../texts/quote.ts';
 import { labelOf, labelOfNumber } from './labels.ts';
 
 /** What the name of a recording is made of. */
@@ -18,7 +17,7 @@ export interface NameFacts {
 type Values = NameFacts & { readonly run: number };
 
 /** As in the Brain Imaging Data Structure, https://bids-specification.readthedocs.io, "Filenames". */
-const DEFAULT_NAME_TEMPLATE = 'sub-{participant}_ses-{session}_task-{condition}_run-{run}';
+export const DEFAULT_NAME_TEMPLATE = 'sub-{participant}_ses-{session}_task-{condition}_run-{run}';
 
 const PLACEHOLDERS: ReadonlyMap<string, (values: Values) => string> = new Map([
   ['study', ({ study }) => labelOf(study)],
@@ -30,6 +29,8 @@ const PLACEHOLDERS: ReadonlyMap<string, (values: Values) => string> = new Map([
   ['run', ({ run }) => labelOfNumber(run)],
   ['date', ({ timeMs }) => new Date(timeMs).toISOString().slice(0, 10).replaceAll('-', '')],
 ]);
+/** Names that may stand in braces. */
+export const NAME_PLACEHOLDERS: readonly string[] = [...PLACEHOLDERS.keys()];
 const REQUIRED = ['participant', 'run'];
 const TEXT = /^[A-Za-z0-9._-]*$/;
 /** Texts, and at the odd places what stands in braces. */
@@ -69,12 +70,12 @@ export class NameTemplate {
     const names = this.#parts.filter((_, index) => index % 2 === 1);
     const unknown = names.find((name) => !PLACEHOLDERS.has(name));
     if (unknown !== undefined) {
-      throw invalid(`has the unknown placeholder ${quote(`{${unknown}}`)}`);
+      throw invalid(`has the unknown placeholder "{${unknown}}"`);
     }
     const missing = REQUIRED.find((name) => !names.includes(name));
     if (missing !== undefined) throw invalid(`does not have {${missing}}`);
     const text = texts.find((each) => !TEXT.test(each));
-    if (text !== undefined) throw invalid(`has the text ${quote(text)}`);
+    if (text !== undefined) throw invalid(`has the text ${JSON.stringify(text)}`);
     if (texts[0]!.startsWith('.') || texts.at(-1)!.endsWith('.')) {
       throw invalid('has a dot at its beginning or end');
     }
@@ -82,9 +83,9 @@ export class NameTemplate {
 }
 
 function invalid(what: string): ServiceError {
-  const known = [...PLACEHOLDERS.keys()].map((name) => `{${name}}`).join(', ');
+  const known = NAME_PLACEHOLDERS.map((name) => `{${name}}`).join(', ');
   return new ServiceError(
     'invalid_argument',
-    `The member name_template ${what}. Use ${known}, at least {participant} and {run}, and between them letters, digits, "-", "_" and ".".`,
+    `The name template ${what}. Use ${known}, at least {participant} and {run}, and between them letters, digits, "-", "_" and ".".`,
   );
 }

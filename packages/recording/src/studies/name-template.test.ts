@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { labelOf, labelOfNumber, requireLabel } from './labels.ts';
+import { labelOf, labelOfNumber } from './labels.ts';
 import { NameTemplate } from './name-template.ts';
 
 const facts = {
@@ -66,11 +66,4 @@ describe('a label', () => {
   it('of a number has two digits at least [ST-13]', () => {
     expect([1, 12, 123].map(labelOfNumber)).toEqual(['01', '12', '123']);
   });
-
-  it.each(['', 'P 01', 'P-01', '../P01', 'P01\n', 'é', 'P'.repeat(33)])(
-    'is not "%s" [ST-11]',
-    (text) => {
-      expect(() => requireLabel('visit', text)).toThrow(/member visit .* letters/);
-    },
-  );
 });

@@ -1,0 +1,8 @@
+export { orderOfConditions, williamsDesign, type OrderSubject } from './condition-order.ts';
+export { labelOf, labelOfNumber } from './labels.ts';
+export {
+  DEFAULT_NAME_TEMPLATE,
+  NAME_PLACEHOLDERS,
+  NameTemplate,
+  type NameFacts,
+} from './name-template.ts';
