@@ -15,7 +15,7 @@ const FRONTEND = [
   ['clients', 'devices', 'modules', 'publish', 'calls', 'performance'],
   ['graph', 'joining'],
   ['session-pages', 'recordings', 'learn', 'settings', 'out-of-reach'],
-  ['examples', 'party'],
+  ['examples', 'party', 'studies'],
   ['home', 'markers', 'shell'],
 ];
 

@@ -17,6 +17,7 @@ import { publishRoutes } from './publish/routes.ts';
 import { recordingsRoutes } from './recordings/routes.ts';
 import { sessionsRoutes } from './session-pages/routes.ts';
 import { settingsRoutes } from './settings/routes.ts';
+import { studiesRoutes } from './studies/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
 
 declare module 'vue-router' {
@@ -54,6 +55,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...clientsRoutes,
   ...performanceRoutes,
   ...recordingsRoutes,
+  ...studiesRoutes,
   ...devicesRoutes,
   ...markersRoutes,
   ...examplesRoutes,

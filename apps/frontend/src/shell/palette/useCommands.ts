@@ -1,4 +1,4 @@
-import { Blocks, ConciergeBell, Play } from '@lucide/vue';
+import { Blocks, ClipboardList, ConciergeBell, Play } from '@lucide/vue';
 import { SERVICES, type ServiceName } from '@ubii/proto';
 import { computed, type ComputedRef } from 'vue';
 import { useRouter, type RouteLocationRaw } from 'vue-router';
@@ -40,6 +40,13 @@ export function useCommands(): ComputedRef<Command[]> {
     shortcut,
     run: go(to),
   }));
+  const studies: Command = {
+    id: 'page /studies',
+    kind: 'page',
+    title: 'Studies',
+    icon: ClipboardList,
+    run: go('/studies'),
+  };
   const settings = SETTINGS_PAGES.filter(({ to }) => to !== SETTINGS_PAGE.to).map(
     ({ title, to, icon, words }): Command => ({
       id: `page ${to}`,
@@ -102,6 +109,7 @@ export function useCommands(): ComputedRef<Command[]> {
   return computed(() => [
     ...shell.pageCommands.value,
     ...pages,
+    studies,
     ...settings,
     ...examples,
     ...actions.value,

@@ -1,0 +1,27 @@
+import type { Study, StudyParticipant, StudyRun } from '@ubii/proto';
+import { counted } from '@ubii/words';
+import { sizeText } from '../../recordings/list/recording-words.ts';
+import { formatMoment } from '../../ui/readouts/format-clock.ts';
+
+/** Whether and when a participant consented in a run. */
+export function consentWords(
+  { consent }: Pick<StudyRun, 'consent'>,
+  { consentVersion }: Pick<Study, 'consentVersion'>,
+): string {
+  if (consent === undefined) return 'No consent recorded.';
+  const version = consent.version === consentVersion ? '' : ` to version ${consent.version}`;
+  return `Consented${version} on ${formatMoment(consent.timeMs, 'minute')}.`;
+}
+
+/** What a deletion takes away, one sentence. */
+export function deletionSentence(
+  { code, recordingIds, sizeBytes }: Pick<StudyParticipant, 'code' | 'recordingIds' | 'sizeBytes'>,
+  runs: readonly Pick<StudyRun, 'notes'>[],
+): string {
+  const notes = runs.reduce((sum, run) => sum + run.notes.length, 0);
+  const files = `${counted(recordingIds.length, 'recording')} (${sizeText(sizeBytes)})`;
+  return (
+    `${counted(runs.length, 'run')} with consent, ${counted(notes, 'note')} and ${files} of ${code} ` +
+    'are deleted from the master, in other studies as well. This cannot be undone.'
+  );
+}
