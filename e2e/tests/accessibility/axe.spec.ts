@@ -6,6 +6,7 @@ import { expect, test, type Room } from '../../fixtures/test.ts';
 import { PerformancePage } from '../../pages/performance-page.ts';
 import { RecordingsPage } from '../../pages/recordings-page.ts';
 import { Shell } from '../../pages/shell.ts';
+import { StudiesPage } from '../../pages/studies-page.ts';
 
 const PAGES = [
   { name: 'home', path: '/' },
@@ -17,6 +18,7 @@ const PAGES = [
   { name: 'topics', path: '/topics' },
   { name: 'clients', path: '/clients' },
   { name: 'recordings', path: '/recordings' },
+  { name: 'studies', path: '/studies' },
   { name: 'panels', path: '/panels' },
   { name: 'a panel', path: '/panels?topic=/guest/position' },
   { name: 'publish', path: '/publish?topic=/guest/position' },
@@ -140,6 +142,35 @@ for (const screen of SCREENS) {
     await expect(recordings.running.getByRole('definition').first()).not.toHaveText('0');
     await recordings.button('Stop recording').click();
     await expect(recordings.track('/lab/angle')).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
+  });
+
+  test(`a study, its run and its participants are accessible on a ${screen}`, async ({ room }) => {
+    const { page } = await enter(room, screen);
+    const studies = new StudiesPage({ page });
+    await studies.open();
+    await studies.button('Use the example').click();
+    await expect(page.getByRole('table', { name: 'Preview of the orders' })).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
+    await studies.openPart('Run');
+    await expect(studies.checks).toContainText('Missing');
+    await expectAccessible(page, TOOLTIP);
+    await studies.button('Start run').click();
+    await studies.button('Show the consent text').click();
+    await expectAccessible(page, TOOLTIP);
+    await page.getByRole('checkbox').check();
+    await studies.button('I agree').click();
+    await studies.button('Start').click();
+    await expectAccessible(page, TOOLTIP);
+    await studies.button('Start anyway').click();
+    await expect(studies.button('Stop')).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
+    await studies.button('Stop').click();
+    await studies.button('End run early').click();
+    await expect(page.getByRole('list', { name: 'Recordings of the run' })).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
+    await studies.openPart('Participants');
+    await expect(studies.participants).toHaveCount(1);
     await expectAccessible(page, TOOLTIP);
   });
 
