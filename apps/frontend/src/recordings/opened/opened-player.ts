@@ -32,6 +32,7 @@ export interface OpenedPlayer {
   /** Reads the file again, which was changed. */
   reopen(): void;
   togglePlay(): void;
+  setPlaying(isPlaying: boolean): void;
   seek(timeMs: number): void;
   setRate(rate: number): void;
   setLoop(loop: Span | undefined): void;
@@ -127,6 +128,7 @@ export function createOpenedPlayer(
     timeMs: computed(() => wishedMs.value ?? player.value.timeMs),
     reopen: () => port.send({ kind: 'reopen' }),
     togglePlay: () => port.send({ kind: player.value.status === 'playing' ? 'pause' : 'play' }),
+    setPlaying: (isPlaying) => port.send({ kind: isPlaying ? 'play' : 'pause' }),
     seek(timeMs) {
       wishedMs.value = clamp(timeMs);
       port.send({ kind: 'seek', timeMs: wishedMs.value });

@@ -1,0 +1,47 @@
+import type { OutputDifference, TopicComparison } from '@ubii/recording/compare';
+import type { Span } from '../timeline/span.ts';
+
+/** What the page asks of the worker that compares two recordings. */
+export interface CompareRequest {
+  /** Address of the file with the recorded outputs. */
+  readonly recordedUrl: string;
+  /** Address of the file with the inputs and outputs of the run. */
+  readonly rerunUrl: string;
+  /** Prefixes that topics have in the run. */
+  readonly inputPrefix: string;
+  readonly outputPrefix: string;
+  /** Output topics of the session; others that the run wrote are compared as well. */
+  readonly outputs: readonly string[];
+  /** What was played, milliseconds since the beginning; undefined for all. */
+  readonly span: Span | undefined;
+}
+
+/** Outputs of one topic. */
+export type ComparedTopic = Omit<TopicComparison, 'differences'>;
+
+/** Where today's modules wrote something else. */
+export interface ListedDifference {
+  readonly kind: OutputDifference['kind'];
+  readonly topic: string;
+  /** Milliseconds since the beginning of the recording. */
+  readonly timeMs: number;
+  /** First member that differs; empty for the value itself. */
+  readonly path: string;
+  /** Values in one line; undefined where there is none. */
+  readonly recorded: string | undefined;
+  readonly today: string | undefined;
+}
+
+/** Result of a comparison. */
+export interface SessionComparison {
+  /** Those with most differences first. */
+  readonly topics: readonly ComparedTopic[];
+  /** The first ones of each topic, by time. */
+  readonly differences: readonly ListedDifference[];
+}
+
+/** What the worker says. */
+export type CompareReport =
+  | { readonly kind: 'progress'; readonly outputs: number }
+  | { readonly kind: 'done'; readonly comparison: SessionComparison }
+  | { readonly kind: 'failed'; readonly message: string };

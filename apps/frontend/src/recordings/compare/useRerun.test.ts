@@ -1,0 +1,113 @@
+// @vitest-environment happy-dom
+import { flushPromises } from '@vue/test-utils';
+import { ReplayState, ServiceError, type ReplayedSession } from '@ubii/proto';
+import { shallowRef } from 'vue';
+import { afterEach, describe, expect, it } from 'vitest';
+import { aReplay, replayPage, STUDY, type MadeCall } from '../live/testing/replay-page.ts';
+import type { CompareReport, CompareRequest } from './compare-messages.ts';
+import { provideRerun } from './useRerun.ts';
+
+const wrappers: { unmount(): void }[] = [];
+afterEach(() => wrappers.splice(0).forEach((wrapper) => wrapper.unmount()));
+
+const SESSION: ReplayedSession = {
+  ...{ sessionId: 's', name: 'Sum', runningId: 's2', comparisonRecordingId: 'again' },
+  ...{ inputPrefix: '/replays/r1/in', outputPrefix: '/replays/r1/out', recordedModules: ['Old'] },
+};
+const PLAYED = { id: 's', name: 'Sum', state: 'running', session: sessionText() };
+function sessionText(): string {
+  const outputMappings = [{ outputName: 'out', topic: '/sum' }];
+  return JSON.stringify({
+    processingModules: [{ id: 'm' }],
+    ioMappings: [{ processingModuleId: 'm', outputMappings }],
+  });
+}
+const running = (positionMs: number) => aReplay({ session: SESSION, positionMs });
+const ended = aReplay({ session: SESSION, state: ReplayState.REPLAY_STATE_ENDED });
+
+function setUp(reply: (call: MadeCall) => unknown = () => running(0)) {
+  const requests: CompareRequest[] = [];
+  let report: (report: CompareReport) => void = () => undefined;
+  const cancelled = { count: 0 };
+  const page = replayPage(
+    (player) =>
+      provideRerun(player, shallowRef(STUDY), (request, onReport) => {
+        requests.push(request);
+        report = onReport;
+        return () => (cancelled.count += 1);
+      }),
+    reply,
+  );
+  wrappers.push(page.wrapper);
+  const tell = (one: CompareReport): void => report(one);
+  return { ...page, rerun: page.used, requests, tell, cancelled };
+}
+const services = (calls: readonly MadeCall[]) => calls.map(({ service }) => service);
+
+describe('a recorded session that runs again', () => {
+  it('shows how far it is, ends the replay, and compares both files', async () => {
+    const { rerun, news, calls, requests, tell } = setUp();
+    await rerun.start(PLAYED);
+    expect(calls[0]!.request).toMatchObject({ recordingId: 'study', sessionId: 's', rate: 1 });
+    await news(running(500));
+    expect(rerun.state.value).toMatchObject({ status: 'running', replay: { positionMs: 500 } });
+    await news(ended);
+    await flushPromises();
+    expect(services(calls)).toEqual(['replayStart', 'replayStop']);
+    expect(requests).toEqual([
+      {
+        ...{ recordedUrl: '/recordings/study.mcap', rerunUrl: '/recordings/again.mcap' },
+        ...{ inputPrefix: '/replays/r1/in', outputPrefix: '/replays/r1/out' },
+        ...{ outputs: ['/sum'], span: undefined },
+      },
+    ]);
+    tell({ kind: 'progress', outputs: 500 });
+    expect(rerun.state.value).toEqual({ status: 'comparing', outputs: 500 });
+    const comparison = { topics: [], differences: [] };
+    tell({ kind: 'done', comparison });
+    expect(rerun.state.value).toEqual({ status: 'done', comparison, recordedModules: ['Old'] });
+  });
+
+  it('plays the loop only, when there is one', async () => {
+    const { rerun, calls, opened } = setUp();
+    const loop = { fromMs: 100, untilMs: 300 };
+    opened.tell({ kind: 'player', player: { ...opened.player.player.value, loop } });
+    await rerun.start(PLAYED);
+    expect(calls[0]!.request).toMatchObject({ span: loop });
+  });
+
+  it('is cancelled while it plays, and while outputs are compared', async () => {
+    const { rerun, news, calls, cancelled } = setUp();
+    await rerun.start(PLAYED);
+    rerun.close();
+    await flushPromises();
+    expect(services(calls)).toEqual(['replayStart', 'replayStop']);
+    expect(rerun.state.value).toBeUndefined();
+    await rerun.start(PLAYED);
+    await news(ended);
+    await flushPromises();
+    rerun.close();
+    expect(cancelled.count).toBe(1);
+    expect(rerun.state.value).toBeUndefined();
+  });
+
+  it('says why it failed: refused, stopped by others, or without a file', async () => {
+    const refused = setUp(() => {
+      throw new ServiceError('resource_exhausted', 'Four replays run already.');
+    });
+    await refused.rerun.start(PLAYED);
+    expect(refused.rerun.state.value).toEqual({
+      ...{ status: 'failed', message: 'Four replays run already.' },
+    });
+    const { rerun, news } = setUp();
+    await rerun.start(PLAYED);
+    await news();
+    expect(rerun.state.value).toMatchObject({
+      status: 'failed',
+      message: 'The run was stopped before its end.',
+    });
+    await rerun.start(PLAYED);
+    await news(aReplay({ state: ReplayState.REPLAY_STATE_FAILED, problem: 'The file is gone.' }));
+    expect(rerun.state.value).toEqual({ status: 'failed', message: 'The file is gone.' });
+  });
+});

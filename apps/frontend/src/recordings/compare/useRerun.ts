@@ -1,0 +1,158 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ReplayState, ServiceError, fromJson, type Recording, type Replay } from '@ubii/proto';
+import {
+  computed,
+  inject,
+  onScopeDispose,
+  provide,
+  shallowRef,
+  watch,
+  type ComputedRef,
+  type InjectionKey,
+  type Ref,
+  type ShallowRef,
+} from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useReplays } from '../../connection/useReplays.ts';
+import { recordingFileUrl } from '../../locations/recording-location.ts';
+import { writtenTopics } from '../../sessions/words/shared-topics.ts';
+import { useMayReplay } from '../live/useStopReplay.ts';
+import type { OpenedPlayer } from '../opened/opened-player.ts';
+import type { PlayedSession } from '../reading/recording-messages.ts';
+import type { Span } from '../timeline/span.ts';
+import type { SessionComparison } from './compare-messages.ts';
+import { compareInWorker, type CompareRecordings } from './compare-port.ts';
+
+/** A recorded session that runs again with today's modules, and how its outputs compare. */
+export type RerunState =
+  | { readonly status: 'running'; readonly replay: Replay }
+  | { readonly status: 'comparing'; readonly outputs: number }
+  | {
+      readonly status: 'done';
+      readonly comparison: SessionComparison;
+      /** Names of modules that are not in the library: they ran with their recorded code. */
+      readonly recordedModules: readonly string[];
+    }
+  | { readonly status: 'failed'; readonly message: string };
+
+export interface Rerun {
+  /** Undefined before the first run, and when it was closed. */
+  readonly state: Readonly<ShallowRef<RerunState | undefined>>;
+  /** Why no session can run again, one sentence. */
+  readonly refusal: ComputedRef<string | undefined>;
+  /** Plays the inputs of a session, all or those of the loop, at the rate of the page. */
+  start(session: PlayedSession): Promise<void>;
+  /** Stops the run or the comparison, and takes its result away. */
+  close(): void;
+}
+
+const RERUN: InjectionKey<Rerun> = Symbol('rerun');
+
+export function useRerun(): Rerun {
+  const rerun = inject(RERUN);
+  if (!rerun) throw new Error('This part needs an opened recording above it.');
+  return rerun;
+}
+
+/** @param recording at the master; undefined for a file of this device */
+export function provideRerun(
+  opened: OpenedPlayer,
+  recording: Readonly<Ref<Recording | undefined>>,
+  compare: CompareRecordings = compareInWorker,
+): Rerun {
+  const { client } = useConnection();
+  const replays = useReplays();
+  const mayReplay = useMayReplay();
+  const state = shallowRef<RerunState>();
+  let outputs: readonly string[] = [];
+  let span: Span | undefined;
+  let cancelCompare = (): void => undefined;
+
+  async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
+    try {
+      return await work();
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      state.value = { status: 'failed', message: cause.message };
+      return undefined;
+    }
+  }
+  async function finish(replay: Replay): Promise<void> {
+    const { session, recordingId } = replay;
+    if (session === undefined) return;
+    state.value = { status: 'comparing', outputs: 0 };
+    // Its recording is closed then.
+    const isStopped = await attempt(() => client.call('replayStop', { id: replay.id }));
+    if (isStopped === undefined) return;
+    const request = {
+      recordedUrl: recordingFileUrl(recordingId),
+      rerunUrl: recordingFileUrl(session.comparisonRecordingId),
+      ...{ inputPrefix: session.inputPrefix, outputPrefix: session.outputPrefix, outputs, span },
+    };
+    cancelCompare = compare(request, (report) => {
+      if (report.kind === 'progress')
+        state.value = { status: 'comparing', outputs: report.outputs };
+      else if (report.kind === 'failed')
+        state.value = { status: 'failed', message: report.message };
+      else {
+        const { recordedModules } = session;
+        state.value = { status: 'done', comparison: report.comparison, recordedModules };
+      }
+    });
+  }
+  watch(replays, (all) => {
+    if (state.value?.status !== 'running') return;
+    const { id } = state.value.replay;
+    const now = all.find((one) => one.id === id);
+    if (now === undefined)
+      state.value = { status: 'failed', message: 'The run was stopped before its end.' };
+    else if (now.state === ReplayState.REPLAY_STATE_FAILED) {
+      state.value = { status: 'failed', message: now.problem };
+      void attempt(() => client.call('replayStop', { id }));
+    } else if (now.state === ReplayState.REPLAY_STATE_ENDED) void finish(now);
+    else state.value = { status: 'running', replay: now };
+  });
+
+  function close(): void {
+    const before = state.value;
+    state.value = undefined;
+    cancelCompare();
+    if (before?.status === 'running') {
+      const { id } = before.replay;
+      void attempt(() => client.call('replayStop', { id }));
+    }
+  }
+  onScopeDispose(close);
+
+  const rerun: Rerun = {
+    ...{ state, close },
+    refusal: computed(() => {
+      if (recording.value === undefined) return 'Upload the file to the master first.';
+      return mayReplay.value ? undefined : 'Participants and admins can run recorded sessions.';
+    }),
+    async start({ id, session }) {
+      close();
+      const { rate, loop } = opened.player.value;
+      outputs = outputsOf(session);
+      span = loop;
+      const replay = await attempt(() =>
+        client.call('replayStart', {
+          ...{ clientId: client.id, recordingId: recording.value?.id ?? '', sessionId: id, rate },
+          ...(loop && { span: { fromMs: loop.fromMs, untilMs: loop.untilMs } }),
+        }),
+      );
+      if (replay) state.value = { status: 'running', replay };
+    },
+  };
+  provide(RERUN, rerun);
+  return rerun;
+}
+
+/** Topics that the modules of a recorded session write. @param json the session */
+function outputsOf(json: string): readonly string[] {
+  try {
+    return [...writtenTopics(fromJson('ubii.sessions.Session', JSON.parse(json)))];
+  } catch {
+    return [];
+  }
+}
