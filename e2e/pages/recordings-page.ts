@@ -11,6 +11,10 @@ export class RecordingsPage {
   readonly graph: Locator;
   readonly inspector: Locator;
   readonly markers: Locator;
+  /** Says that records of the opened recording go into live topics. */
+  readonly liveBanner: Locator;
+  /** How today's modules compare. */
+  readonly comparison: Locator;
 
   constructor({ page }: { page: Page }) {
     this.page = page;
@@ -20,6 +24,8 @@ export class RecordingsPage {
     this.timeline = page.getByRole('region', { name: 'Timeline' });
     this.graph = page.getByRole('region', { name: 'Recorded graph' });
     this.inspector = page.getByRole('region', { name: 'Selected track' });
+    this.liveBanner = page.getByRole('status', { name: 'Live topics' });
+    this.comparison = page.getByRole('region', { name: 'Today’s modules' });
     this.markers = this.timeline.getByRole('button', { name: /^Marker / });
   }
 
@@ -46,6 +52,12 @@ export class RecordingsPage {
     await expect
       .poll(async () => Number(await records.textContent()))
       .toBeGreaterThanOrEqual(count);
+  }
+
+  /** Chooses where records go that are played. */
+  async playInto(target: 'This page only' | 'Live topics'): Promise<void> {
+    await this.page.getByRole('combobox', { name: 'Play into' }).click();
+    await this.page.getByRole('option', { name: target }).click();
   }
 
   /** The head of a track, with its value at the playhead. */

@@ -33,9 +33,9 @@ export interface LivePlay {
    * Starts where the playhead is, with rate and loop of the page.
    *
    * @param publishers names of the clients that publish these topics now
-   * @returns whether the master plays it
+   * @returns why the master refuses, one sentence; undefined when it plays
    */
-  start(choice: LiveChoice, publishers: readonly string[]): Promise<boolean>;
+  start(choice: LiveChoice, publishers: readonly string[]): Promise<string | undefined>;
   /** Follows again a replay that the master refused to stop. @returns whether there is one */
   resume(): boolean;
   /** Stops the replay; this page no longer follows it, even if the master refuses to stop it. */
@@ -100,7 +100,11 @@ export function provideLivePlay(
       const reply = await attempt(() =>
         client.call('replayStart', { ...request, clientId: client.id }),
       );
-      if (reply === undefined) return false;
+      if (reply === undefined) {
+        const refused = problem.value;
+        problem.value = undefined;
+        return refused;
+      }
       publishers.value = names;
       const shiftMs = (local.recording.value?.startMs ?? 0) - reply.recordingStartedMs;
       started.value = reply;
@@ -108,7 +112,7 @@ export function provideLivePlay(
         seek: { positionMs: Math.max(0, timeMs.value + shiftMs) },
         action: ReplayAction.REPLAY_ACTION_PLAY,
       });
-      return true;
+      return undefined;
     },
     resume() {
       leftId.value = undefined;
