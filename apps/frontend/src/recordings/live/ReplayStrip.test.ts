@@ -2,11 +2,11 @@
 import type { ClientRole } from '@ubii/client-web';
 import type { Replay } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
-import { computed } from 'vue';
+import { computed, type App } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
 import { afterEach, describe, expect, it } from 'vitest';
 import { CONNECTION } from '../../connection/connection.ts';
-import { TOASTS } from '../../ui/toasts/toasts.ts';
+import { createToasts, provideToasts } from '../../ui/toasts/toasts.ts';
 import ReplayStrip from './ReplayStrip.vue';
 import { aReplay } from './testing/replay-page.ts';
 
@@ -32,8 +32,8 @@ async function open(path: string, replays: readonly Replay[], role: ClientRole =
   const wrapper = mount(ReplayStrip, {
     props: { replays },
     global: {
-      plugins: [router],
-      provide: { [CONNECTION as symbol]: connection, [TOASTS as symbol]: {} },
+      plugins: [router, (app: App) => provideToasts(app, createToasts())],
+      provide: { [CONNECTION as symbol]: connection },
     },
   });
   wrappers.push(wrapper);
