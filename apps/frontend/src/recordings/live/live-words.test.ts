@@ -11,7 +11,7 @@ describe('words of replays', () => {
     );
     const ghost = { name: 'Visitor', isGhost: true };
     expect(replaySentence(aReplay(ghost))).toBe('“Visitor” plays in a loop.');
-    expect(replaySentence(aReplay({ ...ghost, copies: 3 }))).toBe(
+    expect(replaySentence(aReplay({ ...ghost, name: '1: Visitor', copies: 3 }))).toBe(
       '3 copies of “Visitor” play in a loop.',
     );
   });
@@ -31,6 +31,9 @@ describe('words of replays', () => {
   it('name the clients that are muted, when they are known', () => {
     expect(bannerSentence(aReplay(), ['Mara’s phone', 'Studio cam'])).toBe(
       'This recording is playing into live topics. Mara’s phone and Studio cam are muted until you stop.',
+    );
+    expect(bannerSentence(aReplay(), ['modules of the master'])).toMatch(
+      /Modules of the master are muted/,
     );
     expect(bannerSentence(aReplay(), [])).toMatch(/Live records of these topics are muted/);
     expect(listed(['a', 'b', 'c', 'd', 'e'])).toBe('a, b, c and 2 other clients');

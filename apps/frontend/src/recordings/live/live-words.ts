@@ -1,5 +1,5 @@
 import { ReplayConflict, ReplayState, type Replay } from '@ubii/proto';
-import { counted, plural } from '@ubii/words';
+import { capitalised, counted, plural } from '@ubii/words';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
 /** Who plays what, one sentence. */
@@ -9,7 +9,9 @@ export function replaySentence(replay: Replay): string {
   if (session !== undefined)
     return `Session “${session.name}” runs again on recording ${recording}.`;
   if (isGhost) {
-    const what = copies > 1 ? `${copies} copies of “${name}” play` : `“${name}” plays`;
+    // The master numbers the copies, and names the replay after the first.
+    const what =
+      copies > 1 ? `${copies} copies of “${name.replace(/^1: /, '')}” play` : `“${name}” plays`;
     return `${what} in a loop.`;
   }
   const who = author || 'A program';
@@ -39,8 +41,13 @@ export function bannerSentence(replay: Replay, publishers: readonly string[]): s
   const playing = 'This recording is playing into live topics.';
   const isMuted = replay.conflict === ReplayConflict.REPLAY_CONFLICT_MUTE_LIVE;
   if (!isMuted || publishers.length === 0) return `${playing} ${conflictSentence(replay)}`;
-  return `${playing} ${listed(publishers)} ${plural(publishers.length, 'is', 'are')} muted until you stop.`;
+  const who = listed(publishers);
+  const subject = publishers[0] === MODULES ? capitalised(who) : who;
+  return `${playing} ${subject} ${plural(publishers[0] === MODULES ? 2 : publishers.length, 'is', 'are')} muted until you stop.`;
 }
+
+/** The publisher of what modules of sessions on the master write. */
+export const MODULES = 'modules of the master';
 
 /** Names as people list them: `a, b and c`; the rest of many as a number. */
 export function listed(names: readonly string[]): string {
