@@ -17,12 +17,17 @@ interface Tolerances {
 /** So many outputs are looked ahead for one that is the same. */
 const LOOK_AHEAD = 8;
 
-/** Pairs the outputs of a topic in their order: those with the same value near in time, else those nearest in time. */
+/**
+ * Pairs the outputs of a topic in their order: those with the same value near in time, else those nearest in time. An output that
+ * repeats the value which the other side has just before or after is the same: a module that runs at a frequency samples a change
+ * one round earlier or later.
+ */
 export async function* alignOutputs(
   recorded: TopicOutputs,
   rerun: TopicOutputs,
   tolerances: Tolerances,
 ): AsyncGenerator<OutputPair> {
+  let before: Sides = { here: undefined, there: undefined };
   for (;;) {
     const here = await recorded.peek(LOOK_AHEAD);
     const there = await rerun.peek(LOOK_AHEAD);
@@ -31,11 +36,42 @@ export async function* alignOutputs(
     for (let place = 0; place < Math.max(skipHere, skipThere); place += 1) {
       const a = place < skipHere ? here[place] : undefined;
       const b = place < skipThere ? there[place] : undefined;
-      yield { recorded: a, rerun: b, path: a && b && differenceOf(a, b, tolerances) };
+      const around = (side: readonly Output[], last: Output | undefined, skip: number) => {
+        const at = Math.min(place, skip);
+        return [at === 0 ? last : side[at - 1], side[at], side[at + 1]];
+      };
+      const isRepeated =
+        repeats(a, around(there, before.there, skipThere), tolerances) &&
+        repeats(b, around(here, before.here, skipHere), tolerances);
+      yield isRepeated
+        ? { recorded: a ?? b, rerun: b ?? a, path: undefined }
+        : { recorded: a, rerun: b, path: a && b && differenceOf(a, b, tolerances) };
     }
+    before = {
+      here: here[skipHere - 1] ?? before.here,
+      there: there[skipThere - 1] ?? before.there,
+    };
     recorded.skip(skipHere);
     rerun.skip(skipThere);
   }
+}
+
+/** The last outputs that were paired. */
+interface Sides {
+  readonly here: Output | undefined;
+  readonly there: Output | undefined;
+}
+
+/** Whether an output, if there is one, is one of those of the other side. */
+function repeats(
+  output: Output | undefined,
+  others: readonly (Output | undefined)[],
+  tolerances: Tolerances,
+): boolean {
+  return (
+    output === undefined ||
+    others.some((other) => other !== undefined && areSame(output, other, tolerances))
+  );
 }
 
 /** How many outputs of each side come next: one of each as a pair, or those before the next pair with the same value. */
@@ -60,12 +96,7 @@ function findSame(
 ): readonly [number, number] | undefined {
   const isSame = (i: number, j: number): boolean => {
     const [a, b] = [here[i], there[j]];
-    return (
-      a !== undefined &&
-      b !== undefined &&
-      areNear(a, b, tolerances) &&
-      differenceOf(a, b, tolerances) === undefined
-    );
+    return a !== undefined && b !== undefined && areSame(a, b, tolerances);
   };
   for (let far = 1; far < LOOK_AHEAD; far += 1) {
     for (let near = far; near >= 0; near -= 1) {
@@ -94,6 +125,9 @@ function distance(a: Output, b: Output): bigint {
 
 const areNear = (a: Output, b: Output, { toleranceNs }: Tolerances): boolean =>
   distance(a, b) <= toleranceNs;
+
+const areSame = (a: Output, b: Output, tolerances: Tolerances): boolean =>
+  areNear(a, b, tolerances) && differenceOf(a, b, tolerances) === undefined;
 
 function differenceOf(a: Output, b: Output, { relativeTolerance }: Tolerances): string | undefined {
   if (a.record?.format !== b.record?.format) return '';

@@ -86,6 +86,19 @@ describe('compareOutputs', () => {
     expect(atMs(additional.differences[0]!.timeNs)).toBe(31);
   });
 
+  it('takes a change that a module samples one round later for the same', async () => {
+    const before = [1, 1, 2, 2, 3].map((value, place) => [1 + 10 * place, value] as const);
+    const after = [1, 1, 1, 2, 3].map((value, place) => [1 + 10 * place, value] as const);
+    const longer = [...after.slice(0, 4), [41, 2], [45, 3]] as const;
+    for (const values of [after, longer]) {
+      const comparison = await compare(before, values, { toleranceMs: 12 });
+      expect(comparison.differences).toEqual([]);
+    }
+    // Two rounds later is another result.
+    const late = [1, 1, 1, 1, 1].map((value, place) => [1 + 10 * place, value] as const);
+    expect((await compare(before, late, { toleranceMs: 12 })).different).toBeGreaterThan(0);
+  });
+
   it('pairs outputs that all differ by their times', async () => {
     const after = without(2).map(([at, value]) => [at, value + 100] as const);
     const comparison = await compare(FIVE, after, { toleranceMs: 8 });

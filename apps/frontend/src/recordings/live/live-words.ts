@@ -2,16 +2,19 @@ import { ReplayConflict, ReplayState, type Replay } from '@ubii/proto';
 import { capitalised, counted, plural } from '@ubii/words';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
+/** Name of a replay. The master numbers the copies of a ghost, and names the replay after the first. */
+export const replayName = ({ name, copies }: Pick<Replay, 'name' | 'copies'>): string =>
+  copies > 1 ? name.replace(/^1: /, '') : name;
+
 /** Who plays what, one sentence. */
 export function replaySentence(replay: Replay): string {
-  const { author, recordingName, name, copies, isGhost, session, topicCount } = replay;
+  const { author, recordingName, copies, isGhost, session, topicCount } = replay;
   const recording = `“${recordingName}”`;
   if (session !== undefined)
     return `Session “${session.name}” runs again on recording ${recording}.`;
   if (isGhost) {
-    // The master numbers the copies, and names the replay after the first.
-    const what =
-      copies > 1 ? `${copies} copies of “${name.replace(/^1: /, '')}” play` : `“${name}” plays`;
+    const named = `“${replayName(replay)}”`;
+    const what = copies > 1 ? `${copies} copies of ${named} play` : `${named} plays`;
     return `${what} in a loop.`;
   }
   const who = author || 'A program';
