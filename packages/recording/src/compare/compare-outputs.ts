@@ -50,6 +50,7 @@ export async function compareOutputs(
     toleranceNs: BigInt(Math.round(options.toleranceMs * NS_PER_MS)),
     relativeTolerance: options.relativeTolerance,
   };
+  const untilNs = span?.untilNs ?? recorded.summary.endNs;
   const comparisons: TopicComparison[] = [];
   let count = 0;
   for (const topic of topics) {
@@ -63,6 +64,8 @@ export async function compareOutputs(
     );
     for await (const pair of pairs) {
       signal?.throwIfAborted();
+      // The run goes on for a moment after its last input.
+      if (pair.recorded === undefined && pair.rerun!.timeNs > untilNs) continue;
       comparison.add(pair);
       if (++count % PROGRESS_OUTPUTS === 0) onProgress?.(count);
     }
