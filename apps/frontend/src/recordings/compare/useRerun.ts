@@ -41,7 +41,7 @@ export interface Rerun {
   /** Why no session can run again, one sentence. */
   readonly refusal: ComputedRef<string | undefined>;
   /** Plays the inputs of a session, all or those of the loop, at the rate of the page. */
-  start(session: PlayedSession): Promise<void>;
+  start(session: Pick<PlayedSession, 'id' | 'session'>): Promise<void>;
   /** Stops the run or the comparison, and takes its result away. */
   close(): void;
 }
