@@ -13,7 +13,16 @@ import type { ReplayChange } from './replay-control.ts';
 /** The file begins 100 ms after the recording of the master, with its first record. */
 const RECORDING = {
   ...{ name: 'Study', notes: '', masterName: 'Studio', startMs: 1100, durationMs: 1000 },
-  ...{ topics: [], markers: [], gaps: [], clockErrorMs: undefined, isDamaged: false, records: 2 },
+  ...{
+    topics: [],
+    markers: [],
+    gaps: [],
+    clockErrorMs: undefined,
+    isDamaged: false,
+    records: 2,
+    clientNames: new Map<string, string>(),
+    labels: [],
+  },
 };
 
 function setUp(replay?: Replay) {

@@ -38,7 +38,8 @@ export function fakePlayer() {
     () => undefined,
   );
   const facts = { name: 'Study', notes: '', masterName: '', startMs: 0, durationMs: 1000 };
-  const parts = { topics: [], markers: [], gaps: [], clockErrorMs: undefined };
+  const lists = { topics: [], markers: [], gaps: [], labels: [] };
+  const parts = { ...lists, clientNames: new Map<string, string>(), clockErrorMs: undefined };
   tell({ kind: 'opened', recording: { ...facts, ...parts, records: 2, isDamaged: false } });
   return { player, sent, tell: (report: RecordingReport) => tell(report) };
 }
