@@ -76,7 +76,7 @@ describe('compareOutputs', () => {
     expect([difference!.recorded?.value, difference!.rerun?.value]).toEqual([4, 7]);
   });
 
-  it('reports missing and additional outputs, and goes on with those that follow', async () => {
+  it('reports missing and additional outputs, and continues with those that follow', async () => {
     const options = { toleranceMs: 50 };
     const missing = await compare(FIVE, without(1), options);
     expect(countsOf(missing)).toEqual({ same: 4, different: 0, missing: 1, additional: 0 });

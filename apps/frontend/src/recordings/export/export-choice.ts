@@ -22,7 +22,7 @@ export const EXPORT_FORMATS: readonly {
   {
     value: 'xdf',
     text: 'XDF',
-    hint: 'One file for EEGLAB, MNE and pyxdf, with the offsets of all clocks.',
+    hint: 'One file for EEGLAB and MNE, with the offsets of all clocks.',
   },
   {
     value: 'mcap',

@@ -132,7 +132,7 @@ export function provideLivePlay(
   });
 }
 
-/** Ghosts and sessions that run again have playheads of their own. */
+/** Ghosts and sessions that run again have a playhead each. */
 function isReplayOf(replay: Replay, recordingId: string | undefined): boolean {
   return replay.recordingId === recordingId && !replay.isGhost && replay.session === undefined;
 }
