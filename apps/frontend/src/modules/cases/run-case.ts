@@ -129,9 +129,9 @@ export async function runCase(
   } finally {
     await runtime.close();
   }
-  const { tolerance } = theCase;
-  const windowMs = windowOf(module);
-  const compared = compareCaseOutputs(theCase.outputs, outputs, { tolerance, windowMs });
+  const { tolerance, durationMs } = theCase;
+  const exactness = { tolerance, durationMs, windowMs: windowOf(module) };
+  const compared = compareCaseOutputs(theCase.outputs, outputs, exactness);
   const isPassed = fault === undefined && compared.length > 0 && compared.every(isSame);
   return { isPassed, topics: compared, fault };
 }
