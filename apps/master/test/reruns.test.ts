@@ -13,9 +13,9 @@ import type { RecordingEvent } from '@ubii/recording';
 import { SAMPLE_START_NS } from '@ubii/recording/testing';
 import { describe, expect, it } from 'vitest';
 import { TestMaster } from '../src/testing/index.ts';
-import { contentOf, SERVICES } from './recording-world.ts';
+import { contentOf, SERVICES, start, stop as stopRecording } from './recording-world.ts';
 import { at, folderWith, list, play, stop } from './replay-world.ts';
-import { doubler, TOPICS } from './sessions/session-world.ts';
+import { doubler, doubling, TOPICS } from './sessions/session-world.ts';
 
 const RECORDED = [at('/in', 0, 1), at('/out', 5, 2), at('/in', 100, 5), at('/out', 105, 10)];
 const SESSION_ID = 'recorded-session';
@@ -58,11 +58,44 @@ async function masterWithSession(session: Init<Session>, library: Init<Processin
   const master = new TestMaster({
     recordings: await folderWith(RECORDED, [sessionEvent(session)]),
   });
-  for (const processingModule of library) {
-    const { error } = await master.call({ topic: TOPICS.saveModule, processingModule });
-    if (error !== undefined) throw new Error(error.message);
-  }
+  for (const module of library) await save(master, module);
   return master;
+}
+
+async function save(master: TestMaster, processingModule: Init<ProcessingModule>) {
+  const { error } = await master.call({ topic: TOPICS.saveModule, processingModule });
+  if (error !== undefined) throw new Error(error.message);
+}
+
+/** Records a session whose module is in the library, then saves another version of the module and runs the session again. */
+async function runAgainWith(changed: Init<ProcessingModule>) {
+  const master = new TestMaster();
+  const ada = await master.extension('ada');
+  await save(master, times(1));
+  const mappings = doubling('/in', '/out');
+  const { session } = await master.call({
+    topic: TOPICS.start,
+    session: { ...mappings, processingModules: [{ name: 'doubler' }] },
+  });
+  await master.pass();
+  const recordingId = await start(master);
+  for (const value of [1, 5]) {
+    ada.publish('/in', 'double', value);
+    await master.pass(50);
+  }
+  await stopRecording(master, recordingId);
+  await save(master, changed);
+  const rerun = await play(master, { recordingId, sessionId: session!.id });
+  await master.pass(1_000);
+  const outputs = async (id: string, topic: string) =>
+    (await contentOf(master, id)).values.filter(([name]) => name === topic).map(([, v]) => v);
+  const { comparisonRecordingId, outputPrefix, recordedModules } = rerun.session!;
+  return {
+    recorded: await outputs(recordingId, '/out'),
+    today: await outputs(comparisonRecordingId, `${outputPrefix}/out`),
+    recordedModules,
+    problem: (await list(master))[0]!.problem,
+  };
 }
 
 async function runningSessions(master: TestMaster): Promise<number> {
@@ -102,6 +135,29 @@ describe('a recorded session', () => {
       replayedRecordingId: replay!.recordingId,
       name: 'Replay of chain in Tuesday',
     });
+  });
+
+  it('[RP-40] runs a module as it was saved after the recording', async () => {
+    const { recorded, today, recordedModules, problem } = await runAgainWith(times(2));
+    expect([recorded, today]).toEqual([
+      [1, 5],
+      [2, 10],
+    ]);
+    expect([recordedModules, problem]).toEqual([[], '']);
+  });
+
+  it.each([
+    ['fail', 'inputs.missing.double', 'A run of the module "doubler" failed: '],
+    ['return no value of the format', '{ outputs: { out: 2 } }', 'write { double: value }'],
+  ])('[RP-40] names modules whose runs %s', async (_, result, reason) => {
+    const onProcessingStringified = `(deltaTime, inputs) => (${result})`;
+    const { recorded, today, problem } = await runAgainWith({
+      ...doubler,
+      onProcessingStringified,
+    });
+    expect([recorded, today]).toEqual([[1, 5], []]);
+    expect(problem).toContain('"doubler"');
+    expect(problem).toContain(reason);
   });
 
   it('[RP-41] ends with its replay', async () => {

@@ -105,4 +105,35 @@ test('a span becomes ghosts, and a session runs again on recorded inputs [RP-30]
     await anna.button('Close the comparison').click();
     await expect(anna.comparison).toBeHidden();
   });
+
+  const saveCopy = async (result: string): Promise<void> => {
+    await callService(master.addresses, {
+      topic: SERVICES.processingModuleDatabaseSave.topic,
+      processingModule: {
+        name: 'copy',
+        inputs: [{ internalName: 'value', messageFormat: 'double' }],
+        outputs: [{ internalName: 'result', messageFormat: 'double' }],
+        onProcessingStringified: `(deltaTime, { value }) => ({ outputs: { result: ${result} } })`,
+      },
+    });
+  };
+
+  await test.step('a module that fails today is named', async () => {
+    await saveCopy('9');
+    await anna.button('Run today’s modules').click();
+    await expect(anna.comparison).toContainText('differ from the recording');
+    await expect(anna.comparison).toContainText('A run of the module "copy" failed');
+    await anna.button('Close the comparison').click();
+  });
+
+  await test.step('other code of today is compared with what was recorded', async () => {
+    await saveCopy('value?.double === 0.5 ? { double: 9 } : value');
+    await anna.button('Run today’s modules').click();
+    await expect(anna.comparison).toContainText(/differs? from the recording/);
+    const difference = anna.comparison.getByRole('list', { name: 'Differences' });
+    await expect(difference).toContainText('0.50');
+    await expect(difference).toContainText('9.00');
+    await anna.button('Go to the next one').click();
+    await expect(anna.track('/lab/copied')).toContainText('0.50');
+  });
 });

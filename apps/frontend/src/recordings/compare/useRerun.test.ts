@@ -23,7 +23,11 @@ function sessionText(): string {
   });
 }
 const running = (positionMs: number) => aReplay({ session: SESSION, positionMs });
-const ended = aReplay({ session: SESSION, state: ReplayState.REPLAY_STATE_ENDED });
+const PROBLEM = 'A run of the module "Sum" failed: x is not defined.';
+const ended = aReplay({
+  ...{ session: { ...SESSION, runningId: '' }, state: ReplayState.REPLAY_STATE_ENDED },
+  problem: PROBLEM,
+});
 
 function setUp(reply: (call: MadeCall) => unknown = () => running(0)) {
   const requests: CompareRequest[] = [];
@@ -51,6 +55,8 @@ describe('a recorded session that runs again', () => {
     expect(calls[0]!.request).toMatchObject({ recordingId: 'study', sessionId: 's', rate: 1 });
     await news(running(500));
     expect(rerun.state.value).toMatchObject({ status: 'running', replay: { positionMs: 500 } });
+    await news(aReplay({ session: SESSION, state: ReplayState.REPLAY_STATE_ENDED }));
+    expect(services(calls)).toEqual(['replayStart']); // It still writes its last outputs.
     await news(ended);
     await flushPromises();
     expect(services(calls)).toEqual(['replayStart', 'replayStop']);
@@ -65,7 +71,9 @@ describe('a recorded session that runs again', () => {
     expect(rerun.state.value).toEqual({ status: 'comparing', outputs: 500 });
     const comparison = { topics: [], differences: [] };
     tell({ kind: 'done', comparison });
-    expect(rerun.state.value).toEqual({ status: 'done', comparison, recordedModules: ['Old'] });
+    expect(rerun.state.value).toEqual({
+      ...{ status: 'done', comparison, recordedModules: ['Old'], problem: PROBLEM },
+    });
   });
 
   it('plays the loop only, when there is one', async () => {

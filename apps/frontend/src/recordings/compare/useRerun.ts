@@ -32,6 +32,8 @@ export type RerunState =
       readonly comparison: SessionComparison;
       /** Names of modules that are not in the library: they ran with their recorded code. */
       readonly recordedModules: readonly string[];
+      /** Modules that failed and inputs that stayed empty; empty when there are none. */
+      readonly problem: string;
     }
   | { readonly status: 'failed'; readonly message: string };
 
@@ -78,7 +80,7 @@ export function provideRerun(
     }
   }
   async function finish(replay: Replay): Promise<void> {
-    const { session, recordingId } = replay;
+    const { session, recordingId, problem } = replay;
     if (session === undefined) return;
     state.value = { status: 'comparing', outputs: 0 };
     // Its recording is closed then.
@@ -96,7 +98,7 @@ export function provideRerun(
         state.value = { status: 'failed', message: report.message };
       else {
         const { recordedModules } = session;
-        state.value = { status: 'done', comparison: report.comparison, recordedModules };
+        state.value = { status: 'done', comparison: report.comparison, recordedModules, problem };
       }
     });
   }
@@ -109,7 +111,7 @@ export function provideRerun(
     else if (now.state === ReplayState.REPLAY_STATE_FAILED) {
       state.value = { status: 'failed', message: now.problem };
       void attempt(() => client.call('replayStop', { id }));
-    } else if (now.state === ReplayState.REPLAY_STATE_ENDED) void finish(now);
+    } else if (isOver(now)) void finish(now);
     else state.value = { status: 'running', replay: now };
   });
 
@@ -147,6 +149,10 @@ export function provideRerun(
   provide(RERUN, rerun);
   return rerun;
 }
+
+/** The span is played, and the session has written its last outputs. */
+const isOver = ({ state, session }: Replay): boolean =>
+  state === ReplayState.REPLAY_STATE_ENDED && session?.runningId === '';
 
 /** Topics that the modules of a recorded session write. @param json the session */
 function outputsOf(json: string): readonly string[] {

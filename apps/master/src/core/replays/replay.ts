@@ -253,7 +253,7 @@ export class Replay {
   #handleState(state: PlayerState, copy: number): void {
     if (copy !== 0 || this.#isClosed) return;
     this.#state = state;
-    if (state.status === 'ended') this.parts.rerun?.finish();
+    if (state.status === 'ended') this.parts.rerun?.finish(this.parts.onChange);
     this.parts.onChange();
   }
 

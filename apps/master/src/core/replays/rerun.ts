@@ -41,6 +41,8 @@ export class Rerun {
   #session: Session | undefined = undefined;
   #comparisonId = '';
   #cancel: Cancel | undefined = undefined;
+  /** The first error of each module, also of those that are repaired. */
+  readonly #errors = new Map<string, string>();
   #isOver = false;
 
   private constructor(context: RerunContext, wish: RerunWish, rerun: RerunSession) {
@@ -72,12 +74,17 @@ export class Rerun {
     return prefixOf(this.#wish.replayId, 'in');
   }
 
-  /** What differs from the recorded run, one sentence; empty when nothing does. */
+  /** Inputs that stay empty, then modules that do not run or whose runs fail; empty when there are none. */
   get problem(): string {
+    this.#noteErrors();
     const { emptyInputs } = this.#rerun;
-    return emptyInputs.length === 0
-      ? ''
-      : `Inputs that select components stay empty, because recordings hold no devices: ${emptyInputs.join(', ')}.`;
+    const empty =
+      emptyInputs.length === 0
+        ? []
+        : [
+            `Inputs that select components stay empty, because recordings hold no devices: ${emptyInputs.join(', ')}.`,
+          ];
+    return [...empty, ...this.#errors.values()].join(' ');
   }
 
   /** Whether the session reads this recorded topic. */
@@ -109,9 +116,12 @@ export class Rerun {
   }
 
   /** The inputs are over: ends it when the last outputs are there. */
-  finish(): void {
+  finish(onOver: () => void): void {
     if (this.#isOver) return;
-    this.#cancel ??= this.#context.clock.after(LAST_OUTPUTS_MS, () => this.close());
+    this.#cancel ??= this.#context.clock.after(LAST_OUTPUTS_MS, () => {
+      this.close();
+      onOver();
+    });
   }
 
   /** Removes the session and closes the recording. */
@@ -137,12 +147,19 @@ export class Rerun {
 
   #end(): void {
     const { sessions, recordings } = this.#context;
+    this.#noteErrors();
     if (this.#comparisonId !== '') {
       void recordings.stop(this.#comparisonId).catch(() => undefined); // It was deleted meanwhile.
     }
     const session = this.#session;
     this.#session = undefined;
     if (session !== undefined && sessions.isOpen(session.id)) sessions.remove(session);
+  }
+
+  #noteErrors(): void {
+    for (const { isError, moduleId, message } of this.#session?.problems() ?? []) {
+      if (isError && !this.#errors.has(moduleId)) this.#errors.set(moduleId, message);
+    }
   }
 
   async #untilItRuns(session: Session): Promise<void> {
