@@ -365,6 +365,29 @@ describe('live topics of a replay', () => {
     expect(late.takeValues()).toEqual([]);
   });
 
+  it.each([true, false])(
+    '[RP-7] are counted in news once a second (paused: %s)',
+    async (isPaused) => {
+      const master = await masterWith();
+      const bob = await master.extension('bob');
+      await play(master, { isPaused });
+      await master.pass(3_000);
+      const ada = await master.extension('ada');
+      await ada.subscribe({ subscribeTopics: [REPLAYS_TOPIC] });
+      ada.takeRecords();
+      for (let record = 0; record < 20; record++) {
+        bob.publish('/a', 'double', record);
+        await master.pass(100);
+      }
+      await master.pass(5_000);
+      const counts = ada
+        .takeRecords()
+        .flatMap(({ format, value }) => (format === 'replayList' ? [value.elements[0]!] : []))
+        .map(({ mutedCount }) => mutedCount);
+      expect(counts).toEqual([10, 20]);
+    },
+  );
+
   it('[RP-22] are kept', async () => {
     const master = await masterWith();
     const bob = await master.extension('bob');

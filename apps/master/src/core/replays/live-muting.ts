@@ -1,9 +1,10 @@
 import { ReplayConflict } from '@ubii/proto';
-import type { Clock } from '@ubii/timing';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import { Publication } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import type { LiveRule, LiveValue } from '../topics/replayed-topics.ts';
+import type { ReplayWish } from './replay-wish.ts';
 
 /** What muting works with. */
 export interface MutingContext extends PublishContext {
@@ -13,6 +14,8 @@ export interface MutingContext extends PublishContext {
 
 /** Muted topics that are named. [RP-20] */
 const MAX_NAMED = 100;
+/** Time between two notifications that more records were muted, milliseconds. [RP-7] */
+const NEWS_MS = 1_000;
 
 /** What one replay does to live records on its topics, and how it ends. */
 export class LiveMuting {
@@ -21,12 +24,13 @@ export class LiveMuting {
   readonly #rule: LiveRule;
   readonly #muted = new Set<string>();
   #count = 0;
+  #cancelNews: Cancel | undefined = undefined;
 
   constructor(
     context: MutingContext,
-    conflict: ReplayConflict,
-    livePrefix: string,
+    { conflict, livePrefix }: Pick<ReplayWish, 'conflict' | 'livePrefix'>,
     clientIds: ReadonlySet<string>,
+    onGrow: () => void,
   ) {
     this.#context = context;
     this.#conflict = conflict;
@@ -36,6 +40,10 @@ export class LiveMuting {
       onLive: (topic) => {
         this.#count++;
         this.#muted.add(topic);
+        this.#cancelNews ??= context.clock.after(NEWS_MS, () => {
+          this.#cancelNews = undefined;
+          onGrow();
+        });
       },
     };
   }
@@ -59,6 +67,7 @@ export class LiveMuting {
 
   /** Lets live records flow again. Call `restore` when the topics of the replay are gone. */
   end(): LiveValue[] {
+    this.#cancelNews?.();
     const { replayed, topics } = this.#context;
     const { livePrefix } = this.#rule;
     if (livePrefix !== undefined) {

@@ -88,7 +88,7 @@ export class Replay {
     const perSecond = context.limits.replayRecordsPerSecond;
     // A tenth of a second at once: what one turn publishes stays small.
     this.#bucket = new TokenBucket(perSecond, context.clock.monotonicMs(), perSecond / 10);
-    this.#muting = new LiveMuting(context, wish.conflict, wish.livePrefix, this.#clientIds);
+    this.#muting = new LiveMuting(context, wish, this.#clientIds, parts.onChange);
     const planned = new Set<string>();
     try {
       for (let copy = 0; copy < wish.copies; copy++) {
