@@ -23,9 +23,11 @@ import { budgetOf } from './budget.ts';
 import { estimate } from './estimate.ts';
 import { FlightSettings } from './flight-settings.ts';
 import { MarkerTopics } from './marker-topics.ts';
-import { clockEvent, presentEvents } from './present-facts.ts';
+import { presentEvents } from './present-facts.ts';
 import type { RecordCollector } from './record-collector.ts';
+import { RecordedClocks } from './recorded-clocks.ts';
 import { publishStatus } from './recording-news.ts';
+import { RecordingTargets } from './recording-targets.ts';
 import { CompiledSelection, type SelectionContext } from './selection.ts';
 import { UploadSpace } from './upload-space.ts';
 
@@ -73,28 +75,24 @@ export interface Upload {
   readonly receive: (take: (bytes: number) => Promise<void>) => Promise<void>;
 }
 
-/** The first target of recordings; that before is the flight recorder's. */
-const FIRST_TARGET = 2;
-
 /** All that can be done with recordings and the flight recorder. */
 export class Recordings {
   readonly #context: RecordingsContext;
   readonly #flight: FlightSettings;
   readonly #uploads: UploadSpace;
-  /** Targets of recordings that are started and are in no state of the recorder yet. */
-  readonly #starting = new Set<number>();
+  readonly #targets: RecordingTargets;
+  readonly #clocks: RecordedClocks;
   /** Called before a recording is deleted. */
   readonly onDelete = new Hook<[id: string]>();
   /** Called when recordings were added, changed or deleted. */
   readonly onListChanged = new Hook<[]>();
   #listRevision = 0;
-  #targets = 0;
-  /** When clocks were looked at last, monotonic milliseconds. */
-  #clocksMs = 0;
 
   constructor(context: RecordingsContext) {
     this.#context = context;
     const { recorder, collector, flight } = context;
+    this.#targets = new RecordingTargets(context.limits);
+    this.#clocks = new RecordedClocks(context);
     recorder.onState((state) => this.#handleState(state));
     this.#flight = new FlightSettings(flight, context.limits);
     const roomBeyond = (bytes: number): Promise<number> => this.#requireRoom(bytes);
@@ -130,8 +128,7 @@ export class Recordings {
     const { recorder, collector, limits } = this.#context;
     const full = budgetOf(budget, limits.limits);
     await this.#requireRoom();
-    const target = this.#freeTarget();
-    this.#starting.add(target);
+    const target = this.#targets.beginStart();
     const job = { ...this.#jobOf(wish), target, selection, budget: full, present: this.#present() };
     collector.flush();
     try {
@@ -142,7 +139,7 @@ export class Recordings {
       collector.remove(target);
       throw cause;
     } finally {
-      this.#starting.delete(target);
+      this.#targets.endStart(target);
     }
   }
 
@@ -268,40 +265,12 @@ export class Recordings {
     };
   }
 
-  /** @throws ServiceError when as many run as may */
-  #freeTarget(): number {
-    const { limits } = this.#context;
-    const max = limits.limits.runningRecordings;
-    const used = [...this.#starting].reduce((bits, target) => bits | target, this.#targets);
-    for (let index = 0; index < max; index++) {
-      const target = FIRST_TARGET << index;
-      if ((used & target) === 0) return target;
-    }
-    throw limits.refusal('runningRecordings', `more than ${max} recordings at once`);
-  }
-
   #handleState(state: RecorderState): void {
     const { collector, publisher } = this.#context;
-    const ended = this.#targets & ~state.targets;
-    for (let target = FIRST_TARGET; target <= ended; target <<= 1) {
-      if ((ended & target) !== 0) collector.remove(target);
-    }
-    this.#targets = state.targets;
+    for (const target of this.#targets.update(state.targets)) collector.remove(target);
     if (state.listRevision !== this.#listRevision) this.onListChanged.emit();
     this.#listRevision = state.listRevision;
-    this.#recordClocks();
+    this.#clocks.look();
     publishStatus(publisher, state);
-  }
-
-  /** [RC-14] */
-  #recordClocks(): void {
-    const { clients, clock, recorder, collector } = this.#context;
-    const sinceMs = this.#clocksMs;
-    this.#clocksMs = clock.monotonicMs();
-    for (const client of clients.values()) {
-      if (client.clock === undefined || client.clock.toldMs < sinceMs) continue;
-      const event = clockEvent(client, clock.nowMs());
-      if (event !== undefined) recorder.addEvent(event, collector.targets);
-    }
   }
 }
