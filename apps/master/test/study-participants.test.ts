@@ -1,4 +1,5 @@
 import {
+  ReplayConflict,
   SessionState,
   StudyBlockState,
   StudyRunState,
@@ -9,10 +10,13 @@ import { describe, expect, it } from 'vitest';
 import { TRUSTED_CALLER } from '../src/core/ports/caller-facts.ts';
 import { TestMaster } from '../src/testing/index.ts';
 import { MemoryRecording } from '../src/testing/memory-folder.ts';
-import { contentOf, SERVICES } from './recording-world.ts';
+import { contentOf, SERVICES, start } from './recording-world.ts';
+import { list, play } from './replay-world.ts';
+import { doubling, TOPICS } from './sessions/session-world.ts';
 import { change, recordingsOf, required, save, startRun } from './study-world.ts';
 
 const CODE = 'Zebra42';
+const KEEP_LIVE = ReplayConflict.REPLAY_CONFLICT_KEEP_LIVE;
 
 async function deleteParticipant(
   master: TestMaster,
@@ -43,21 +47,21 @@ describe('a participant', () => {
     await startRun(master, id, 'P02');
     const second = await startRun(master, id, CODE, '2');
     const topic = `${SERVICES}study_participant_list`;
-    const list = async (request: Init<StudyParticipantRequest>) =>
+    const listed = async (request: Init<StudyParticipantRequest>) =>
       required(
         await master.call({ topic, studyParticipantRequest: request }),
         'studyParticipantList',
       ).elements;
     const [recording] = await recordingsOf(master);
-    expect(await list({ studyId: id })).toMatchObject([
+    expect(await listed({ studyId: id })).toMatchObject([
       { code: 'P02', number: 2, recordingIds: [] },
       {
         ...{ studyId: id, code: CODE, number: 1, sizeBytes: recording!.sizeBytes },
         ...{ recordingIds: [recording!.id], lastMs: second.startedMs },
       },
     ]);
-    expect((await list({ participantCode: 'zebra42' })).map(({ code }) => code)).toEqual([CODE]);
-    expect(await list({ studyId: 'other' })).toEqual([]);
+    expect((await listed({ participantCode: 'zebra42' })).map(({ code }) => code)).toEqual([CODE]);
+    expect(await listed({ studyId: 'other' })).toEqual([]);
   });
 
   it('[ST-51] [ST-52] leaves no trace when it is deleted while a block runs', async () => {
@@ -126,6 +130,47 @@ describe('a participant', () => {
       'There is no participant with this code.',
     );
     await expect(deleteParticipant(master, {})).rejects.toThrow('names no participant');
+  });
+
+  it('[RP-6] [ST-51] leaves no trace of its replays, ghosts and sessions that ran again', async () => {
+    const master = new TestMaster();
+    const ada = await master.extension('Ada');
+    const { id } = await save(master);
+    const run = await startRun(master, id, CODE);
+    const mappings = doubling('/x', '/y');
+    const { session } = await master.call({ topic: TOPICS.start, session: mappings });
+    await master.pass();
+    await change(master, run.id, 'begin');
+    ada.publish('/x', 'double', 1);
+    await change(master, run.id, 'endRun');
+    const [recording] = await recordingsOf(master);
+    await start(master, {}, 'Of somebody else');
+    const recordingId = recording!.id;
+    await play(master, { recordingId, isPaused: true, conflict: KEEP_LIVE });
+    await play(master, { recordingId, isGhost: true });
+    const rerun = await play(master, { recordingId, sessionId: session!.id });
+    await master.pass(200);
+    const { clientList } = await master.call({ topic: '/services/client/get_list' });
+    expect(clientList!.elements.map(({ name }) => name)).toEqual(
+      expect.arrayContaining(['Replay of Touch, block 1', 'Ghost of Touch, block 1']),
+    );
+    await master.call({
+      topic: `${SERVICES}client_disconnect`,
+      clientDisconnectRequest: { targetId: (await list(master))[0]!.clientIds[0]! },
+    });
+    const deletion = await deleteParticipant(master, { participantCode: CODE });
+    expect(deletion.recordingNames).toContain(`Replay of doubling in ${recording!.name}`);
+    await master.pass(1_000);
+    expect(await list(master)).toEqual([]);
+    expect((await recordingsOf(master)).map(({ id: left }) => left)).not.toContain(
+      rerun.session!.comparisonRecordingId,
+    );
+    expect(kept(master)).not.toContain(CODE);
+    const { auditLog } = await master.call({
+      topic: `${SERVICES}audit_log`,
+      auditLogRequest: { service: 'replay_start' },
+    });
+    expect(auditLog!.entries.map(({ object }) => object)).toEqual(Array(3).fill(recordingId));
   });
 
   it('[ST-51] stays listed when a recording of it cannot be deleted, and is deleted again', async () => {

@@ -1,6 +1,7 @@
 import {
   ReplayAction,
   ReplayState,
+  type Recording,
   type Replay as ReplayMessage,
   type ReplayChangeRequest,
   type ReplayStartRequest,
@@ -34,7 +35,7 @@ export interface ReplayParts {
   readonly request: ReplayStartRequest;
   readonly wish: ReplayWish;
   readonly file: ReplayFile;
-  readonly recordingName: string;
+  readonly recording: Recording;
   /** Topics that are played, as recorded. */
   readonly recorded: readonly RecordedTopic[];
   readonly author: string;
@@ -157,15 +158,16 @@ export class Replay {
   }
 
   toMessage(): ReplayMessage {
-    const { id, request, recordingName, author, file } = this.parts;
+    const { id, recording, author, file } = this.parts;
     const { rate, span, isLooping, copies, conflict, livePrefix } = this.#wish;
     const { startNs, endNs } = file.facts;
     const traffic = this.#copies.map(({ client }) => client.client.traffic);
     const { problem } = this.#state;
     return {
-      ...{ id, recordingName, author, rate, isLooping, copies, conflict, livePrefix },
+      ...{ id, author, rate, isLooping, copies, conflict, livePrefix },
       name: this.#copies[0]?.client.client.spec.name ?? '',
-      recordingId: request.recordingId,
+      recordingId: recording.id,
+      recordingName: recording.name,
       state: this.#wireState(),
       positionMs: msBetween(startNs, this.#state.positionNs),
       durationMs: msBetween(startNs, endNs),
@@ -224,9 +226,9 @@ export class Replay {
   }
 
   #nameOf(copy: number): string {
-    const { request, recordingName, wish } = this.parts;
+    const { request, recording, wish } = this.parts;
     const kind = request.isGhost ? 'Ghost' : 'Replay';
-    const name = request.name === '' ? `${kind} of ${recordingName}` : request.name;
+    const name = request.name === '' ? `${kind} of ${publicName(recording)}` : request.name;
     const numbered = wish.copies === 1 ? name : `${copy + 1}: ${name}`;
     return oneLine(numbered, this.#context.limits.nameCharacters);
   }
@@ -287,4 +289,9 @@ export class Replay {
     if (status === 'playing') return ReplayState.REPLAY_STATE_PLAYING;
     return status === 'ended' ? ReplayState.REPLAY_STATE_ENDED : ReplayState.REPLAY_STATE_PAUSED;
   }
+}
+
+/** The name without the participant of a study: names of clients are recorded and logged. [ST-52] */
+function publicName({ name, study }: Recording): string {
+  return study === undefined ? name : `${study.studyName}, block ${study.block}`;
 }

@@ -120,7 +120,7 @@ export class Replays {
       const id = ids.uuid();
       const wish = wishOf(request, file.facts, limitWatch);
       const chosen = chosenTopics(file.facts.topics, request);
-      const facts = { id, request, wish, file, recordingName: recording.name, ...author };
+      const facts = { id, request, wish, file, recording, ...author };
       if (request.sessionId === '') return this.#create({ ...facts, recorded: chosen });
       const rerun = await this.#rerunOf(facts);
       const recorded = chosen.filter(({ topic }) => rerun.readsTopic(topic));
@@ -132,10 +132,10 @@ export class Replays {
     }
   }
 
-  #rerunOf({ id, request, wish, file, recordingName, author, makerId }: Facts): Promise<Rerun> {
-    const { sessionId, recordingId } = request;
-    const names = { replayId: id, sessionId, recordingId, recordingName, author, makerId };
-    return Rerun.prepare(this.#context, names, file, wish.span.fromNs);
+  #rerunOf({ id, request, wish, file, recording, author, makerId }: Facts): Promise<Rerun> {
+    const { sessionId } = request;
+    const what = { replayId: id, sessionId, recording, author, makerId };
+    return Rerun.prepare(this.#context, what, file, wish.span.fromNs);
   }
 
   #create(facts: Omit<ReplayParts, 'numbers' | 'onChange' | 'onEnd'>): Replay {

@@ -1,5 +1,11 @@
 import type { PatternCompiler } from '@ubii/patterns';
-import { fromJson, ServiceError, type RecordingSelection, type ReplayedSession } from '@ubii/proto';
+import {
+  fromJson,
+  ServiceError,
+  type Recording,
+  type RecordingSelection,
+  type ReplayedSession,
+} from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import type { ReplayFile } from '../ports/replay-files.ts';
@@ -22,8 +28,7 @@ export interface RerunContext {
 export interface RerunWish {
   readonly replayId: string;
   readonly sessionId: string;
-  readonly recordingId: string;
-  readonly recordingName: string;
+  readonly recording: Recording;
   readonly author: string;
   readonly makerId: string;
 }
@@ -57,7 +62,7 @@ export class Rerun {
     if (recorded === undefined) {
       throw new ServiceError(
         'not_found',
-        `The recording ${quote(wish.recordingName)} has no session with the id ${quote(wish.sessionId)}.`,
+        `The recording ${quote(wish.recording.name)} has no session with the id ${quote(wish.sessionId)}.`,
       );
     }
     const message = fromJson('ubii.sessions.Session', JSON.parse(recorded.session));
@@ -95,18 +100,20 @@ export class Rerun {
   /** Starts the session and the recording of its topics. @throws ServiceError when it cannot run */
   async start(): Promise<void> {
     const { sessions, recordings } = this.#context;
-    const { replayId, recordingId, recordingName, author, makerId } = this.#wish;
+    const { replayId, recording, author, makerId } = this.#wish;
     const { name } = this.#rerun.session;
     const selection: RecordingSelection = {
       ...{ topics: [], clients: [], devices: [], sessions: [], excludedPatterns: [] },
       patterns: [`/replays/${replayId}/**`],
       withoutImages: false,
     };
-    const wish = { name: `${name} in ${recordingName}`, notes: '', author, makerId };
+    const wish = { name: `${name} in ${recording.name}`, notes: '', author, makerId };
     try {
       this.#session = await sessions.start(this.#rerun.session, makerId);
       await this.#untilItRuns(this.#session);
-      const comparison = { ...wish, replayedRecordingId: recordingId };
+      // It has data of the participant, and is deleted with it. [ST-51]
+      const { id: replayedRecordingId, study } = recording;
+      const comparison = { ...wish, replayedRecordingId, ...(study && { study }) };
       const { id } = await recordings.start(comparison, selection, undefined);
       this.#comparisonId = id;
     } finally {
