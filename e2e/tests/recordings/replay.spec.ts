@@ -64,7 +64,7 @@ test('a span becomes ghosts, and a session runs again on recorded inputs [RP-30]
   room,
 }) => {
   const id = await placedSession(master, {
-    copy: { x: 300, y: 100, reads: '/lab/angle', writes: '/lab/copied' },
+    copy: { x: 300, y: 100, reads: '/lab/angle', writes: '/lab/copied', isTriggered: true },
   });
   await callService(master.addresses, {
     topic: SERVICES.sessionRuntimeStart.topic,
