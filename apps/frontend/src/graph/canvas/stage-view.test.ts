@@ -19,6 +19,13 @@ describe('viewOf', () => {
     expect((box.y + box.height) * k + y).toBeLessThan(viewport.height - 60);
   });
 
+  it('fills a small pane to its own margins', () => {
+    const margins = { top: 16, side: 20, bottom: 16 };
+    const box = { x: 0, y: 0, width: 200, height: 120 };
+    const { y, k } = viewOf(box, { width: 600, height: 152 }, 0, margins);
+    expect({ y, k }).toEqual({ y: 16, k: 1 });
+  });
+
   it('keeps the zoom in its limits', () => {
     expect(viewOf({ x: 0, y: 0, width: 1e6, height: 1e6 }, viewport).k).toBe(MIN_ZOOM);
     expect(limitZoom(100)).toBe(MAX_ZOOM);

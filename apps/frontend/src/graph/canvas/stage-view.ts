@@ -10,9 +10,6 @@ export interface Box extends Point, Size {}
 
 export const MIN_ZOOM = 0.1;
 export const MAX_ZOOM = 2.5;
-const FIT_MARGIN = 56;
-/** Height of the toolbar and of two lines of the description of a session, pixels. */
-const TOP_MARGIN = 72;
 /** Largest margin on each side, as a share of the width. */
 const NARROW_MARGIN = 0.05;
 /** Fitting does not enlarge small graphs. */
@@ -32,19 +29,23 @@ export const insideNode = ({ x, y }: Point, { height }: Size): Point => ({
 
 export const limitZoom = (k: number): number => Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, k));
 
+/** At the top stand the toolbar and two lines of the description of a session. */
+const MARGINS = { top: 72, side: 56, bottom: 56 };
+
 /** Returns the view that shows a whole box. @param inset height at the bottom that is covered, pixels */
-export function viewOf(box: Box, viewport: Size, inset = 0): View {
+export function viewOf(box: Box, viewport: Size, inset = 0, margins = MARGINS): View {
+  const { top, bottom } = margins;
   // On narrow canvases, names need the room.
-  const side = Math.min(FIT_MARGIN, viewport.width * NARROW_MARGIN);
+  const side = Math.min(margins.side, viewport.width * NARROW_MARGIN);
   const width = viewport.width - 2 * side;
-  const height = viewport.height - TOP_MARGIN - FIT_MARGIN - inset;
+  const height = viewport.height - top - bottom - inset;
   const k = Math.max(
     MIN_ZOOM,
     Math.min(width / Math.max(box.width, 1), height / Math.max(box.height, 1), MAX_FIT_ZOOM),
   );
   return {
     x: side + (width - box.width * k) / 2 - box.x * k,
-    y: TOP_MARGIN + (height - box.height * k) / 2 - box.y * k,
+    y: top + (height - box.height * k) / 2 - box.y * k,
     k,
   };
 }
