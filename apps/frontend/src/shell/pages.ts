@@ -22,6 +22,8 @@ export interface NavigationPage {
   readonly to: string;
   readonly icon: Component;
   readonly shortcut: string;
+  /** Path of another page that belongs to it. */
+  readonly sibling?: string;
   /** On phones it is in the sheet of the last item. */
   readonly isBehindMore?: boolean;
 }
@@ -43,6 +45,7 @@ export const PAGES: readonly NavigationPage[] = [
   {
     title: 'Recordings',
     to: '/recordings',
+    sibling: '/studies',
     icon: CircleDot,
     shortcut: 'G O',
     isBehindMore: true,
@@ -72,6 +75,11 @@ export const SETTINGS_PAGE: NavigationPage = {
   icon: Settings,
   shortcut: 'G S',
 };
+
+/** True when the path belongs to the page or to its sibling. */
+export function isOn(path: string, { to, sibling }: NavigationPage): boolean {
+  return isUnder(path, to) || (sibling !== undefined && isUnder(path, sibling));
+}
 
 /** True for the page itself and its subpages. */
 export function isUnder(path: string, page: string): boolean {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { modifierKey } from './modifier-key.ts';
-import { isUnder } from './pages.ts';
+import { isOn, isUnder, PAGES } from './pages.ts';
 import { matchShortcut, SHORTCUTS } from './shortcuts.ts';
 
 describe('matchShortcut', () => {
@@ -34,6 +34,11 @@ it('a page stays marked on the pages below it, Home does not', () => {
   expect(isUnder('/examples-of-old', '/examples')).toBe(false);
   expect(isUnder('/topics', '/')).toBe(false);
   expect(isUnder('/', '/')).toBe(true);
+});
+
+it('Recordings stay marked on the studies, which belong to them', () => {
+  const marked = PAGES.filter((page) => isOn('/studies/tap', page));
+  expect(marked.map(({ title }) => title)).toEqual(['Recordings']);
 });
 
 it('the modifier is called as on this machine', () => {
