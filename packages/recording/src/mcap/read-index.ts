@@ -17,7 +17,7 @@ export async function expectMcap(source: RecordingSource): Promise<void> {
   const isLongEnough = (await source.size()) >= MAGIC_BYTES;
   const start = isLongEnough ? await source.read(0n, MAGIC_BYTES) : new Uint8Array();
   if (!hasMcapPrefix(new DataView(start.buffer, start.byteOffset, start.byteLength))) {
-    throw new RecordingError('This is no MCAP file.');
+    throw new RecordingError('The file is not an MCAP file.');
   }
 }
 
