@@ -1,6 +1,7 @@
 import { isDataFormat } from '@ubii/proto';
-import { counted } from '@ubii/words';
+import { plural } from '@ubii/words';
 import { tracksOf, type RecordedTopic, type Track } from '../timeline/track.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { ExportFormat } from './export-messages.ts';
 
 /** Formats, and what people get. */
@@ -41,9 +42,10 @@ export function exportableTopics(
   topics: readonly RecordedTopic[],
   format: ExportFormat,
   durationMs: number,
+  clientNames?: ReadonlyMap<string, string>,
 ): readonly Track[] {
   const own = topics.filter((one) => one.format === '' || isDataFormat(one.format));
-  const tracks = tracksOf(own, durationMs);
+  const tracks = tracksOf(own, durationMs, clientNames);
   if (format !== 'video') return tracks;
   return tracks.filter((one) => one.format === 'image2D' || one.format === 'image2DList');
 }
@@ -52,7 +54,9 @@ export function exportableTopics(
 export const topicOption = ({ topic, label, formatText, records }: Track) => ({
   value: topic,
   text: label,
-  detail: [formatText, counted(records, 'record')].filter(Boolean).join(', '),
+  detail: [formatText, `${formatNumber(records)} ${plural(records, 'record')}`]
+    .filter(Boolean)
+    .join(', '),
 });
 
 /** Why a format is not available here, one sentence. */

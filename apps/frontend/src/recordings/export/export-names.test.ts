@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { exportableTopics, formatRefusal } from './export-choice.ts';
+import { exportableTopics, formatRefusal, topicOption } from './export-choice.ts';
 import { exportName, topicFileNames } from './export-names.ts';
 import { evenSize } from './video-format.ts';
 
@@ -30,6 +30,17 @@ describe('what is exported', () => {
       exportableTopics(topics, format, 1000).map((one) => one.topic);
     expect(names('csv')).toEqual(['/n', '/c']);
     expect(names('video')).toEqual(['/c']);
+  });
+
+  it('names clients and counts as the timeline does', () => {
+    const id = '2fb1c6a2-9d0f-4c8e-8a3b-0f6f3c2e9d11';
+    const stick = { ...topic(`/${id}/stick`, 'vector2'), records: 30_563 };
+    const names = new Map([[id, 'Mara']]);
+    const [track] = exportableTopics([stick], 'csv', 1000, names);
+    expect(topicOption(track!)).toMatchObject({
+      text: 'stick · Mara',
+      detail: 'vector2, 30\u00a0563 records',
+    });
   });
 
   it('says why a format is not available', () => {
