@@ -56,6 +56,12 @@ describe('the strip about replays', () => {
     expect(wrapper.text()).toContain('plays in a loop.');
   });
 
+  it('shows a replay into live topics before ghosts', async () => {
+    const ghost = aReplay({ id: 'g', isGhost: true });
+    const { wrapper } = await open('/', [ghost, aReplay()]);
+    expect(wrapper.text()).toContain('Ada plays recording “Study” into 2 live topics.');
+  });
+
   it('counts the others, and leads to all of them', async () => {
     const { wrapper } = await open('/', [aReplay(), aReplay({ id: 'r2' })]);
     expect(wrapper.text()).toContain('1 other replay.');
