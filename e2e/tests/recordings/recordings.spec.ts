@@ -41,10 +41,14 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
   const anna = new RecordingsPage(await room.atDesk('Anna'));
   await anna.open();
   await anna.record('Study');
-  for (const [index, value] of [0.25, 0.5, 0.75].entries()) {
+  const copied: number[] = [];
+  const copies = robot.subscribe('/lab/copied', { format: 'double' });
+  copies.onRecord(({ value }) => copied.push(value));
+  await copies.ready;
+  for (const value of [0.25, 0.5, 0.75]) {
     robot.publish('/lab/angle', 'double', value, { immediate: true });
-    // One record of the robot, and one of the module.
-    await anna.expectRecords(2 * (index + 1));
+    // The module runs at a rhythm: a value that does not stay for some rounds may be passed over.
+    await expect.poll(() => copied.filter((one) => one === value).length).toBeGreaterThan(5);
   }
   robot.publish('/lab/done', 'bool', true, { immediate: true });
   await anna.expectRecords(7);
