@@ -17,7 +17,6 @@ const RECORDING = {
     topics: [],
     markers: [],
     gaps: [],
-    clockErrorMs: undefined,
     isDamaged: false,
     records: 2,
     clientNames: new Map<string, string>(),

@@ -36,7 +36,6 @@ const A_RECORDING = {
     clientNames: new Map(),
     markers: [],
     gaps: [],
-    clockErrorMs: undefined,
     isDamaged: false,
     labels: [],
   },

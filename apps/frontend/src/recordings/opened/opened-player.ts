@@ -20,6 +20,8 @@ export interface OpenedPlayer {
   /** Why it cannot be read. */
   readonly failure: Readonly<ShallowRef<string | undefined>>;
   readonly survey: Readonly<ShallowRef<Survey | undefined>>;
+  /** The largest error of a clock in it, milliseconds; undefined until it is known, and when no clock was measured. */
+  readonly clockErrorMs: Readonly<ShallowRef<number | undefined>>;
   readonly player: Readonly<ShallowRef<PlayerState>>;
   /** Where the playhead is: where it was dragged to, as soon as it is dragged. */
   readonly timeMs: ComputedRef<number>;
@@ -67,6 +69,7 @@ export function createOpenedPlayer(
   const recording = shallowRef<OpenedRecording>();
   const failure = shallowRef<string>();
   const survey = shallowRef<Survey>();
+  const clockErrorMs = shallowRef<number>();
   const player = shallowRef(AT_START);
   const sessions = shallowRef<readonly PlayedSession[]>([]);
   const drawn = shallowRef(0);
@@ -97,6 +100,9 @@ export function createOpenedPlayer(
         survey.value = report.survey;
         tiles.setWhole(new Map(report.survey.tracks.map(({ topic, tile }) => [topic, tile])));
         return draw();
+      case 'clocks':
+        clockErrorMs.value = report.errorMs;
+        return;
       case 'tile':
         tiles.take(report.topic, report.level, report.index, report.tile);
         return draw();
@@ -124,7 +130,7 @@ export function createOpenedPlayer(
     Math.min(Math.max(0, timeMs), recording.value?.durationMs ?? 0);
 
   return {
-    ...{ recording, failure, survey, player, values, sessions, tiles, frames, drawn },
+    ...{ recording, failure, survey, clockErrorMs, player, values, sessions, tiles, frames, drawn },
     timeMs: computed(() => wishedMs.value ?? player.value.timeMs),
     reopen: () => port.send({ kind: 'reopen' }),
     togglePlay: () => port.send({ kind: player.value.status === 'playing' ? 'pause' : 'play' }),

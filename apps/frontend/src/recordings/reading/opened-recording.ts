@@ -1,5 +1,5 @@
 import { fromJson, type PersonalLabel } from '@ubii/proto';
-import type { RecordingEvent, RecordingSummary } from '@ubii/recording';
+import type { RecordingSummary } from '@ubii/recording';
 import type { OpenedRecording } from './recording-messages.ts';
 import { TimeBase } from './recording-time-base.ts';
 
@@ -13,12 +13,8 @@ function clientNamesOf({ topics, clients }: RecordingSummary): Map<string, strin
 }
 
 /** What the page shows of a file that was opened. */
-export function openedRecording(
-  summary: RecordingSummary,
-  clocks: readonly RecordingEvent<'clock'>[],
-): OpenedRecording {
+export function openedRecording(summary: RecordingSummary): OpenedRecording {
   const base = new TimeBase(summary.startNs);
-  const errors = clocks.map(({ value }) => value.errorMs);
   return {
     name: summary.name,
     notes: summary.notes,
@@ -42,7 +38,6 @@ export function openedRecording(
       fromMs: base.placed(fromMs),
       untilMs: base.placed(untilMs),
     })),
-    clockErrorMs: errors.length === 0 ? undefined : Math.max(...errors),
     isDamaged: summary.isDamaged,
     labels: labelsOf(summary),
   };

@@ -68,11 +68,11 @@ describe('the worker that reads a recording', () => {
     expect(last('opened').recording).toMatchObject({
       startMs: START_MS,
       durationMs: 2000,
-      clockErrorMs: 0.8,
       markers: [{ id: 'm', timeMs: 500, text: 'here', author: 'Jo' }],
       gaps: [{ fromMs: 700, untilMs: 800, records: 3 }],
       isDamaged: false,
     });
+    expect(last('clocks').errorMs).toBe(0.8);
   });
 
   it('surveys all of it', async () => {

@@ -53,16 +53,17 @@ export class RecordingDesk {
 
   /** Tells what the recording is and, bit by bit, what is in it. */
   async begin(turns: Turns): Promise<void> {
-    await this.#tellOpened();
+    this.#tellOpened();
     this.#sessions = await this.#reader.sessions();
     this.#tellState(this.#playback.state);
     await this.#playback.seek(this.#reader.summary.startNs);
     await readSurvey(this.#reader, turns, (survey) => this.#tell({ kind: 'survey', survey }));
+    await this.#tellClocks();
   }
 
   /** Goes on where another desk was with the same records. */
   async resume({ positionNs, rate, loop, status }: PlaybackState): Promise<void> {
-    await this.#tellOpened();
+    this.#tellOpened();
     this.#sessions = await this.#reader.sessions();
     this.#playback.setRate(rate);
     this.#playback.setLoop(loop);
@@ -112,9 +113,15 @@ export class RecordingDesk {
     }
   }
 
-  async #tellOpened(): Promise<void> {
+  #tellOpened(): void {
+    this.#tell({ kind: 'opened', recording: openedRecording(this.#reader.summary) });
+  }
+
+  /** Last, because clocks are in many small parts of a file. */
+  async #tellClocks(): Promise<void> {
     const clocks = await this.#reader.clocks();
-    this.#tell({ kind: 'opened', recording: openedRecording(this.#reader.summary, clocks) });
+    const errorMs = clocks.reduce((most, { value }) => Math.max(most, value.errorMs), -Infinity);
+    if (errorMs >= 0) this.#tell({ kind: 'clocks', errorMs });
   }
 
   #tellValues(records: ReadonlyMap<string, RecordedRecord>, isAll: boolean): void {

@@ -35,8 +35,6 @@ export interface OpenedRecording {
   readonly clientNames: ReadonlyMap<string, string>;
   readonly markers: readonly PlacedMarker[];
   readonly gaps: readonly PlacedGap[];
-  /** The largest error of a clock in it, milliseconds; undefined when no clock was measured. */
-  readonly clockErrorMs: number | undefined;
   readonly isDamaged: boolean;
   /** Labels of personal data when it was recorded. */
   readonly labels: readonly PersonalLabel[];
@@ -90,6 +88,8 @@ export type RecordingReport =
   | { readonly kind: 'opened'; readonly recording: OpenedRecording }
   | { readonly kind: 'failed'; readonly message: string }
   | { readonly kind: 'survey'; readonly survey: Survey }
+  /** The largest error of a clock in it, milliseconds. */
+  | { readonly kind: 'clocks'; readonly errorMs: number }
   | {
       readonly kind: 'tile';
       readonly topic: string;

@@ -39,7 +39,7 @@ export function fakePlayer() {
   );
   const facts = { name: 'Study', notes: '', masterName: '', startMs: 0, durationMs: 1000 };
   const lists = { topics: [], markers: [], gaps: [], labels: [] };
-  const parts = { ...lists, clientNames: new Map<string, string>(), clockErrorMs: undefined };
+  const parts = { ...lists, clientNames: new Map<string, string>() };
   tell({ kind: 'opened', recording: { ...facts, ...parts, records: 2, isDamaged: false } });
   return { player, sent, tell: (report: RecordingReport) => tell(report) };
 }
