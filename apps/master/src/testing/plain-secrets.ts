@@ -8,9 +8,13 @@ export class PlainSecrets implements AccessSecrets {
     return `token-${++PlainSecrets.#count}-`.padEnd(43, 'x');
   }
 
+  /** The last is the largest: as a code, it is in no id of a test. */
   numbers(count: number, below: number): readonly number[] {
     const number = ++PlainSecrets.#count;
-    return Array.from({ length: count }, (_, place) => Math.floor(number / below ** place) % below);
+    const digit = (place: number): number => Math.floor(number / below ** place) % below;
+    return Array.from({ length: count }, (_, place) =>
+      place === count - 1 ? below - 1 : digit(place),
+    );
   }
 
   fingerprint(secret: string): string {
