@@ -1,6 +1,4 @@
-import { ConnectionError } from '@ubii/client-web';
 import {
-  ServiceError,
   STUDY_STATUS_TOPIC,
   type Init,
   type Study,
@@ -22,6 +20,7 @@ import {
   type ShallowRef,
 } from 'vue';
 import { useTopic } from '../connection/live/useTopic.ts';
+import { useAttempt } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
 /** The studies of the master, and the requests about them. A failed request returns undefined and sets `problem`. */
@@ -63,24 +62,10 @@ export function provideStudies(): Studies {
   const { client, isConnected } = useConnection();
   const list = shallowRef<readonly Study[]>();
   const runs = shallowRef<readonly StudyRun[]>([]);
-  const problem = shallowRef<string>();
-  const isBusy = shallowRef(false);
+  const { problem, isBusy, attempt } = useAttempt();
   const { newest } = useTopic(STUDY_STATUS_TOPIC, { format: 'studyStatus' });
   const status = computed(() => newest.value?.value);
 
-  async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
-    problem.value = undefined;
-    isBusy.value = true;
-    try {
-      return await work();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      problem.value = cause.message;
-      return undefined;
-    } finally {
-      isBusy.value = false;
-    }
-  }
   async function refresh(): Promise<void> {
     const replies = await attempt(() =>
       Promise.all([client.call('studyList'), client.call('studyRunList', {})]),

@@ -1,7 +1,5 @@
-import { ConnectionError } from '@ubii/client-web';
 import {
   RECORDING_STATUS_TOPIC,
-  ServiceError,
   type FlightRecorder,
   type Init,
   type Recording,
@@ -21,6 +19,7 @@ import {
   type ShallowRef,
 } from 'vue';
 import { useTopic } from '../../connection/live/useTopic.ts';
+import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { uploadRecording } from './upload-recording.ts';
 
@@ -62,25 +61,11 @@ export function useRecordings(): Recordings {
 export function provideRecordings(): Recordings {
   const { client, isConnected } = useConnection();
   const list = shallowRef<RecordingList>();
-  const problem = shallowRef<string>();
-  const isBusy = shallowRef(false);
+  const { problem, isBusy, attempt } = useAttempt();
   const { newest } = useTopic(RECORDING_STATUS_TOPIC, { format: 'recordingStatus' });
   const status = computed(() => newest.value?.value);
   const all = computed(() => withRunning(list.value?.elements ?? [], status.value?.running ?? []));
 
-  async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
-    problem.value = undefined;
-    isBusy.value = true;
-    try {
-      return await work();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      problem.value = cause.message;
-      return undefined;
-    } finally {
-      isBusy.value = false;
-    }
-  }
   async function refresh(): Promise<void> {
     const next = await attempt(() => client.call('recordingList'));
     if (next) list.value = next;
