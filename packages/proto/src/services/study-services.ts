@@ -17,7 +17,7 @@ export const STUDY_SERVICES = {
     '/services/ubii/study_save',
     'study',
     'study',
-    'Creates a study, or replaces one that nobody else has changed since.',
+    'Creates a study, or replaces one that no other client has changed since.',
   ),
   studyDelete: withPayload(
     '/services/ubii/study_delete',

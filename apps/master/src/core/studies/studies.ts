@@ -123,6 +123,6 @@ function requireRevision({ revision }: Study, known: Study | undefined): void {
     'failed_precondition',
     known === undefined
       ? `The member revision is ${revision}, but a new study has 0.`
-      : `The study ${quote(known.name)} is at revision ${expected}, but revision ${revision} was changed: somebody else has changed it since. Get it, and make the change again.`,
+      : `The study ${quote(known.name)} is at revision ${expected}, but revision ${revision} was changed: another client has changed it since. Get it, and make the change again.`,
   );
 }
