@@ -1,4 +1,4 @@
-import { Worker } from 'node:worker_threads';
+import type { Worker } from 'node:worker_threads';
 import {
   ServiceError,
   type FlightRecorder,
@@ -22,6 +22,7 @@ import type {
   RecordToKeep,
   RunningJob,
 } from '../../core/ports/index.ts';
+import { openThread } from './open-thread.ts';
 import { encodeBatch } from './batch-codec.ts';
 import type {
   FromThread,
@@ -193,25 +194,15 @@ export class WorkerRecorder implements Recorder {
   #startThread(): Worker {
     const { workerFile, folder, limits } = this.#options;
     const workerData: RecorderThreadData = { folder, limits };
-    const worker = new Worker(workerFile, {
-      name: 'ubii recorder',
-      workerData,
-      env: {},
-      argv: [],
-      execArgv: [],
-      resourceLimits: { maxOldGenerationSizeMb: HEAP_MIB },
+    const worker: Worker = openThread<FromThread>({
+      ...{ workerFile, name: 'ubii recorder', workerData, heapMib: HEAP_MIB },
+      onMessage: (message) => {
+        if (this.#worker === worker) this.#handle(message);
+      },
+      onEnd: (reason) => {
+        if (this.#worker === worker) this.#fail(reason);
+      },
     });
-    const isCurrent = (): boolean => this.#worker === worker;
-    worker.on('message', (message: FromThread) => {
-      if (isCurrent()) this.#handle(message);
-    });
-    worker.on('error', (error) => {
-      if (isCurrent()) this.#fail(error.message);
-    });
-    worker.on('exit', () => {
-      if (isCurrent()) this.#fail('its thread ended');
-    });
-    worker.unref();
     return worker;
   }
 

@@ -1,4 +1,4 @@
-import { Worker } from 'node:worker_threads';
+import type { Worker } from 'node:worker_threads';
 import { ServiceError } from '@ubii/proto';
 import type { RecordedSession } from '@ubii/recording';
 import type { Clock } from '@ubii/timing';
@@ -13,6 +13,7 @@ import type {
   ReplayFiles,
   ReplayPlayer,
 } from '../../core/ports/index.ts';
+import { openThread } from './open-thread.ts';
 import type {
   FromReplayThread,
   ReplayThreadData,
@@ -121,21 +122,15 @@ export class WorkerReplayFiles implements ReplayFiles {
   #startThread(): Worker {
     const { workerFile, folder } = this.#options;
     const workerData: ReplayThreadData = { folder };
-    const worker = new Worker(workerFile, {
-      ...{ name: 'ubii replays', workerData, env: {}, argv: [], execArgv: [] },
-      resourceLimits: { maxOldGenerationSizeMb: HEAP_MIB },
+    const worker: Worker = openThread<FromReplayThread>({
+      ...{ workerFile, name: 'ubii replays', workerData, heapMib: HEAP_MIB },
+      onMessage: (message) => {
+        if (this.#worker === worker) this.#handle(message);
+      },
+      onEnd: (reason) => {
+        if (this.#worker === worker) this.#fail(reason);
+      },
     });
-    const isCurrent = (): boolean => this.#worker === worker;
-    worker.on('message', (message: FromReplayThread) => {
-      if (isCurrent()) this.#handle(message);
-    });
-    worker.on('error', (error) => {
-      if (isCurrent()) this.#fail(error.message);
-    });
-    worker.on('exit', () => {
-      if (isCurrent()) this.#fail('its thread ended');
-    });
-    worker.unref();
     return worker;
   }
 
