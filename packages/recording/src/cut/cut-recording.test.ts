@@ -1,7 +1,13 @@
 import { expect, test } from 'vitest';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
-import { MemoryFile, recorded, SAMPLE_START_NS, sampleRecord } from '../testing/index.ts';
+import {
+  MemoryFile,
+  readRecords,
+  recorded,
+  SAMPLE_START_NS,
+  sampleRecord,
+} from '../testing/index.ts';
 import { cutRecording, type CutOptions } from './cut-recording.ts';
 
 const at = (ms: number): bigint => SAMPLE_START_NS + BigInt(ms) * 1_000_000n;
@@ -51,16 +57,13 @@ async function cut(options: CutOptions) {
   const file = new MemoryFile();
   await cutRecording(reader, file, options);
   const result = await RecordingReader.open(file);
-  const records = [];
-  for await (const record of result.records()) records.push(record);
-  return { reader, result, records };
+  return { reader, result, records: await readRecords(result) };
 }
 
 test('a cut has the records of the span bit for bit, and values from before at its beginning', async () => {
   const span = { fromNs: at(400), untilNs: at(500) };
   const { reader, records } = await cut({ ...span, topics: ['/fast', '/slow'] });
-  const expected = [];
-  for await (const record of reader.records({ ...span, topics: ['/fast'] })) expected.push(record);
+  const expected = await readRecords(reader, { ...span, topics: ['/fast'] });
   expect(records.filter(({ logTimeNs }) => logTimeNs > at(400))).toEqual(expected.slice(1));
   const first = records.filter(({ logTimeNs }) => logTimeNs === at(400));
   expect(
@@ -89,9 +92,7 @@ test('a cut of everything holds what the recording holds, under another name', a
   const { reader, result, records } = await cut({ header: { name: 'Copy' } });
   const { topics: _, ...summary } = reader.summary;
   expect(result.summary).toMatchObject({ ...summary, name: 'Copy' });
-  const expected = [];
-  for await (const record of reader.records()) expected.push(record);
-  expect(records).toEqual(expected);
+  expect(records).toEqual(await readRecords(reader));
 });
 
 test('a cut that is cancelled ends with the reason', async () => {

@@ -4,6 +4,7 @@ import { expect, it } from 'vitest';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import { MemoryFile } from '../testing/memory-file.ts';
+import { readRecords } from '../testing/read-records.ts';
 import { SAMPLE_HEADER, SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
 import { FlightRing } from './flight-ring.ts';
@@ -14,12 +15,6 @@ async function keep(ring: FlightRing): Promise<RecordingReader> {
   await ring.writeTo(writer);
   await writer.end();
   return RecordingReader.open(file);
-}
-
-async function recordsOf(reader: RecordingReader): Promise<RecordedRecord[]> {
-  const records = [];
-  for await (const record of reader.records()) records.push(record);
-  return records;
 }
 
 const sized = (topic: string, atMs: number, bytes: number): RecordedRecord => ({
@@ -35,7 +30,7 @@ it('writes what it holds, bit for bit', async () => {
   );
   for (const record of records) ring.addRecord(record);
   expect(ring.content).toMatchObject({ heldMs: 2_990, records: 300, topics: 5 });
-  expect(await recordsOf(await keep(ring))).toEqual(records);
+  expect(await readRecords(await keep(ring))).toEqual(records);
 });
 
 it('stays below its bytes and its time, and loses the oldest of a size class first', () => {
@@ -57,7 +52,7 @@ it('stays below its bytes and its time, and loses the oldest of a size class fir
         return record;
       });
       const reader = await keep(ring);
-      const kept = await recordsOf(reader);
+      const kept = await readRecords(reader);
       for (const isLarge of [true, false]) {
         const ofClass = ({ record }: RecordedRecord) => record.length > 16_384 === isLarge;
         const last = kept.filter(ofClass).map(({ record }) => record.length);
@@ -124,7 +119,7 @@ it('forgets values of topics that were deleted within the window, once it has pa
   expect((await standing()).sort()).toEqual(['/again', '/gone']); // They stood when the window began.
   pass(3_500, 8_000);
   expect(await standing()).toEqual(['/again']);
-  const records = await recordsOf(await keep(ring));
+  const records = await readRecords(await keep(ring));
   expect(records.filter(({ record }) => record.length === 0)).toEqual([]);
 });
 

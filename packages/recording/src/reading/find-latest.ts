@@ -43,17 +43,18 @@ async function latestOf(
   const known = snapshot?.messages.get(channelId);
   const after = snapshot !== undefined && known !== undefined ? snapshot.offset : 0n;
   let best = known;
-  let isFromSnapshot = true;
+  let bestOffset = after;
   for (let i = last; i >= 0; i--) {
     if (best !== undefined && latestEnds[i]! < best.logTimeNs) break;
-    if (chunks[i]!.chunkStartOffset < after) continue;
+    const offset = chunks[i]!.chunkStartOffset;
+    if (offset < after) continue;
     const found = (await file.messagesOf(chunks[i]!)).latestAt(channelId, timeNs);
     if (found === undefined) continue;
-    // Of the same time, the one that was written later: chunks are looked at from the last to the first.
+    // Of the same time, the one that was written later.
     const isNewer = best === undefined || found.logTimeNs > best.logTimeNs;
-    if (isNewer || (isFromSnapshot && found.logTimeNs === best?.logTimeNs)) {
+    if (isNewer || (found.logTimeNs === best?.logTimeNs && offset > bestOffset)) {
       best = found;
-      isFromSnapshot = false;
+      bestOffset = offset;
     }
   }
   return best;

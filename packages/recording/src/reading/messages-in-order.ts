@@ -36,16 +36,27 @@ export async function* messagesInOrder(
   }
 }
 
-/** Chunks in the span: those of one group overlap in time, those of different groups do not. */
+/**
+ * Chunks in the span: those of one group overlap in time and are in the order of the file, which messages of the same
+ * time keep. Those of different groups do not overlap.
+ */
 function overlappingGroups(chunks: readonly ChunkIndex[], span: TimeSpan): ChunkIndex[][] {
   const groups: ChunkIndex[][] = [];
   let end = -1n;
   for (const chunk of chunks) {
     if (chunk.messageStartTime > span.untilNs || chunk.messageEndTime < span.fromNs) continue;
-    // Chunks that only touch stay apart: at the same time, the first of the file comes first.
-    if (groups.length > 0 && chunk.messageStartTime < end) groups.at(-1)!.push(chunk);
+    const group = groups.at(-1);
+    // Chunks that only touch stay apart when they are in the order of the file.
+    const touches =
+      chunk.messageStartTime === end && group?.some((other) => isBefore(chunk, other));
+    if (group !== undefined && (chunk.messageStartTime < end || touches)) group.push(chunk);
     else groups.push([chunk]);
     if (chunk.messageEndTime > end) end = chunk.messageEndTime;
   }
+  for (const group of groups) group.sort((a, b) => (isBefore(a, b) ? -1 : 1));
   return groups;
+}
+
+function isBefore(a: ChunkIndex, b: ChunkIndex): boolean {
+  return a.chunkStartOffset < b.chunkStartOffset;
 }

@@ -2,6 +2,7 @@ import { McapWriter } from '@mcap/core';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { MemoryFile } from '../testing/memory-file.ts';
+import { readRecords } from '../testing/read-records.ts';
 import { recorded } from '../testing/recorded.ts';
 import { SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
 import { RecordingReader } from './recording-reader.ts';
@@ -21,6 +22,22 @@ it('finds the last record of each topic at any moment', async () => {
         if (record.logTimeNs <= at(moment)) wanted.set(record.topic, record);
       }
       expect(await reader.latestAt(at(moment))).toEqual(wanted);
+    }),
+  );
+});
+
+it('keeps records of the same time in the order in which they were written, in chunks that came out of order', async () => {
+  const times = fc.array(fc.constantFrom(0, 1, 1_000, 1_001, 2_000), { maxLength: 12 });
+  await fc.assert(
+    fc.asyncProperty(times, async (moments) => {
+      const records = moments.map((ms, i) => sampleRecord('/a', ms, i));
+      const reader = await RecordingReader.open(await recorded(records));
+      const wanted = records.toSorted((a, b) => Number(a.logTimeNs - b.logTimeNs));
+      expect(await readRecords(reader)).toEqual(wanted);
+      for (const ms of moments) {
+        const last = wanted.findLast(({ logTimeNs }) => logTimeNs <= at(ms));
+        expect((await reader.latestAt(at(ms))).get('/a')).toEqual(last);
+      }
     }),
   );
 });
@@ -53,18 +70,17 @@ it('reads only the chunks of a topic', async () => {
   const file = await longRecording();
   const reader = await RecordingReader.open(file);
   file.readBytes = 0;
-  const records = [];
-  for await (const record of reader.records({ topics: ['/setting/3'] })) records.push(record);
-  expect(records).toEqual([sampleRecord('/setting/3', 120)]);
+  expect(await readRecords(reader, { topics: ['/setting/3'] })).toEqual([
+    sampleRecord('/setting/3', 120),
+  ]);
   expect(file.readBytes).toBeLessThan(2e6);
 });
 
 it('reads a span from its end to its start', async () => {
   const file = await recorded([0, 700, 1_400, 2_100, 2_800].map((ms) => sampleRecord('/a', ms)));
   const reader = await RecordingReader.open(file);
-  const times = [];
   const query = { fromNs: at(700), untilNs: at(2_100), isReverse: true };
-  for await (const { logTimeNs } of reader.records(query)) times.push(logTimeNs);
+  const times = (await readRecords(reader, query)).map(({ logTimeNs }) => logTimeNs);
   expect(times).toEqual([at(2_100), at(1_400), at(700)]);
 });
 

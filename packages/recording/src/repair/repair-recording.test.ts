@@ -5,6 +5,7 @@ import { RecordingReader } from '../reading/recording-reader.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import { MemoryFile } from '../testing/memory-file.ts';
+import { readRecords } from '../testing/read-records.ts';
 import { recorded } from '../testing/recorded.ts';
 import { SAMPLE_HEADER, SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
@@ -34,12 +35,6 @@ beforeAll(async () => {
   }
 });
 
-async function recordsOf(reader: RecordingReader): Promise<RecordedRecord[]> {
-  const records = [];
-  for await (const record of reader.records()) records.push(record);
-  return records;
-}
-
 it('keeps every record of whole chunks, wherever the file is cut', async () => {
   expect(chunks.length).toBeGreaterThan(8);
   const everyByte = fc.integer({ min: 8, max: whole.length - 1 });
@@ -58,7 +53,7 @@ it('keeps every record of whole chunks, wherever the file is cut', async () => {
       });
       const repaired = await RecordingReader.open(file);
       expect(repaired.summary.isDamaged).toBe(false);
-      expect(await recordsOf(repaired)).toEqual(RECORDS.slice(0, kept));
+      expect(await readRecords(repaired)).toEqual(RECORDS.slice(0, kept));
       expect(await repairRecording(file)).toBeUndefined();
     }),
     { numRuns: 150 },
@@ -109,7 +104,7 @@ it('adds, changes and removes markers of a complete file, and renames it', async
     ['a', 'begin'],
     ['c', 'end'],
   ]);
-  expect(await recordsOf(reader)).toEqual(RECORDS);
+  expect(await readRecords(reader)).toEqual(RECORDS);
 });
 
 it('leaves a file as it was when a change cannot be written', async () => {

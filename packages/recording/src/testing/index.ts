@@ -1,4 +1,5 @@
 export { MemoryFile } from './memory-file.ts';
+export { readRecords } from './read-records.ts';
 export { recorded } from './recorded.ts';
 export {
   recordOfEachFormat,

@@ -2,14 +2,9 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
+import { readRecords } from '../testing/read-records.ts';
 import { recorded } from '../testing/recorded.ts';
 import { recordOfEachFormat, SAMPLE_HEADER, SAMPLE_START_NS } from '../testing/sample-records.ts';
-
-async function readAll(reader: RecordingReader): Promise<RecordedRecord[]> {
-  const records = [];
-  for await (const record of reader.records()) records.push(record);
-  return records;
-}
 
 it('keeps records of every data format bit for bit', async () => {
   const byFormat = recordOfEachFormat();
@@ -21,7 +16,7 @@ it('keeps records of every data format bit for bit', async () => {
     publishTimeNs: SAMPLE_START_NS - BigInt(i),
   }));
   const reader = await RecordingReader.open(await recorded(records));
-  expect(await readAll(reader)).toEqual(records);
+  expect(await readRecords(reader)).toEqual(records);
   expect(reader.summary).toMatchObject({ ...SAMPLE_HEADER, isForeign: false, isDamaged: false });
   expect(reader.summary.topics.map(({ format }) => format)).toEqual([...byFormat.keys()]);
 });
@@ -48,7 +43,7 @@ it('gives records back by time, whatever they are and in whichever order they ca
     fc.asyncProperty(fc.array(anyRecord, { maxLength: 100 }), async (records) => {
       const reader = await RecordingReader.open(await recorded(records));
       const wanted = records.toSorted((a, b) => Number(a.logTimeNs - b.logTimeNs));
-      expect((await readAll(reader)).map(withText)).toEqual(wanted.map(withText));
+      expect((await readRecords(reader)).map(withText)).toEqual(wanted.map(withText));
       expect(reader.summary.records).toBe(records.length);
     }),
     { numRuns: 40 },
