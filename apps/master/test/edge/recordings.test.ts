@@ -13,7 +13,12 @@ import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'v
 import { DiskFolder, recordingPath } from '../../src/adapters/recording/disk-folder.ts';
 import { WorkerRecorder } from '../../src/adapters/recording/worker-recorder.ts';
 import { DEFAULT_LIMITS } from '../../src/index.ts';
-import { recorderSuite, recordsToKeep, runningJob } from '../../src/testing/acceptance/index.ts';
+import {
+  batchOf,
+  recorderSuite,
+  recordsToKeep,
+  runningJob,
+} from '../../src/testing/acceptance/index.ts';
 import { RecordingLog } from '../../src/testing/index.ts';
 import { startEdgeMaster, type EdgeMaster } from './edge-master.ts';
 
@@ -56,7 +61,7 @@ describe('WorkerRecorder', () => {
   it('[RC-19] goes on without recording when its thread cannot be had', async () => {
     const { recorder, log } = openWorker(temporaryFolder(), new URL('file:///not/there.mjs'));
     await expect(recorder.list()).rejects.toMatchObject({ code: 'unavailable' });
-    recorder.add(recordsToKeep('/x', 3));
+    recorder.add(batchOf(recordsToKeep('/x', 3)));
     expect(recorder.waitingBytes).toBe(0);
     expect(log.lines.filter(({ level }) => level === 'error')).toHaveLength(1);
     await recorder.close();
@@ -66,7 +71,7 @@ describe('WorkerRecorder', () => {
     const folder = temporaryFolder();
     const { recorder } = openWorker(folder);
     await recorder.start(runningJob('a'));
-    for (let i = 0; i < 50; i++) recorder.add(recordsToKeep(`/x/${i % 20}`, 100));
+    for (let i = 0; i < 50; i++) recorder.add(batchOf(recordsToKeep(`/x/${i % 20}`, 100)));
     expect(await recorder.stop('a')).toMatchObject({ recordCount: 5_000, topicCount: 20 });
     await vi.waitFor(() => expect(recorder.waitingBytes).toBe(0));
     await recorder.close();

@@ -4,7 +4,6 @@ import { SystemClock } from '@ubii/timing/system';
 
 import type { RecordSource } from '../../core/ports/index.ts';
 import { RecorderEngine } from '../../core/recorder/recorder-engine.ts';
-import { decodeBatch } from './batch-codec.ts';
 import { DiskFolder } from './disk-folder.ts';
 import type { FromThread, RecorderThreadData, ToThread } from './thread-messages.ts';
 
@@ -32,11 +31,13 @@ parentPort!.on('message', (message: ToThread) => {
   }
 });
 
-function takeBatch({ batch, sources: added, isFresh }: Extract<ToThread, { kind: 'batch' }>): void {
+function takeBatch({ batch, numbers, added, isFresh }: Extract<ToThread, { kind: 'batch' }>): void {
   if (isFresh) sources = [];
   sources.push(...added);
-  const bytes = batch.buffer.byteLength;
-  void recorder.take(decodeBatch(batch, sources)).then(() => send({ kind: 'taken', bytes }));
+  const ofBatch = numbers.map((number) => sources[number]!);
+  void recorder
+    .take({ ...batch, sources: ofBatch })
+    .then(() => send({ kind: 'taken', bytes: batch.byteLength }));
 }
 
 async function answer({ id, method, args }: Extract<ToThread, { kind: 'call' }>): Promise<void> {

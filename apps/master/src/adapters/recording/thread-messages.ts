@@ -1,9 +1,13 @@
 import type { ServiceErrorCode } from '@ubii/proto';
 import type { RecordingEvent } from '@ubii/recording';
 
-import type { Recorder, RecorderState, RecordSource } from '../../core/ports/index.ts';
+import type {
+  RecordingBatch,
+  Recorder,
+  RecorderState,
+  RecordSource,
+} from '../../core/ports/index.ts';
 import type { RecorderLimits } from '../../core/recorder/recorder-engine.ts';
-import type { EncodedBatch } from './batch-codec.ts';
 
 /** What the thread starts with. */
 export interface RecorderThreadData {
@@ -20,9 +24,11 @@ export type RecorderMethod = keyof RecorderCalls;
 export type ToThread =
   | {
       readonly kind: 'batch';
-      readonly batch: EncodedBatch;
-      /** Sources that are new, in the order of their numbers. */
-      readonly sources: readonly RecordSource[];
+      readonly batch: Omit<RecordingBatch, 'sources'>;
+      /** Its sources, by their numbers among all. */
+      readonly numbers: readonly number[];
+      /** Those that are new, in the order of their numbers. */
+      readonly added: readonly RecordSource[];
       /** True: earlier sources are forgotten, and numbers begin again. */
       readonly isFresh: boolean;
     }

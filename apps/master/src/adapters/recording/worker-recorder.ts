@@ -19,11 +19,10 @@ import type {
   RecordingJob,
   RecordingTexts,
   RecordSource,
-  RecordToKeep,
+  RecordingBatch,
   RunningJob,
 } from '../../core/ports/index.ts';
 import { openThread } from './open-thread.ts';
-import { encodeBatch } from './batch-codec.ts';
 import type {
   FromThread,
   RecorderCalls,
@@ -79,24 +78,17 @@ export class WorkerRecorder implements Recorder {
     return this.#waitingBytes;
   }
 
-  add(records: readonly RecordToKeep[]): void {
+  add({ sources, ...batch }: RecordingBatch): void {
     if (this.#isPaused) return;
     if (this.#numbers.size > MAX_SOURCES) {
       this.#numbers = new Map();
       this.#isFresh = true;
     }
-    const sources: RecordSource[] = [];
-    const batch = encodeBatch(records, (source) => {
-      let number = this.#numbers.get(source);
-      if (number === undefined) {
-        number = this.#numbers.size;
-        this.#numbers.set(source, number);
-        sources.push({ topic: source.topic, clientId: source.clientId });
-      }
-      return number;
-    });
-    this.#waitingBytes += batch.buffer.byteLength;
-    this.#send({ kind: 'batch', batch, sources, isFresh: this.#isFresh }, [batch.buffer]);
+    const added: RecordSource[] = [];
+    const numbers = sources.map((source) => this.#numberOf(source, added));
+    this.#waitingBytes += batch.byteLength;
+    const message: ToThread = { kind: 'batch', batch, numbers, added, isFresh: this.#isFresh };
+    this.#send(message, [batch.heads.buffer, batch.bytes.buffer]);
     this.#isFresh = false;
   }
 
@@ -180,6 +172,17 @@ export class WorkerRecorder implements Recorder {
       this.#calls.set(id, { resolve, reject });
       this.#send({ kind: 'call', id, method, args });
     }) as ReturnType<RecorderCalls[M]>;
+  }
+
+  /** The number that the thread knows a source by; new sources go into `added`. */
+  #numberOf(source: RecordSource, added: RecordSource[]): number {
+    let number = this.#numbers.get(source);
+    if (number === undefined) {
+      number = this.#numbers.size;
+      this.#numbers.set(source, number);
+      added.push({ topic: source.topic, clientId: source.clientId });
+    }
+    return number;
   }
 
   #send(message: ToThread, transfer: ArrayBuffer[] = []): void {

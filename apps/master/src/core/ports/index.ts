@@ -20,6 +20,7 @@ export type {
   RecordingJob,
   RecordingTexts,
   RecordSource,
+  RecordingBatch,
   RecordToKeep,
   RunningJob,
 } from './recorder.ts';

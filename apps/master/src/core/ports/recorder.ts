@@ -16,7 +16,7 @@ export interface RecordSource {
   readonly clientId: string;
 }
 
-/** A record on its way into recordings. */
+/** A record as it comes to the recorder. */
 export interface RecordToKeep {
   readonly source: RecordSource;
   /** Encoded `ubii.topicData.TopicDataRecord`; not modified any more. */
@@ -25,6 +25,21 @@ export interface RecordToKeep {
   readonly timeMs: number;
   /** Bits of what records it: `FLIGHT_TARGET`, and the targets of recordings. */
   readonly targets: number;
+}
+
+/** Records on their way into recordings, in two pieces of memory that the recorder takes over. */
+export interface RecordingBatch {
+  readonly count: number;
+  /** Bits of what records any of them. */
+  readonly targets: number;
+  /** Bytes of the records. */
+  readonly byteLength: number;
+  /** Each source once. */
+  readonly sources: readonly RecordSource[];
+  /** Four numbers for each record: place of its source, targets, bytes, time. There may be room for more. */
+  readonly heads: Float64Array<ArrayBuffer>;
+  /** The records one after another. There may be room for more. */
+  readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
 /** Target of the flight recorder. */
@@ -113,8 +128,8 @@ export interface MarkerJob {
 export interface Recorder {
   /** Bytes of records that were added and are not taken in yet. */
   readonly waitingBytes: number;
-  /** Records a batch. Never throws, and never waits; the bytes are copied at once. */
-  add(records: readonly RecordToKeep[]): void;
+  /** Records a batch, which nobody else uses any more. Never throws, and never waits. */
+  add(batch: RecordingBatch): void;
   /** Tells the flight recorder of topics that have no value any more, after the records before. Never throws. */
   endTopics(topics: readonly string[]): void;
   /** Records an event in these targets. Never throws. */

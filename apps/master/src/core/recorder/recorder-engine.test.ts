@@ -1,7 +1,12 @@
 import { RecordingState } from '@ubii/proto';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { recorderSuite, recordsToKeep, runningJob } from '../../testing/acceptance/index.ts';
+import {
+  batchOf,
+  recorderSuite,
+  recordsToKeep,
+  runningJob,
+} from '../../testing/acceptance/index.ts';
 import { MemoryFolder } from '../../testing/index.ts';
 import { readRecording } from '../../testing/read-recording.ts';
 import { RecorderEngine, type RecorderLimits } from './recorder-engine.ts';
@@ -42,7 +47,7 @@ describe('RecorderEngine', () => {
       runningJob('large', { target: 4, budget: { ...budget, maxBytes: 2_000 } }),
     );
     await recorder.start(runningJob('full', { target: 8, budget: { ...budget, minFreeBytes: 5 } }));
-    recorder.add(recordsToKeep('/x', 500, 4));
+    recorder.add(batchOf(recordsToKeep('/x', 500, 4)));
     folder.free = 4;
     await pass(clock, 2_000);
     const { recordings } = await recorder.list();
@@ -61,10 +66,10 @@ describe('RecorderEngine', () => {
     await recorder.start(runningJob('full'));
     folder.maxBytes = Infinity;
     await recorder.start(runningJob('other', { target: 4 }));
-    recorder.add(recordsToKeep('/first', 10, 2 | 4));
+    recorder.add(batchOf(recordsToKeep('/first', 10, 2 | 4)));
     await pass(clock, 500);
     for (let i = 0; i < 20; i++) {
-      recorder.add(recordsToKeep(`/lab/${i}/${'x'.repeat(i)}`, 100, 2 | 4));
+      recorder.add(batchOf(recordsToKeep(`/lab/${i}/${'x'.repeat(i)}`, 100, 2 | 4)));
       await pass(clock, 500);
     }
     const { recordings } = await recorder.list();
@@ -82,9 +87,9 @@ describe('RecorderEngine', () => {
   it('[RC-7] repairs what an earlier run left open, and says what is missing', async () => {
     const { recorder, folder, clock } = openEngine();
     await recorder.start(runningJob('cut'));
-    recorder.add(recordsToKeep('/x', 10));
+    recorder.add(batchOf(recordsToKeep('/x', 10)));
     await pass(clock, 500);
-    recorder.add(recordsToKeep('/lost', 10));
+    recorder.add(batchOf(recordsToKeep('/lost', 10)));
     const { recorder: next } = openEngine({ folder });
     const [cut] = (await next.list()).recordings;
     expect(cut).toMatchObject({ id: 'cut', recordCount: 10, topicCount: 1 });
@@ -105,13 +110,13 @@ describe('RecorderEngine', () => {
   it('[RC-18] deletes the oldest keepings of the flight recorder, and nothing else', async () => {
     const { recorder: first, folder } = openEngine();
     await first.start(runningJob('wanted'));
-    first.add(recordsToKeep('/x', 20));
+    first.add(batchOf(recordsToKeep('/x', 20)));
     const { sizeBytes: bytesOfOne } = await first.stop('wanted');
     const recordingsBytes = 4 * bytesOfOne;
     const { recorder, clock } = openEngine({ folder, limits: { ...LIMITS, recordingsBytes } });
     const flight = { isOn: true, minutes: 5, maxBytes: 1e6, withImages: true, present: [] };
     await recorder.setFlight(flight);
-    recorder.add(recordsToKeep('/x', 20, 1));
+    recorder.add(batchOf(recordsToKeep('/x', 20, 1)));
     for (const id of ['k1', 'k2', 'k3', 'k4', 'k5', 'k6']) {
       await recorder.keep(runningJob(id));
       await pass(clock, 500);
@@ -145,7 +150,7 @@ describe('RecorderEngine', () => {
     const flight = { isOn: true, minutes: 1, maxBytes: 1e6, withImages: true, present: [] };
     await recorder.setFlight(flight);
     const timeMs = clock.nowMs();
-    recorder.add(recordsToKeep('/x', 30, 1).map((record) => ({ ...record, timeMs })));
+    recorder.add(batchOf(recordsToKeep('/x', 30, 1).map((record) => ({ ...record, timeMs }))));
     const { recordsPerSecond } = await recorder.flight();
     expect(recordsPerSecond).toHaveLength(60);
     expect(recordsPerSecond.at(-1)).toBe(30);

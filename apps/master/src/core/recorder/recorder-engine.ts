@@ -17,12 +17,14 @@ import {
   type RecorderState,
   type RecordingJob,
   type RecordingTexts,
+  type RecordingBatch,
   type RecordToKeep,
   type RunningJob,
 } from '../ports/recorder.ts';
 import { factsOf, formatHeader } from './file-facts.ts';
 import { FileList } from './file-list.ts';
 import { FlightRecorder } from './flight-recorder.ts';
+import { recordsOf } from './recording-batch.ts';
 import { recordedOf } from './recorded-record.ts';
 import type { RecordingFolder } from './recording-folder.ts';
 import { notWritten, RunningRecordings } from './running-recordings.ts';
@@ -71,17 +73,17 @@ export class RecorderEngine implements Recorder {
     return this.#waitingBytes;
   }
 
-  add(records: readonly RecordToKeep[]): void {
-    void this.take(records);
+  add(batch: RecordingBatch): void {
+    void this.take(batch);
   }
 
   /** Like `add`; resolves when the records are taken in. */
-  take(records: readonly RecordToKeep[]): Promise<void> {
-    const bytes = records.reduce((sum, { record }) => sum + record.byteLength, 0);
+  take(batch: RecordingBatch): Promise<void> {
+    const bytes = batch.byteLength;
     this.#waitingBytes += bytes;
     this.#startTicks();
     return this.#inOrder(async () => {
-      for (const record of records) this.#addRecord(record);
+      for (const record of recordsOf(batch)) this.#addRecord(record);
       await this.#running.taken();
       this.#waitingBytes -= bytes;
     });

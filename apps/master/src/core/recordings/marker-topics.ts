@@ -2,13 +2,21 @@ import { decodeRecord, type RecordingMarker } from '@ubii/proto';
 import { TokenBucket } from '@ubii/timing';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { IdSource } from '../ports/id-source.ts';
-import type { TappedRecord } from '../topics/record-tap.ts';
 
 /** Topics that end so are of markers, such as `/study/recording/marker`. [RC-24] */
 export const MARKER_TOPIC_END = '/recording/marker';
 
 const MARKERS_PER_SECOND = 10;
 const MAX_TEXT = 500;
+
+/** A record on such a topic. */
+export interface Marking {
+  readonly record: Uint8Array;
+  /** Id of the client that published; empty for the master. */
+  readonly publisherId: string;
+  /** When it came, epoch milliseconds. */
+  readonly timeMs: number;
+}
 
 /** What they work with. */
 export interface MarkerContext {
@@ -27,7 +35,7 @@ export class MarkerTopics {
   }
 
   /** Returns the marker that a record is; undefined when it is none, or one too many. */
-  read({ record, publisherId, timeMs }: TappedRecord): RecordingMarker | undefined {
+  read({ record, publisherId, timeMs }: Marking): RecordingMarker | undefined {
     const { ids, clients, masterName } = this.#context;
     const { format, value } = decodeRecord(record);
     if (format !== 'string' || value.trim() === '') return undefined;

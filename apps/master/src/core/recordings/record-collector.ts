@@ -3,11 +3,12 @@ import type { RecordingEvent } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
 import type { Limits } from '../limits/index.ts';
-import { FLIGHT_TARGET, type Recorder, type RecordToKeep } from '../ports/recorder.ts';
-import type { RecordTap, TappedRecord } from '../topics/record-tap.ts';
+import { FLIGHT_TARGET, type RecordingBatch, type Recorder } from '../ports/recorder.ts';
+import { OpenBatch, recordsOf } from '../recorder/recording-batch.ts';
+import type { RecordTaker, RecordTap } from '../topics/record-tap.ts';
 import type { TappedSource, TopicEntry } from '../topics/topic-entry.ts';
 import { eventOf, gapEvent } from './present-facts.ts';
-import { MARKER_TOPIC_END } from './marker-topics.ts';
+import { MARKER_TOPIC_END, type Marking } from './marker-topics.ts';
 import { isImageField, isInternalTopic, type CompiledSelection } from './selection.ts';
 
 /** What a collector works with. */
@@ -28,12 +29,14 @@ interface Loss {
 const MAX_SOURCES = 100_000;
 /** Longest time that records wait, milliseconds. */
 const BATCH_MS = 50;
+/** Bytes of records from which on they are handed over before their time: what they keep in memory is bounded. */
+const MAX_WAITING_BYTES = 4 * 1024 * 1024;
 const SESSION_NEWS = '/info/session/';
 const CLIENT_NEWS = '/ubii/client/';
 const DEVICE_NEWS: ReadonlySet<string> = new Set([INFO_TOPICS.newDevice, INFO_TOPICS.deleteDevice]);
 
 /** Hands records to the recorder, some at a time, with what records them. [RC-50] */
-export class RecordCollector {
+export class RecordCollector implements RecordTaker {
   readonly #context: CollectorContext;
   readonly #selections = new Map<number, CompiledSelection>();
   #flight: 'off' | 'with images' | 'without images' = 'off';
@@ -45,18 +48,20 @@ export class RecordCollector {
   /** Called before the first record of the flight recorder: until then, no recorder is needed. */
   readonly onFirstOfFlight = new Hook<[]>();
   /** Called with each record whose text is a marker, [RC-24] */
-  readonly onMarker = new Hook<[marking: TappedRecord]>();
+  readonly onMarker = new Hook<[marking: Marking]>();
   #isFlightUsed = false;
   #cancel: Cancel | undefined = undefined;
+  readonly #batch = new OpenBatch();
+  /** What waits, in order, before the batch that is open. */
+  #waiting: (RecordingBatch | RecordingEvent)[] = [];
+  #waitingBytes = 0;
+  #markings: Marking[] = [];
+  #areSelectionsStale = false;
   /** Topics that lost their value before the records that wait. */
   #ended: string[] = [];
 
   constructor(context: CollectorContext) {
     this.#context = context;
-    context.tap.onWaiting.add((isFull) => {
-      if (isFull) return this.flush();
-      this.#startTimer();
-    });
   }
 
   /** Bits of all that records. */
@@ -83,39 +88,42 @@ export class RecordCollector {
     this.#change(() => (this.#flight = isOn ? images : 'off'));
   }
 
+  take(entry: TopicEntry, record: Uint8Array): void {
+    if (entry.isMasters) return this.#takeNews(entry, record);
+    const { publisherId, publishedMs } = entry;
+    const source = this.#sourceOf(entry, publisherId);
+    const targets = isImageField(entry.valueField) ? source.targetsOfImages : source.targets;
+    if (source.isOfMarkers) this.#markings.push({ record, publisherId, timeMs: publishedMs });
+    else if (targets === 0) return;
+    if (targets !== 0) this.#batch.add(source, record, publishedMs, targets);
+    this.#waitingBytes += record.byteLength;
+    if (this.#waitingBytes > MAX_WAITING_BYTES) this.flush();
+    else if (this.#cancel === undefined) this.#startTimer();
+  }
+
   /** Hands over what waits. */
   flush(): void {
     this.#cancel?.();
     this.#cancel = undefined;
     if (this.#ended.length > 0) this.#context.recorder.endTopics(this.#ended);
     this.#ended = [];
-    let batch: RecordToKeep[] = [];
-    const send = (): void => {
-      if (batch.length > 0) this.#send(batch);
-      batch = [];
-    };
-    for (const tapped of this.#context.tap.drain()) {
-      if (tapped.entry.isMasters) {
-        const event = this.#handleNews(tapped);
-        if (event === undefined || this.#isUnused) continue;
-        send();
-        this.#context.recorder.addEvent(event, this.targets);
-        continue;
-      }
-      const { entry, record, publisherId, valueField, timeMs } = tapped;
-      const source = this.#sourceOf(entry, publisherId);
-      const targets = isImageField(valueField) ? source.targetsOfImages : source.targets;
-      if ((targets & FLIGHT_TARGET) !== 0) this.#useFlight();
-      if (targets !== 0) batch.push({ source, record, timeMs, targets });
-      if (source.isOfMarkers) this.onMarker.emit(tapped);
+    this.#closeBatch();
+    const waiting = this.#waiting;
+    this.#waiting = [];
+    this.#waitingBytes = 0;
+    for (const each of waiting) {
+      if ('heads' in each) this.#send(each);
+      else if (!this.#isUnused) this.#context.recorder.addEvent(each, this.targets);
     }
-    send();
+    const markings = this.#markings;
+    this.#markings = [];
+    for (const marking of markings) this.onMarker.emit(marking);
   }
 
   /** A topic has no value any more. [RC-33] */
   handleEnd({ topic, isMasters }: TopicEntry): void {
     if (isMasters || this.#flight === 'off') return;
-    if (!this.#context.tap.isEmpty) this.flush(); // What waits came before.
+    if (this.#waitingBytes > 0) this.flush(); // What waits came before.
     if (!this.#isFlightUsed) return;
     this.#ended.push(topic);
     this.#startTimer();
@@ -124,7 +132,7 @@ export class RecordCollector {
   /** Ends the timer. */
   close(): void {
     this.flush();
-    this.#context.tap.isOn = false;
+    this.#context.tap.taker = undefined;
   }
 
   #startTimer(): void {
@@ -136,18 +144,27 @@ export class RecordCollector {
     this.flush();
     change();
     this.#forgetSources();
-    this.#context.tap.isOn = this.targets !== 0;
+    this.#context.tap.taker = this.targets === 0 ? undefined : this;
   }
 
   /** [RC-11] [RC-12] */
-  #handleNews({ entry: { topic }, record, timeMs }: TappedRecord): RecordingEvent | undefined {
+  #takeNews({ topic, publishedMs }: TopicEntry, record: Uint8Array): void {
     const isOfSession = topic.startsWith(SESSION_NEWS);
     const isOfClient = topic.startsWith(CLIENT_NEWS);
     if ((isOfSession || isOfClient || DEVICE_NEWS.has(topic)) && this.#selections.size > 0) {
-      for (const selection of this.#selections.values()) selection.refresh();
+      this.#areSelectionsStale = true;
       this.#forgetSources();
     }
-    return isOfSession || isOfClient ? eventOf(record, timeMs) : undefined;
+    const event = isOfSession || isOfClient ? eventOf(record, publishedMs) : undefined;
+    if (event === undefined) return;
+    this.#closeBatch();
+    this.#waiting.push(event);
+    this.#startTimer();
+  }
+
+  /** The records so far come before what follows. */
+  #closeBatch(): void {
+    if (this.#batch.count > 0) this.#waiting.push(this.#batch.take());
   }
 
   #useFlight(): void {
@@ -180,6 +197,8 @@ export class RecordCollector {
   }
 
   #find(topic: string, clientId: string): TappedSource {
+    if (this.#areSelectionsStale) for (const each of this.#selections.values()) each.refresh();
+    this.#areSelectionsStale = false;
     const flight = isInternalTopic(topic, clientId) ? 'off' : this.#flight;
     let targets = flight === 'off' ? 0 : FLIGHT_TARGET;
     let targetsOfImages = flight === 'with images' ? FLIGHT_TARGET : 0;
@@ -189,11 +208,15 @@ export class RecordCollector {
       if (!selection.withoutImages) targetsOfImages |= target;
     }
     const isOfMarkers = topic.endsWith(MARKER_TOPIC_END);
-    return { topic, clientId, targets, targetsOfImages, isOfMarkers, generation: this.#generation };
+    return {
+      ...{ topic, clientId, targets, targetsOfImages, isOfMarkers },
+      ...{ generation: this.#generation, batchNumber: -1, place: 0 },
+    };
   }
 
-  #send(batch: readonly RecordToKeep[]): void {
+  #send(batch: RecordingBatch): void {
     const { recorder, limits } = this.#context;
+    if ((batch.targets & FLIGHT_TARGET) !== 0) this.#useFlight();
     if (recorder.waitingBytes > limits.recorderQueueBytes) return this.#lose(batch);
     for (const [targets, { fromMs, untilMs, records }] of this.#losses) {
       recorder.addEvent(gapEvent(fromMs, untilMs, records), targets);
@@ -203,8 +226,8 @@ export class RecordCollector {
   }
 
   /** [RC-19] */
-  #lose(batch: readonly RecordToKeep[]): void {
-    for (const { targets, timeMs } of batch) {
+  #lose(batch: RecordingBatch): void {
+    for (const { targets, timeMs } of recordsOf(batch)) {
       const loss = this.#losses.get(targets);
       if (loss === undefined) {
         this.#losses.set(targets, { fromMs: timeMs, untilMs: timeMs, records: 1 });

@@ -206,7 +206,7 @@ function storeAndDeliver(context: PublishContext, publication: Publication): voi
   context.topics.store(entry, record, valueField, publication.nowMs);
   const { client } = publication;
   entry.publisherId = client?.id ?? '';
-  if (context.tap.isOn) context.tap.take(entry, record); // [RC-50]
+  context.tap.taker?.take(entry, record); // [RC-50]
   if (client !== undefined) {
     const { traffic } = client; // [EX-27]
     const receivers = direct.length + sampled.length;

@@ -29,6 +29,9 @@ export interface TappedSource extends RecordSource {
   readonly isOfMarkers: boolean;
   /** Selections have changed since then when it is not the current one. */
   readonly generation: number;
+  /** The batch that it was in last, and its place there. */
+  batchNumber: number;
+  place: number;
 }
 
 /** Everything the master knows of one topic. Plain fields: this is what the record path touches. */

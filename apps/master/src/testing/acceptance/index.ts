@@ -7,7 +7,13 @@ export {
 export { auditStoreSuite } from './audit-store-suite.ts';
 export { idSourceSuite } from './id-source-suite.ts';
 export { logSuite, type WrittenLine } from './log-suite.ts';
-export { recorderSuite, recordsToKeep, runningJob, type RecorderParts } from './recorder-suite.ts';
+export {
+  batchOf,
+  recorderSuite,
+  recordsToKeep,
+  runningJob,
+  type RecorderParts,
+} from './recorder-suite.ts';
 export { resourceUsageSuite } from './resource-usage-suite.ts';
 export { resumeTokensSuite } from './resume-tokens-suite.ts';
 export { documentStoreSuite, type StoreParts } from './document-store-suite.ts';

@@ -7,7 +7,14 @@ import {
 } from '@ubii/proto';
 import type { RecordingSource } from '@ubii/recording';
 import { describe, expect, it } from 'vitest';
-import type { Recorder, RecorderState, RecordToKeep, RunningJob } from '../../core/ports/index.ts';
+import type {
+  RecordingBatch,
+  Recorder,
+  RecorderState,
+  RecordToKeep,
+  RunningJob,
+} from '../../core/ports/index.ts';
+import { OpenBatch, type BatchedSource } from '../../core/recorder/recording-batch.ts';
 import { readRecording } from '../read-recording.ts';
 
 /** A recorder with its files. */
@@ -35,15 +42,27 @@ export function runningJob(id: string, more: Partial<RunningJob> = {}): RunningJ
   };
 }
 
+/** A record that can be put into batches. */
+type SampleRecord = RecordToKeep & { readonly source: BatchedSource };
+
 /** Records of one topic with the values 0, 1, 2 … */
-export function recordsToKeep(topic: string, count: number, targets = TARGET): RecordToKeep[] {
-  const source = { topic, clientId: 'ada-id' };
+export function recordsToKeep(topic: string, count: number, targets = TARGET): SampleRecord[] {
+  const source = { topic, clientId: 'ada-id', batchNumber: -1, place: 0 };
   return Array.from({ length: count }, (_, index) => ({
     source,
     record: encodeRecord({ topic, format: 'double', value: index }),
     timeMs: START_MS + index,
     targets,
   }));
+}
+
+/** A batch of records. */
+export function batchOf(records: readonly SampleRecord[]): RecordingBatch {
+  const batch = new OpenBatch();
+  for (const { source, record, timeMs, targets } of records) {
+    batch.add(source, record, timeMs, targets);
+  }
+  return batch.take();
 }
 
 function marker(id: string, more: Partial<RecordingMarker> = {}): RecordingMarker {
@@ -62,7 +81,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const started = await recorder.start(runningJob('a'));
       expect(started).toMatchObject({ id: 'a', name: 'Recording a', author: 'Ada' });
       expect(started.state).toBe(RecordingState.RECORDING_STATE_RECORDING);
-      recorder.add([...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]);
+      recorder.add(batchOf([...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]));
       const stopped = await recorder.stop('a');
       expect(stopped).toMatchObject({ recordCount: 4, topicCount: 2, lostCount: 0, problem: '' });
       expect(stopped.state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
@@ -84,12 +103,10 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const { recorder, file } = open();
       await recorder.start(runningJob('a'));
       await recorder.start(runningJob('b', { target: OTHER_TARGET }));
-      recorder.add([
-        ...recordsToKeep('/both', 1, TARGET | OTHER_TARGET),
-        ...recordsToKeep('/b', 1, OTHER_TARGET),
-      ]);
+      const both = recordsToKeep('/both', 1, TARGET | OTHER_TARGET);
+      recorder.add(batchOf([...both, ...recordsToKeep('/b', 1, OTHER_TARGET)]));
       await recorder.stop('a');
-      recorder.add(recordsToKeep('/late', 1, TARGET | OTHER_TARGET));
+      recorder.add(batchOf(recordsToKeep('/late', 1, TARGET | OTHER_TARGET)));
       await recorder.close();
       expect((await readRecording(await file('a'))).values).toEqual([['/both', 0]]);
       const { values } = await readRecording(await file('b'));
@@ -99,7 +116,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
     it('[RC-2] [RC-3] lists recordings, those of earlier runs as well', async () => {
       const { recorder, reopen } = open();
       await recorder.start(runningJob('a'));
-      recorder.add(recordsToKeep('/x', 2));
+      recorder.add(batchOf(recordsToKeep('/x', 2)));
       await recorder.close();
       const next = reopen();
       await next.start(runningJob('b'));
@@ -139,7 +156,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
     it('[RC-20] [RC-22] adds, changes and removes markers while it records and later', async () => {
       const { recorder } = open();
       await recorder.start(runningJob('a'));
-      recorder.add(recordsToKeep('/x', 1));
+      recorder.add(batchOf(recordsToKeep('/x', 1)));
       await recorder.mark({ marker: marker('m'), mayChangeAll: false });
       await recorder.mark({ marker: marker('n', { text: 'gone' }), mayChangeAll: false });
       await recorder.mark({ marker: marker('n', { isRemoved: true }), mayChangeAll: false });
@@ -177,7 +194,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const { recorder, file } = open();
       const settings = { isOn: true, minutes: 5, maxBytes: 1e6, withImages: true };
       await recorder.setFlight({ ...settings, present: [] });
-      recorder.add(recordsToKeep('/x', 3, 1));
+      recorder.add(batchOf(recordsToKeep('/x', 3, 1)));
       await recorder.mark({ marker: marker('m'), mayChangeAll: false });
       const kept = await recorder.keep(runningJob('k', { name: 'Kept' }));
       expect(kept).toMatchObject({ name: 'Kept', recordCount: 3, markerCount: 1 });
@@ -193,9 +210,9 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const { recorder, file } = open();
       const settings = { isOn: true, minutes: 5, maxBytes: 50_000, withImages: true };
       await recorder.setFlight({ ...settings, present: [] });
-      for (const topic of ['/ended', '/stays']) recorder.add(recordsToKeep(topic, 1, 1));
+      for (const topic of ['/ended', '/stays']) recorder.add(batchOf(recordsToKeep(topic, 1, 1)));
       recorder.endTopics(['/ended']);
-      recorder.add(recordsToKeep('/x', 3_000, 1));
+      recorder.add(batchOf(recordsToKeep('/x', 3_000, 1)));
       await recorder.keep(runningJob('k'));
       const { summary } = await readRecording(await file('k'));
       expect(summary.topics.map(({ topic }) => topic).sort()).toEqual(['/stays', '/x']);
