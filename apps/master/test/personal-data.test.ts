@@ -83,6 +83,18 @@ it('[PD-3] labels that cannot be read are logged, and can be set again', async (
   expect(await set(master, HEART)).toMatchObject([HEART]);
 });
 
+it('[PD-5] labels change neither what subscribers receive nor what is recorded', async () => {
+  const master = new TestMaster();
+  await set(master, { topicPattern: '/heart/**', treatment: PERSONAL_TREATMENT_DROP });
+  const [ada, ben] = [await master.legacy('ada'), await master.legacy('ben')];
+  await ben.subscribe({ subscribeTopics: ['/heart/rate'] });
+  const id = await start(master);
+  ada.publish('/heart/rate', 'double', 71);
+  await stop(master, id);
+  expect(ben.takeValues()).toEqual([['/heart/rate', 71]]);
+  expect((await contentOf(master, id)).values).toEqual([['/heart/rate', 71]]);
+});
+
 it('[PD-6] a recording has the labels of its start, and keeps them when it is renamed', async () => {
   const master = new TestMaster();
   await set(master, HEART);

@@ -9,7 +9,8 @@ import {
   type ServiceRequest,
 } from '@ubii/proto';
 import { RecordingReader } from '@ubii/recording';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { RecorderEngine } from '../src/core/recorder/recorder-engine.ts';
 import { LOCAL_CALLER } from '../src/index.ts';
 import { MemoryFolder, TestMaster, type TestClient } from '../src/testing/index.ts';
 import { readRecording } from '../src/testing/read-recording.ts';
@@ -34,6 +35,25 @@ describe('a recording', () => {
     expect(await record({})).toEqual(['/lab/page_state']);
     expect(await record({ patterns: ['/*/page_state'] })).toHaveLength(2);
     expect(await record({ clients: ['ada'] })).toHaveLength(3);
+  });
+
+  it('[RC-50] takes records in batches of 50 ms, and none while nothing is recorded', async () => {
+    const add = vi.spyOn(RecorderEngine.prototype, 'add');
+    onTestFinished(() => add.mockRestore());
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    ada.publish('/lab/x', 'double', 1);
+    await master.pass(100);
+    const id = await start(master);
+    for (const value of [2, 3, 4]) ada.publish('/lab/x', 'double', value);
+    await master.pass(49);
+    expect(add).not.toHaveBeenCalled();
+    await master.pass(1);
+    expect(add.mock.calls.map(([batch]) => batch.length)).toEqual([3]);
+    await stop(master, id);
+    ada.publish('/lab/x', 'double', 5);
+    await master.pass(100);
+    expect(add).toHaveBeenCalledOnce();
   });
 
   it('[RC-1] [RC-4] [RC-5] holds all that was published from its start to its stop', async () => {
