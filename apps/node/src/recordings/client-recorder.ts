@@ -26,6 +26,8 @@ export class ClientRecorder {
   readonly #writer: RecordingWriter;
   readonly #choice: RecorderChoice;
   readonly #knownClients = new Set<string>();
+  /** Publishers that were looked up: those that are no clients, such as the master's modules, are looked up once. */
+  readonly #lookedUp = new Set<string>();
   readonly #abort = new AbortController();
   #startNs: bigint | undefined;
   #lastNs = 0n;
@@ -77,7 +79,7 @@ export class ClientRecorder {
     if (this.#abort.signal.aborted || !this.#choice.isChosen(topic)) return;
     const { format, timestampMs } = describeRecord(bytes);
     if (!this.#choice.withImages && (format === 'image2D' || format === 'image2DList')) return;
-    if (publisherId !== '' && !this.#knownClients.has(publisherId)) void this.#writeClients();
+    this.#lookUp(publisherId);
     const logTimeNs = this.#nowNs();
     this.#startNs ??= logTimeNs;
     this.#lastNs = logTimeNs;
@@ -109,9 +111,18 @@ export class ClientRecorder {
     this.#abort.abort(error instanceof Error ? error : new Error(String(error)));
   }
 
+  /** Writes the name of a publisher that came later. A recording is complete without it, so a failed request is none of its errors. */
+  #lookUp(publisherId: string): void {
+    if (publisherId === '' || this.#knownClients.has(publisherId)) return;
+    if (this.#lookedUp.has(publisherId)) return;
+    this.#lookedUp.add(publisherId);
+    this.#writeClients().catch(() => undefined);
+  }
+
   /** Names of the clients, also of those that came meanwhile. */
   async #writeClients(): Promise<void> {
     const { elements } = await this.#client.call('clientGetList');
+    if (this.#abort.signal.aborted) return;
     for (const { id = '', name, tags } of elements) {
       if (this.#knownClients.has(id)) continue;
       this.#knownClients.add(id);
