@@ -11,7 +11,7 @@ export const REPLAY_HOW_TOS: readonly HowTo[] = [
       {
         kind: 'steps',
         steps: [
-          'Open a recording. Below the graph, change **This page only** to **Live topics**.',
+          'Open a recording. In the bar with the Play button, change **This page only** to **Live topics**.',
           'Choose **All topics** or **Some topics**, and what happens to live records of the same topics until you stop: **Mute** drops them, **Move** publishes them below another prefix, **Keep** publishes both.',
           'Choose **Play live**. Play, pause, speed, loop and the playhead of this page now control the replay. A jump publishes the last value of each topic at that moment.',
           'Choose **Play on this page only**, or **Stop** in the banner that each other page has. Live records flow again, and muted topics get their last live value back.',
@@ -39,7 +39,7 @@ export const REPLAY_HOW_TOS: readonly HowTo[] = [
         kind: 'steps',
         steps: [
           'Open a recording and drag on the ruler of the timeline to mark a span.',
-          'Open the menu of the span below the timeline’s graph and choose **Make a ghost**.',
+          'Open the menu of the span, beside the speeds, and choose **Make a ghost**.',
           'Enter **Copies**, at most 32, and a **Jitter**: the starts of the copies are spread over this time. Choose **Start**.',
           'Recordings lists the ghost under **Replays**. Choose **Stop** there to end it.',
         ],
