@@ -114,8 +114,9 @@ npm run import -- eeg.xdf`,
       },
       {
         kind: 'code',
-        label: 'Read a recording in Python: pip install mcap mcap-protobuf-support',
-        code: `from mcap.reader import make_reader
+        label: 'Read a recording in Python',
+        code: `# pip install mcap mcap-protobuf-support
+from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
 
 with open("tuesday.mcap", "rb") as file:
@@ -131,8 +132,9 @@ with open("tuesday.mcap", "rb") as file:
       },
       {
         kind: 'code',
-        label: 'Read an XDF export in Python: pip install pyxdf',
-        code: `import pyxdf
+        label: 'Read an XDF export in Python',
+        code: `# pip install pyxdf
+import pyxdf
 
 streams, header = pyxdf.load_xdf("tuesday.xdf")
 for stream in streams:

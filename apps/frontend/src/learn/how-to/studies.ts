@@ -23,7 +23,7 @@ export const STUDY_HOW_TOS: readonly HowTo[] = [
       { kind: 'link', text: 'Studies', to: '/studies' },
       {
         kind: 'text',
-        text: 'A block can be repeated or skipped in the list **Blocks**. When the master restarts during a run, **Continue** goes on with it. Notes during a block are markers of its recording.',
+        text: 'A block can be repeated or skipped in the list **Blocks**. When the master restarts during a run, **Continue** resumes it. Notes during a block are markers of its recording.',
       },
       {
         kind: 'text',
