@@ -98,6 +98,47 @@ describe('a recording', () => {
     expect(sessions[0]!.session).toContain('secret: 42');
   });
 
+  it('[RC-12] tells of devices with their components: those that are there, come, change and leave', async () => {
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    const register = (id: string, name: string) =>
+      ada.call({
+        topic: '/services/device/registration',
+        device: {
+          ...{ id, name, tags: ['phone'], clientId: ada.id },
+          components: [
+            { name: 'tilt', topic: '/tilt', messageFormat: 'vector3', tags: ['sensor'] },
+          ],
+        },
+      });
+    await register('early', 'first');
+    const id = await start(master);
+    await register('late', 'second');
+    await register('late', 'renamed');
+    await ada.call({
+      topic: '/services/device/deregistration',
+      device: { id: 'early', clientId: ada.id },
+    });
+    await stop(master, id);
+    const reader = await RecordingReader.open(await master.recordings.open(id));
+    const devices = (await reader.devices()).map(({ value }) => value);
+    expect(devices.map((device) => [device.id, device.name, device.state])).toEqual([
+      ['early', 'first', 'registered'],
+      ['late', 'second', 'registered'],
+      ['late', 'renamed', 'registered'],
+      ['early', 'first', 'deregistered'],
+    ]);
+    expect(devices[0]).toMatchObject({
+      ...{ clientId: ada.id, tags: ['phone'] },
+      components: [
+        {
+          ...{ name: 'tilt', topic: '/tilt', format: 'vector3', tags: ['sensor'] },
+          ...{ direction: 'publisher' },
+        },
+      ],
+    });
+  });
+
   it('[RC-10] [RC-13] holds what any member of its selection names, and nothing excluded', async () => {
     const master = new TestMaster();
     const ada = await master.legacy('ada');

@@ -7,6 +7,8 @@ export {
   type Gap,
   type Marker,
   type RecordedClient,
+  type RecordedComponent,
+  type RecordedDevice,
   type RecordedSession,
   type RecordingEvent,
 } from './records/recording-event.ts';
@@ -22,6 +24,7 @@ export {
   type RecordsQuery,
   type RecordsReader,
 } from './reading/recording-reader.ts';
+export { devicesInSpan } from './reading/devices-in-span.ts';
 export { changeRecording, type RecordingChange } from './repair/change-recording.ts';
 export { repairRecording, type Repair } from './repair/repair-recording.ts';
 export { FlightRing, type FlightRingContent, type FlightRingLimits } from './flight/flight-ring.ts';

@@ -6,7 +6,7 @@ interface HeldEvent {
   readonly bytes: number;
 }
 
-/** The events of the window, and the last states of sessions, clients and clocks before it. */
+/** The events of the window, and the last states of sessions, clients, devices and clocks before it. */
 export class HeldEvents {
   readonly #window: HeldEvent[] = [];
   readonly #before = new Map<string, HeldEvent>();
@@ -48,7 +48,8 @@ export class HeldEvents {
     if (key === undefined) this.#bytes -= held.bytes;
     else {
       this.#forget(key);
-      this.#before.set(key, held);
+      if (isOver(held.event)) this.#bytes -= held.bytes;
+      else this.#before.set(key, held);
     }
   }
 
@@ -56,4 +57,9 @@ export class HeldEvents {
     this.#bytes -= this.#before.get(key)?.bytes ?? 0;
     this.#before.delete(key);
   }
+}
+
+/** Whether nothing applies any more: devices come and go without end. */
+function isOver({ kind, value }: RecordingEvent): boolean {
+  return kind === 'device' && value.state === 'deregistered';
 }

@@ -30,6 +30,9 @@ export async function findPeople(reader: EventsReader): Promise<KnownPeople> {
     } else if (kind === 'marker') {
       ids.add(value.authorId);
       names.add(value.author);
+    } else if (kind === 'device') {
+      ids.add(value.clientId);
+      deviceNames.add(value.name);
     } else if (kind === 'clock') ids.add(value.clientId);
   }
   const telling = topics.filter(({ isRaw, format }) => !isRaw && NAMING.has(format));

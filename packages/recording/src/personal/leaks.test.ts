@@ -14,6 +14,7 @@ import { storedRecords } from '../mcap/stored-records.ts';
 import { unpackChunk } from '../mcap/unpack-chunk.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
+import { recordedDevice } from '../testing/recorded-device.ts';
 import { MemoryFile } from '../testing/memory-file.ts';
 import { SAMPLE_HEADER, SAMPLE_START_NS } from '../testing/sample-records.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
@@ -30,6 +31,7 @@ const UNKNOWN_ID = 'ffffffff-bbfd-4b2d-9b5d-ab8dfbbd4bed';
 const NAME = 'Ada Lovelace';
 const SECRETS = [
   ...[ID, UNKNOWN_ID, 'plain-id', NAME, 'Grace Hopper', 'Old Name', 'Adas Telefon', 'Erika Muster'],
+  'Graces Uhr',
   ...[
     'secret note',
     'secret title',
@@ -40,6 +42,7 @@ const SECRETS = [
   ],
   ...['secret description', 'secret metadata', 'secret unknown', '10.9.8.7'],
 ];
+const SECRET_TOPIC = '/secret topic/a';
 const CODE = '(input) => input.kept';
 
 const label = (topicPattern: string, fieldPath: string, treatment: PersonalTreatment) => ({
@@ -101,6 +104,17 @@ function events(): RecordingEvent[] {
     }),
     event('gap', { topic: `/${ID}/a`, fromMs: 1, untilMs: 2, records: 1, reason: `${NAME} left` }),
     event('gap', { topic: '/secret topic/a', fromMs: 1, untilMs: 2, records: 1, reason: '' }),
+    event(
+      'device',
+      recordedDevice(
+        'd',
+        ID,
+        [{ topic: `/${ID}/a`, name: `of ${NAME}` }, { topic: SECRET_TOPIC }],
+        {
+          ...{ name: 'Graces Uhr', tags: [NAME] },
+        },
+      ),
+    ),
     session(),
   ];
 }

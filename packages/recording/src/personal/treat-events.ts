@@ -1,5 +1,5 @@
 import { fromJson, messageDescriptor, toJson } from '@ubii/proto';
-import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecordedComponent, RecordingEvent } from '../records/recording-event.ts';
 import type { PersonalRules } from './personal-rules.ts';
 import { treatMessage, type Fields, type MessageTreatment } from './treat-message.ts';
 
@@ -30,6 +30,18 @@ export function treatEvent(
         state,
       };
       return { kind: 'client', timeNs, value };
+    }
+    case 'device': {
+      const { id, tags, state, components } = event.value;
+      const value = {
+        id: text(id),
+        clientId: clientId(event.value.clientId),
+        name: name(event.value.name, 'device'),
+        tags: tags.map(text),
+        state,
+        components: components.flatMap((component) => treatComponent(component, treatment)),
+      };
+      return { kind: 'device', timeNs, value };
     }
     case 'clock': {
       const { offsetMs, errorMs, driftPpm } = event.value;
@@ -75,6 +87,15 @@ export function treatEvent(
       return { kind: 'session', timeNs, value };
     }
   }
+}
+
+/** Empty when the topic of the component is dropped. */
+function treatComponent(component: RecordedComponent, treatment: EventTreatment) {
+  const { id, name, format, direction, tags } = component;
+  const { text } = treatment;
+  const topic = treatment.topic(component.topic);
+  if (topic === undefined) return [];
+  return [{ id: text(id), name: text(name), topic, format, direction, tags: tags.map(text) }];
 }
 
 /** The session as its schema knows it, with its code; `{}` when it cannot be read. */

@@ -140,6 +140,12 @@ export class RecordingReader implements EventsReader {
     return events.filter((event) => event.kind === 'clock');
   }
 
+  /** Returns all registrations of devices and their ends, in the order in which they happened. */
+  async devices(): Promise<RecordingEvent<'device'>[]> {
+    const events = await eventsOf(this.#file, this.#chunks, ['device']);
+    return events.filter((event) => event.kind === 'device');
+  }
+
   #idsOf(topics: readonly string[] | undefined): Set<number> {
     const { records } = this.#channels;
     if (topics === undefined) return new Set(records.keys());

@@ -44,6 +44,29 @@ export interface RecordedClient {
   readonly state: string;
 }
 
+/** A device from this moment on. */
+export interface RecordedDevice {
+  readonly id: string;
+  readonly clientId: string;
+  readonly name: string;
+  readonly tags: readonly string[];
+  /** `registered`, or `deregistered` from this moment on. */
+  readonly state: string;
+  readonly components: readonly RecordedComponent[];
+}
+
+/** A component of a device: what it publishes or takes. */
+export interface RecordedComponent {
+  readonly id: string;
+  readonly name: string;
+  readonly topic: string;
+  /** As the client spelled it, such as `vector2` or `ubii.dataStructure.Vector2`. */
+  readonly format: string;
+  /** `publisher` or `subscriber`. */
+  readonly direction: string;
+  readonly tags: readonly string[];
+}
+
 /** Records that are missing. */
 export interface Gap {
   /** @default all topics */
@@ -61,6 +84,7 @@ interface EventValues {
   clock: ClientClock;
   session: RecordedSession;
   client: RecordedClient;
+  device: RecordedDevice;
   gap: Gap;
 }
 
@@ -86,5 +110,6 @@ export const EVENT_TOPICS: Readonly<Record<EventKind, string>> = {
   clock: '/recording/clocks',
   session: '/recording/sessions',
   client: '/recording/clients',
+  device: '/recording/devices',
   gap: '/recording/gaps',
 };

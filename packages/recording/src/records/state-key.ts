@@ -5,6 +5,7 @@ export function stateKey({ kind, value }: RecordingEvent): string | undefined {
   switch (kind) {
     case 'session':
     case 'client':
+    case 'device':
       return `${kind} ${value.id}`;
     case 'clock':
       return `${kind} ${value.clientId}`;

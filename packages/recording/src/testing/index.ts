@@ -7,3 +7,4 @@ export {
   SAMPLE_START_NS,
   sampleRecord,
 } from './sample-records.ts';
+export { recordedDevice } from './recorded-device.ts';

@@ -1,5 +1,5 @@
 import type { ServiceErrorCode } from '@ubii/proto';
-import type { RecordedSession } from '@ubii/recording';
+import type { RecordedDevice, RecordedSession, Span } from '@ubii/recording';
 
 import type {
   PlayedBatch,
@@ -19,6 +19,7 @@ export interface ReplayThreadData {
 export interface ThreadCalls {
   open(file: number, recordingId: string): Promise<ReplayFacts>;
   session(file: number, id: string, timeNs: bigint): Promise<RecordedSession | undefined>;
+  devices(file: number, span: Span): Promise<readonly RecordedDevice[]>;
   play(file: number, player: number, part: PlayedPart): Promise<void>;
   do(player: number, command: PlayerCommand): Promise<void>;
   closePlayer(player: number): Promise<void>;

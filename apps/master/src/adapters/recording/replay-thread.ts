@@ -1,4 +1,4 @@
-import type { RecordedSession } from '@ubii/recording';
+import type { RecordedDevice, RecordedSession, Span } from '@ubii/recording';
 import { ServiceError } from '@ubii/proto';
 
 import type {
@@ -42,6 +42,10 @@ export class ReplayThread implements ThreadCalls {
 
   session(file: number, id: string, timeNs: bigint): Promise<RecordedSession | undefined> {
     return require(this.#open, file).session(id, timeNs);
+  }
+
+  devices(file: number, span: Span): Promise<readonly RecordedDevice[]> {
+    return require(this.#open, file).devices(span);
   }
 
   play(file: number, player: number, part: PlayedPart): Promise<void> {

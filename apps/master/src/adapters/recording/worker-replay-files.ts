@@ -78,6 +78,7 @@ export class WorkerReplayFiles implements ReplayFiles {
       facts,
       session: (id, timeNs): Promise<RecordedSession | undefined> =>
         this.#call('session', file, id, timeNs),
+      devices: (span) => this.#call('devices', file, span),
       play: (part, sink) => {
         const player = ++this.#lastNumber;
         players.add(player);

@@ -1,4 +1,4 @@
-import type { RecordedSession, RecordedTopic, Span } from '@ubii/recording';
+import type { RecordedDevice, RecordedSession, RecordedTopic, Span } from '@ubii/recording';
 
 /** A finished recording, as far as replays need to know it. */
 export interface ReplayFacts {
@@ -72,6 +72,8 @@ export interface ReplayFile {
   readonly facts: ReplayFacts;
   /** Returns a session as it was at a moment, or when it was first there. @param timeNs nanoseconds since the Unix epoch */
   session(id: string, timeNs: bigint): Promise<RecordedSession | undefined>;
+  /** Returns the devices that were registered at any time in a span, each version once; the first of them when there are too many. */
+  devices(span: Span): Promise<readonly RecordedDevice[]>;
   play(part: PlayedPart, sink: PlayerSink): ReplayPlayer;
   /** Closes its players and the file. */
   close(): Promise<void>;

@@ -1,15 +1,23 @@
 import {
   ClientState,
+  ComponentIOType,
   decodeRecord,
+  INFO_TOPICS,
   toJson,
   type Client as ClientMessage,
+  type Component,
+  type Device,
   type Session as SessionMessage,
 } from '@ubii/proto';
-import type { RecordingEvent } from '@ubii/recording';
+import type { RecordedComponent, RecordingEvent } from '@ubii/recording';
 import { nsOf } from '../recorder/nanoseconds.ts';
 import type { Client } from '../clients/client.ts';
 import type { Session } from '../sessions/session.ts';
 import { SESSION_LIVES } from '../sessions/session-states.ts';
+
+/** States of devices. */
+const REGISTERED = 'registered';
+const GONE = 'deregistered';
 
 const STATES: Readonly<Record<number, string>> = {
   [ClientState.ACTIVE]: 'active',
@@ -17,21 +25,30 @@ const STATES: Readonly<Record<number, string>> = {
   [ClientState.UNAVAILABLE]: 'unavailable',
 };
 
-/** What a record of the master tells of a client or a session; undefined for other records. [RC-12] */
-export function eventOf(record: Uint8Array, timeMs: number): RecordingEvent | undefined {
+/** What a record of the master tells of a client, a device or a session; undefined for other records. [RC-12] */
+export function eventOf(
+  topic: string,
+  record: Uint8Array,
+  timeMs: number,
+): RecordingEvent | undefined {
   const { format, value } = decodeRecord(record);
   if (format === 'client') return clientEvent(value, timeMs);
+  if (format === 'device') {
+    return deviceEvent(value, timeMs, topic === INFO_TOPICS.deleteDevice ? GONE : REGISTERED);
+  }
   return format === 'session' ? sessionEvent(value, timeMs) : undefined;
 }
 
-/** Clients and sessions as they are. */
+/** Clients, devices and sessions as they are. */
 export function presentEvents(
   clients: Iterable<Client>,
+  devices: readonly Device[],
   sessions: Iterable<Session>,
   timeMs: number,
 ): RecordingEvent[] {
   return [
     ...[...clients].map((client) => clientEvent(client.toMessage(), timeMs)),
+    ...devices.map((device) => deviceEvent(device, timeMs, REGISTERED)),
     ...[...sessions].map((session) => sessionEvent(session.toMessage(), timeMs)),
   ];
 }
@@ -57,6 +74,20 @@ function clientEvent(
 ): RecordingEvent {
   const value = { id, name, tags, state: STATES[state] ?? '' };
   return { kind: 'client', timeNs: nsOf(timeMs), value };
+}
+
+function deviceEvent(
+  { id, clientId, name, tags, components }: Device,
+  timeMs: number,
+  state: string,
+): RecordingEvent {
+  const value = { id, clientId, name, tags, state, components: components.map(recordedComponent) };
+  return { kind: 'device', timeNs: nsOf(timeMs), value };
+}
+
+function recordedComponent({ id, name, topic, messageFormat, ioType, tags }: Component) {
+  const direction = ioType === ComponentIOType.SUBSCRIBER ? 'subscriber' : 'publisher';
+  return { id, name, topic, format: messageFormat, direction, tags } satisfies RecordedComponent;
 }
 
 function sessionEvent(message: SessionMessage, timeMs: number): RecordingEvent {

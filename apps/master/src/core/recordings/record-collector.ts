@@ -151,11 +151,12 @@ export class RecordCollector implements RecordTaker {
   #takeNews({ topic, publishedMs }: TopicEntry, record: Uint8Array): void {
     const isOfSession = topic.startsWith(SESSION_NEWS);
     const isOfClient = topic.startsWith(CLIENT_NEWS);
-    if ((isOfSession || isOfClient || DEVICE_NEWS.has(topic)) && this.#selections.size > 0) {
+    if (!isOfSession && !isOfClient && !DEVICE_NEWS.has(topic)) return;
+    if (this.#selections.size > 0) {
       this.#areSelectionsStale = true;
       this.#forgetSources();
     }
-    const event = isOfSession || isOfClient ? eventOf(record, publishedMs) : undefined;
+    const event = eventOf(topic, record, publishedMs);
     if (event === undefined) return;
     this.#closeBatch();
     this.#waiting.push(event);

@@ -251,8 +251,8 @@ export class Recordings {
   }
 
   #present() {
-    const { clients, sessions, clock } = this.#context;
-    return presentEvents(clients.values(), sessions(), clock.nowMs());
+    const { clients, devices, sessions, clock } = this.#context;
+    return presentEvents(clients.values(), devices.list(), sessions(), clock.nowMs());
   }
 
   #jobOf({ name, ...wish }: RecordingWish): RecordingJob {

@@ -1,5 +1,11 @@
 import { ServiceError } from '@ubii/proto';
-import { RecordingReader, type RecordedSession } from '@ubii/recording';
+import {
+  devicesInSpan,
+  RecordingReader,
+  type RecordedDevice,
+  type RecordedSession,
+  type Span,
+} from '@ubii/recording';
 import type { Clock } from '@ubii/timing';
 import type {
   PlayedPart,
@@ -11,6 +17,9 @@ import type {
 } from '../ports/replay-files.ts';
 import type { OpenFile, RecordingFolder } from '../recorder/recording-folder.ts';
 import { RecordingPlayer } from './recording-player.ts';
+
+/** Devices of a span that replays are told of: as many as a master may have. */
+const MAX_DEVICES = 20_000;
 
 /** Where recordings are, and the time. */
 export interface FolderReplaysContext {
@@ -75,6 +84,10 @@ class FolderReplay implements ReplayFile {
       if (session !== undefined) return session;
     }
     return undefined;
+  }
+
+  async devices(span: Span): Promise<readonly RecordedDevice[]> {
+    return devicesInSpan(await this.#reader.devices(), span).slice(0, MAX_DEVICES);
   }
 
   play(part: PlayedPart, sink: PlayerSink): ReplayPlayer {

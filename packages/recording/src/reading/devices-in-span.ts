@@ -1,0 +1,57 @@
+import type {
+  RecordedComponent,
+  RecordedDevice,
+  RecordingEvent,
+} from '../records/recording-event.ts';
+
+/** A span of times, nanoseconds since the Unix epoch, both ends inclusive. */
+interface Span {
+  readonly fromNs: bigint;
+  readonly untilNs: bigint;
+}
+
+/**
+ * Finds the devices that were registered at any time in a span, in the order of their registration: a device that was registered
+ * again with other members has several versions. What is no device is left out.
+ *
+ * @param events in the order in which they were written
+ */
+export function devicesInSpan(
+  events: readonly RecordingEvent<'device'>[],
+  { fromNs, untilNs }: Span,
+): RecordedDevice[] {
+  const found = new Map<string, RecordedDevice>();
+  const known = new Map<string, RecordedDevice>();
+  for (const { timeNs, value } of events) {
+    if (!isDevice(value) || timeNs > untilNs) continue;
+    const before = known.get(value.id);
+    // The one before ends here, within the span.
+    if (before !== undefined && timeNs > fromNs) found.set(JSON.stringify(before), before);
+    if (value.state === 'registered') known.set(value.id, value);
+    else known.delete(value.id);
+  }
+  for (const device of known.values()) found.set(JSON.stringify(device), device);
+  return [...found.values()];
+}
+
+/** Files of other programs may hold anything. */
+function isDevice(value: Partial<RecordedDevice> | null): value is RecordedDevice {
+  if (value === null) return false;
+  const { id, clientId, name, tags, state, components } = value;
+  return (
+    [id, clientId, name, state].every(isText) &&
+    isTexts(tags) &&
+    Array.isArray(components) &&
+    components.every(isComponent)
+  );
+}
+
+function isComponent(value: Partial<RecordedComponent> | null): value is RecordedComponent {
+  if (value === null) return false;
+  const { id, name, topic, format, direction, tags } = value;
+  return [id, name, topic, format, direction].every(isText) && isTexts(tags);
+}
+
+const isText = (value: unknown): value is string => typeof value === 'string';
+const isTexts = (value: unknown): value is readonly string[] =>
+  Array.isArray(value) && value.every(isText);
