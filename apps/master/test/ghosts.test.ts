@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { at, heard, list, listener, masterWith, play, stop } from './replay-world.ts';
+import { ComponentIOType } from '@ubii/proto';
+import type { TestMaster } from '../src/testing/index.ts';
+import { at, deviceEvent, heard, list, listener, masterWith, play, stop } from './replay-world.ts';
 
 const RECORDED = [at('/ada/tilt', 0, 1), at('/room/light', 0, 2), at('/ada/tilt', 100, 3)];
 
@@ -74,4 +76,81 @@ describe('a ghost', () => {
     expect(ada.takeErrors()).toEqual([]);
     expect((await list(master)).length).toBe(2);
   });
+});
+
+/** A phone with what it publishes and what it takes, and a lamp whose topic is not recorded. */
+const PHONE = deviceEvent(
+  'phone',
+  'ada',
+  [
+    { topic: '/ada/tilt', name: 'tilt', format: 'double', tags: ['sensor', 'tilt'] },
+    { topic: '/room/light', name: 'light', tags: ['sensor'] },
+    { topic: '/ada/silent', name: 'silent' },
+    { topic: '/ada/vibrate', name: 'vibrate', direction: 'subscriber' },
+  ],
+  { name: 'smart-device', tags: ['phone'] },
+);
+const LEFT = deviceEvent('phone', 'ada', [], { state: 'deregistered' });
+const LAMP = deviceEvent('lamp', 'ada', [{ topic: '/ada/brightness' }]);
+
+async function devicesOf(master: TestMaster, clientId: string) {
+  const { deviceList } = await master.call({ topic: '/services/device/get_list' });
+  return deviceList!.elements.filter((device) => device.clientId === clientId);
+}
+
+describe('devices of a ghost', () => {
+  it('[RP-33] are the recorded ones, with components on topics of their own', async () => {
+    const master = await masterWith(RECORDED, {}, [PHONE, LAMP]);
+    const { id, clientIds } = await play(master, { isGhost: true, copies: 2 });
+    for (const [index, clientId] of clientIds.entries()) {
+      const devices = await devicesOf(master, clientId);
+      expect(devices.map(({ name, tags }) => [name, tags])).toEqual([['smart-device', ['phone']]]);
+      const [tilt, light, vibrate, ...others] = devices[0]!.components;
+      expect(tilt).toMatchObject({
+        ...{ name: 'tilt', topic: `/${clientId}/tilt`, messageFormat: 'double' },
+        ...{ tags: ['sensor', 'tilt'], ioType: ComponentIOType.PUBLISHER },
+      });
+      expect(light!.topic).toBe(`/ghost-${index + 1}/room/light`);
+      expect(vibrate).toMatchObject({
+        ...{ topic: `/${clientId}/vibrate`, ioType: ComponentIOType.SUBSCRIBER },
+      });
+      expect(others).toEqual([]);
+    }
+    await stop(master, id);
+    const { deviceList } = await master.call({ topic: '/services/device/get_list' });
+    expect(deviceList!.elements).toEqual([]);
+  });
+
+  it('[RP-33] are seen by what selects components', async () => {
+    const master = await masterWith(RECORDED, {}, [PHONE]);
+    const ada = await master.extension('ada');
+    await ada.subscribe({ subscribeComponents: [{ tags: ['tilt'] }] });
+    const { clientIds } = await play(master, { isGhost: true, copies: 2, isPaused: true });
+    expect(ada.takeValues()).toEqual(clientIds.map((id) => [`/${id}/tilt`, 1]));
+  });
+
+  it.each([
+    ['whose topics are not played', [LAMP]],
+    ['that had left', [PHONE, LEFT]],
+  ])('[RP-33] have none %s', async (_, events) => {
+    const master = await masterWith(RECORDED, {}, events);
+    const { clientIds } = await play(master, { isGhost: true });
+    expect(await devicesOf(master, clientIds[0]!)).toEqual([]);
+  });
+
+  it.each<[string, object, string]>([
+    ['devices', { devices: 1 }, 'devices'],
+    ['components', { componentsPerDevice: 1 }, 'componentsPerDevice'],
+    ['long texts', { topicBytes: 20 }, 'topicBytes'],
+  ])(
+    '[RP-33] are refused when there is no room for %s, and nothing is left',
+    async (_, limits, name) => {
+      const master = await masterWith(RECORDED, { limits }, [PHONE]);
+      const started = play(master, { isGhost: true, copies: 2 });
+      await expect(started).rejects.toThrow(name);
+      expect(await list(master)).toEqual([]);
+      const { clientList } = await master.call({ topic: '/services/client/get_list' });
+      expect(clientList!.elements).toEqual([]);
+    },
+  );
 });

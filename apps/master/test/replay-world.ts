@@ -1,13 +1,17 @@
 import {
+  decode,
+  encode,
   encodeRecord,
   isMasterTopic,
+  toJson,
   type Init,
   type Replay,
   type ReplayChangeRequest,
   type ReplayStartRequest,
+  type Session,
 } from '@ubii/proto';
 import type { RecordedRecord, RecordingEvent } from '@ubii/recording';
-import { recorded, SAMPLE_START_NS } from '@ubii/recording/testing';
+import { recorded, recordedDevice, SAMPLE_START_NS } from '@ubii/recording/testing';
 import { MemoryFolder, MemoryRecording } from '../src/testing/memory-folder.ts';
 import { TestMaster, type TestClient, type TestMasterOptions } from '../src/testing/index.ts';
 
@@ -30,6 +34,22 @@ export const RECORDS: readonly RecordedRecord[] = [
   ...Array.from({ length: 10 }, (_, index) => at('/a', 100 * (index + 1))),
 ];
 
+/** The registration of a device when the recording began. */
+export function deviceEvent(...device: Parameters<typeof recordedDevice>): RecordingEvent {
+  return { kind: 'device', timeNs: SAMPLE_START_NS, value: recordedDevice(...device) };
+}
+
+/** Id of the recorded session. */
+export const SESSION_ID = 'recorded-session';
+
+/** A session that ran when the recording began. */
+export function sessionEvent(session: Init<Session>): RecordingEvent {
+  const message = decode('ubii.sessions.Session', encode('ubii.sessions.Session', session));
+  const value = { id: SESSION_ID, name: message.name, state: 'running' };
+  const json = JSON.stringify(toJson('ubii.sessions.Session', message));
+  return { kind: 'session', timeNs: SAMPLE_START_NS, value: { ...value, session: json } };
+}
+
 /** A folder with one recording. */
 export async function folderWith(
   records: readonly RecordedRecord[] = RECORDS,
@@ -45,8 +65,9 @@ export async function folderWith(
 export async function masterWith(
   records?: readonly RecordedRecord[],
   options: TestMasterOptions = {},
+  events?: readonly RecordingEvent[],
 ): Promise<TestMaster> {
-  return new TestMaster({ recordings: await folderWith(records), ...options });
+  return new TestMaster({ recordings: await folderWith(records, events), ...options });
 }
 
 /** Starts a replay. @throws Error with code and message when the master refuses */

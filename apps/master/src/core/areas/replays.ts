@@ -14,7 +14,8 @@ export type ReplayArea = ReturnType<typeof createReplays>;
 export type ReplayDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'patterns' | 'replayFiles'> &
   Pick<Foundation, 'limits' | 'limitWatch' | 'counters' | 'onClose'> &
   Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'tap' | 'replayed' | 'publisher'> &
-  Pick<ClientArea, 'clients' | 'info'> &
+  Pick<TopicArea, 'subscriptions' | 'recordedSources'> &
+  Pick<ClientArea, 'clients' | 'devices' | 'info'> &
   Pick<LibraryArea, 'modules'> &
   Pick<SessionArea, 'sessions'> &
   Pick<AccessArea, 'sockets'> &

@@ -1,16 +1,21 @@
-import { decode, encode } from '@ubii/proto';
+import { decode, encode, type Device } from '@ubii/proto';
 import type { ClientAccess } from '../access/caller.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { Client } from '../clients/client.ts';
 import type { SocketAdmission } from '../clients/socket-admission.ts';
+import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
+import { boundTexts } from '../texts/bound-texts.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 
 /** What a client of a replay works with. */
 export interface ReplayClientContext {
   readonly clients: ClientRegistry;
+  readonly devices: DeviceRegistry;
+  readonly limitWatch: LimitWatch;
   readonly sockets: SocketAdmission;
   readonly info: InfoTopics;
   readonly topics: TopicTable;
@@ -55,6 +60,13 @@ export class ReplayClient {
     return this.client.id;
   }
 
+  /** Registers devices, which end with the client. @throws ServiceError when there is no room for them */
+  register(devices: readonly Device[]): void {
+    const { devices: registry, info, limitWatch } = this.#context;
+    for (const device of devices) registry.register(this.client, boundDevice(device, limitWatch));
+    if (devices.length > 0) info.announceClient(this.client); // [CL-31]
+  }
+
   /** Publishes a frame of records. */
   publish(frame: Uint8Array): void {
     this.#handle.handleReadStart();
@@ -85,4 +97,16 @@ export class ReplayClient {
       },
     };
   }
+}
+
+/** The device as a request could hold it: files may be of other masters, or of nobody. */
+function boundDevice(device: Device, watch: LimitWatch): Device {
+  const type = 'ubii.services.ServiceRequest';
+  const request = decode(type, encode(type, { device }));
+  const bounded = boundTexts(type, request, {
+    limits: watch.limits,
+    refuse: ({ limit, length }) =>
+      watch.refusal(limit, `a text of length ${length} of a recorded device`),
+  });
+  return bounded.device!;
 }

@@ -6,7 +6,7 @@ import {
   type ReplayChangeRequest,
   type ReplayStartRequest,
 } from '@ubii/proto';
-import type { RecordedTopic } from '@ubii/recording';
+import type { RecordedDevice, RecordedTopic } from '@ubii/recording';
 import { TokenBucket, type Cancel } from '@ubii/timing';
 import type { ClientAccess } from '../access/caller.ts';
 import type { Limits } from '../limits/index.ts';
@@ -17,9 +17,10 @@ import type {
   ReplayFile,
   ReplayPlayer,
 } from '../ports/replay-files.ts';
-import { oneLine } from '../texts/one-line.ts';
+import { ghostDevices } from './ghost-devices.ts';
 import { LiveMuting, type MutingContext } from './live-muting.ts';
 import { ghostTopics, renamedTopics, type PlayedTopics } from './played-topics.ts';
+import { replayName } from './replay-name.ts';
 import { ReplayClient, type ReplayClientContext } from './replay-client.ts';
 import type { Rerun } from './rerun.ts';
 import { momentOf, msBetween, rateOf, spanOf, type ReplayWish } from './replay-wish.ts';
@@ -38,6 +39,8 @@ export interface ReplayParts {
   readonly recording: Recording;
   /** Topics that are played, as recorded. */
   readonly recorded: readonly RecordedTopic[];
+  /** Devices of the span, for a ghost; none for other replays. */
+  readonly devices: readonly RecordedDevice[];
   readonly author: string;
   readonly makerId: string;
   readonly access: ClientAccess;
@@ -191,12 +194,13 @@ export class Replay {
     const { request, wish, access, onEnd } = this.parts;
     const client = new ReplayClient(this.#context, {
       access,
-      name: this.#nameOf(copy),
+      name: replayName(this.parts, copy, this.#context.limits.nameCharacters),
       onError: (message) => (this.#refusal = message),
       onClosed: onEnd,
     });
     try {
       const topics = this.#topicsOf(client.id, copy);
+      client.register(ghostDevices(this.parts.devices, topics, client.id));
       const part = {
         topics: [...topics],
         clientId: request.isGhost ? client.id : undefined,
@@ -223,14 +227,6 @@ export class Replay {
     const renames =
       rerun === undefined ? request.renames : [{ fromPrefix: '', toPrefix: rerun.inputPrefix }];
     return renamedTopics(recorded, renames, this.#context.limits.topicBytes);
-  }
-
-  #nameOf(copy: number): string {
-    const { request, recording, wish } = this.parts;
-    const kind = request.isGhost ? 'Ghost' : 'Replay';
-    const name = request.name === '' ? `${kind} of ${publicName(recording)}` : request.name;
-    const numbered = wish.copies === 1 ? name : `${copy + 1}: ${name}`;
-    return oneLine(numbered, this.#context.limits.nameCharacters);
   }
 
   /** Publishes a batch when all before it are, and as soon as the rate allows. [RP-14] */
@@ -289,9 +285,4 @@ export class Replay {
     if (status === 'playing') return ReplayState.REPLAY_STATE_PLAYING;
     return status === 'ended' ? ReplayState.REPLAY_STATE_ENDED : ReplayState.REPLAY_STATE_PAUSED;
   }
-}
-
-/** The name without the participant of a study: names of clients are recorded and logged. [ST-52] */
-function publicName({ name, study }: Recording): string {
-  return study === undefined ? name : `${study.studyName}, block ${study.block}`;
 }

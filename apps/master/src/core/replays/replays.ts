@@ -120,7 +120,8 @@ export class Replays {
       const id = ids.uuid();
       const wish = wishOf(request, file.facts, limitWatch);
       const chosen = chosenTopics(file.facts.topics, request);
-      const facts = { id, request, wish, file, recording, ...author };
+      const devices = request.isGhost ? await file.devices(wish.span) : [];
+      const facts = { id, request, wish, file, recording, devices, ...author };
       if (request.sessionId === '') return this.#create({ ...facts, recorded: chosen });
       const rerun = await this.#rerunOf(facts);
       const recorded = chosen.filter(({ topic }) => rerun.readsTopic(topic));
@@ -135,7 +136,7 @@ export class Replays {
   #rerunOf({ id, request, wish, file, recording, author, makerId }: Facts): Promise<Rerun> {
     const { sessionId } = request;
     const what = { replayId: id, sessionId, recording, author, makerId };
-    return Rerun.prepare(this.#context, what, file, wish.span.fromNs);
+    return Rerun.prepare(this.#context, what, file, wish.span);
   }
 
   #create(facts: Omit<ReplayParts, 'numbers' | 'onChange' | 'onEnd'>): Replay {

@@ -1,0 +1,26 @@
+import type { Recording, ReplayStartRequest } from '@ubii/proto';
+import { oneLine } from '../texts/one-line.ts';
+import type { ReplayWish } from './replay-wish.ts';
+
+/** What a replay is named by. */
+interface NamedReplay {
+  readonly request: Pick<ReplayStartRequest, 'isGhost' | 'name'>;
+  readonly recording: Recording;
+  readonly wish: Pick<ReplayWish, 'copies'>;
+}
+
+/** Returns the name of the client of one copy. [RP-1] [RP-30] */
+export function replayName(
+  { request, recording, wish }: NamedReplay,
+  copy: number,
+  maxCharacters: number,
+): string {
+  const kind = request.isGhost ? 'Ghost' : 'Replay';
+  const name = request.name === '' ? `${kind} of ${publicName(recording)}` : request.name;
+  return oneLine(wish.copies === 1 ? name : `${copy + 1}: ${name}`, maxCharacters);
+}
+
+/** The name without the participant of a study: names of clients are recorded and logged. [ST-52] */
+function publicName({ name, study }: Recording): string {
+  return study === undefined ? name : `${study.studyName}, block ${study.block}`;
+}
