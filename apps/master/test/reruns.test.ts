@@ -2,23 +2,17 @@ import {
   RecordingKind,
   RecordingState,
   ReplayState,
-  toJson,
-  decode,
-  encode,
   type Init,
   type ProcessingModule,
   type Session,
 } from '@ubii/proto';
-import type { RecordingEvent } from '@ubii/recording';
-import { SAMPLE_START_NS } from '@ubii/recording/testing';
 import { describe, expect, it } from 'vitest';
 import { TestMaster } from '../src/testing/index.ts';
 import { contentOf, SERVICES, start, stop as stopRecording } from './recording-world.ts';
-import { at, folderWith, list, play, stop } from './replay-world.ts';
+import { at, folderWith, list, play, SESSION_ID, sessionEvent, stop } from './replay-world.ts';
 import { doubler, doubling, TOPICS } from './sessions/session-world.ts';
 
 const RECORDED = [at('/in', 0, 1), at('/out', 5, 2), at('/in', 100, 5), at('/out', 105, 10)];
-const SESSION_ID = 'recorded-session';
 
 const times = (factor: number): Init<ProcessingModule> => ({
   ...doubler,
@@ -46,13 +40,6 @@ const CHAIN: Init<Session> = {
     },
   ],
 };
-
-function sessionEvent(session: Init<Session>): RecordingEvent {
-  const message = decode('ubii.sessions.Session', encode('ubii.sessions.Session', session));
-  const value = { id: SESSION_ID, name: message.name, state: 'running' };
-  const json = JSON.stringify(toJson('ubii.sessions.Session', message));
-  return { kind: 'session', timeNs: SAMPLE_START_NS, value: { ...value, session: json } };
-}
 
 async function masterWithSession(session: Init<Session>, library: Init<ProcessingModule>[] = []) {
   const master = new TestMaster({

@@ -15,6 +15,7 @@ export type NodeArea = ReturnType<typeof createNodes>;
 export type NodeDependencies = Pick<MasterPorts, 'clock' | 'patterns' | 'sandboxes' | 'assets'> &
   Pick<Foundation, 'id' | 'settings' | 'limits' | 'limitWatch' | 'counters'> &
   Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'tap' | 'replayed' | 'subscriptions'> &
+  Pick<TopicArea, 'recordedSources'> &
   Pick<ClientArea, 'clients' | 'devices'> &
   Pick<LibraryArea, 'modules'>;
 

@@ -5,6 +5,7 @@ import { ExpiringValues } from '../topics/expiring-values.ts';
 import { KeptValues } from '../topics/kept-values.ts';
 import { PatternTable } from '../topics/pattern-table.ts';
 import { RecordTap } from '../topics/record-tap.ts';
+import { RecordedSources } from '../topics/recorded-sources.ts';
 import { ReplayedTopics } from '../topics/replayed-topics.ts';
 import { SelectionTable } from '../topics/selection-table.ts';
 import { subscriberFactory } from '../topics/subscriber-factory.ts';
@@ -60,6 +61,8 @@ export function createTopics(dependencies: TopicDependencies) {
     tap,
     /** Topics that replays play. */
     replayed,
+    /** Publishers of what sessions read that run again. */
+    recordedSources: new RecordedSources(),
     patternTable: patterns,
     selectionTable: selections,
     subscriptions,

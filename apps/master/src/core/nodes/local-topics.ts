@@ -8,6 +8,7 @@ import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
+import type { RecordedSources } from '../topics/recorded-sources.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Receiver, Subscriber, TopicEntry } from '../topics/topic-entry.ts';
 
@@ -21,6 +22,7 @@ export interface LocalTopicsContext extends PublishContext {
   readonly nodeId: string;
   /** Pays for what modules subscribe to [AC-80]. */
   readonly account: Account;
+  readonly recordedSources: RecordedSources;
   /** Id of the device that has a component with this topic. */
   readonly deviceOf: (topic: string) => string | undefined;
   /** Whether there is a session of this id. */
@@ -63,8 +65,8 @@ export class LocalTopics implements TopicPort {
   }
 
   subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
-    const { subscriptions, limits, clock, nodeId, account, deviceOf } = this.#context;
-    const receiver = new ListeningReceiver(listener, deviceOf);
+    const { subscriptions, limits, clock, nodeId, account } = this.#context;
+    const receiver = new ListeningReceiver(listener, this.#context);
     const subscriber = localSubscriber(nodeId, receiver, account, limits, clock);
     const entries = this.#select(subscriber, selector);
     for (const entry of entries) receiver.replay(entry);
@@ -197,19 +199,22 @@ export class LocalTopics implements TopicPort {
   }
 }
 
+/** Tells where records come from. */
+type Origins = Pick<LocalTopicsContext, 'recordedSources' | 'deviceOf'>;
+
 /** Hands records to a listener at once. */
 class ListeningReceiver implements Receiver {
   readonly #listener: TopicListener;
-  readonly #deviceOf: (topic: string) => string | undefined;
+  readonly #origins: Origins;
 
-  constructor(listener: TopicListener, deviceOf: (topic: string) => string | undefined) {
+  constructor(listener: TopicListener, origins: Origins) {
     this.#listener = listener;
-    this.#deviceOf = deviceOf;
+    this.#origins = origins;
   }
 
   deliver(entry: TopicEntry, record: Uint8Array): void {
     if (entry.valueField === 0) return this.handleGone(entry); // as on nodes [TD-42]
-    this.#listener.onRecord(new LocalRecord(entry, record, this.#deviceOf));
+    this.#listener.onRecord(new LocalRecord(entry, record, this.#origins));
   }
 
   replay(entry: TopicEntry): void {
@@ -235,22 +240,19 @@ class LocalRecord implements EncodedRecord {
   readonly bytes: Uint8Array;
   readonly valueField: number;
   readonly publisherId: string;
-  readonly #deviceOf: (topic: string) => string | undefined;
+  readonly #origins: Origins;
 
-  constructor(
-    entry: TopicEntry,
-    bytes: Uint8Array,
-    deviceOf: (topic: string) => string | undefined,
-  ) {
+  constructor(entry: TopicEntry, bytes: Uint8Array, origins: Origins) {
     this.topic = entry.topic;
     this.bytes = bytes;
     this.valueField = entry.valueField;
-    this.publisherId = entry.publisherId;
-    this.#deviceOf = deviceOf;
+    this.publisherId = origins.recordedSources.get(entry.topic)?.clientId ?? entry.publisherId;
+    this.#origins = origins;
   }
 
   get deviceId(): string {
-    return this.#deviceOf(this.topic) ?? '';
+    const { recordedSources, deviceOf } = this.#origins;
+    return recordedSources.get(this.topic)?.deviceId ?? deviceOf(this.topic) ?? '';
   }
 }
 

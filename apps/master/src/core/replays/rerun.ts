@@ -6,6 +6,7 @@ import {
   type RecordingSelection,
   type ReplayedSession,
 } from '@ubii/proto';
+import type { RecordedDevice, Span } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import type { ReplayFile } from '../ports/replay-files.ts';
@@ -13,10 +14,13 @@ import type { Recordings } from '../recordings/recordings.ts';
 import type { Session } from '../sessions/session.ts';
 import type { Sessions } from '../sessions/sessions.ts';
 import { quote } from '../texts/quote.ts';
+import type { RecordedSource } from '../topics/recorded-sources.ts';
+import { devicesByTopic } from './recorded-components.ts';
+import { RerunInputs, type RerunInputsContext } from './rerun-inputs.ts';
 import { rerunSession, type RerunSession } from './rerun-session.ts';
 
 /** What running a session again works with. */
-export interface RerunContext {
+export interface RerunContext extends RerunInputsContext {
   readonly clock: Clock;
   readonly patterns: PatternCompiler;
   readonly sessions: Sessions;
@@ -33,6 +37,12 @@ export interface RerunWish {
   readonly makerId: string;
 }
 
+interface RerunParts {
+  readonly rerun: RerunSession;
+  readonly file: ReplayFile;
+  readonly devices: readonly RecordedDevice[];
+}
+
 /** Time for modules to handle the last inputs, milliseconds. */
 const LAST_OUTPUTS_MS = 500;
 /** Turns of the event loop in which a session comes to run, some seconds. */
@@ -43,6 +53,9 @@ export class Rerun {
   readonly #context: RerunContext;
   readonly #wish: RerunWish;
   readonly #rerun: RerunSession;
+  readonly #inputs: RerunInputs;
+  /** Why inputs that select components stay empty. */
+  readonly #whyEmpty: string;
   #session: Session | undefined = undefined;
   #comparisonId = '';
   #cancel: Cancel | undefined = undefined;
@@ -50,15 +63,22 @@ export class Rerun {
   readonly #errors = new Map<string, string>();
   #isOver = false;
 
-  private constructor(context: RerunContext, wish: RerunWish, rerun: RerunSession) {
+  private constructor(
+    context: RerunContext,
+    wish: RerunWish,
+    { rerun, file, devices }: RerunParts,
+  ) {
     this.#context = context;
     this.#wish = wish;
     this.#rerun = rerun;
+    this.#inputs = new RerunInputs(context, rerun.selected, this.#sourcesOf(file, devices));
+    this.#whyEmpty =
+      devices.length === 0 ? 'the recording has no devices' : 'no recorded component fits';
   }
 
   /** @throws ServiceError when the recording has no such session */
-  static async prepare(context: RerunContext, wish: RerunWish, file: ReplayFile, timeNs: bigint) {
-    const recorded = await file.session(wish.sessionId, timeNs);
+  static async prepare(context: RerunContext, wish: RerunWish, file: ReplayFile, span: Span) {
+    const recorded = await file.session(wish.sessionId, span.fromNs);
     if (recorded === undefined) {
       throw new ServiceError(
         'not_found',
@@ -66,13 +86,15 @@ export class Rerun {
       );
     }
     const message = fromJson('ubii.sessions.Session', JSON.parse(recorded.session));
+    const devices = await file.devices(span);
     const rerun = rerunSession(message, {
+      ...{ devices, replayId: wish.replayId },
       inputPrefix: prefixOf(wish.replayId, 'in'),
       outputPrefix: prefixOf(wish.replayId, 'out'),
       patterns: context.patterns,
       isInLibrary: (name) => context.modules.get(name) !== undefined,
     });
-    return new Rerun(context, wish, rerun);
+    return new Rerun(context, wish, { rerun, file, devices });
   }
 
   get inputPrefix(): string {
@@ -87,7 +109,7 @@ export class Rerun {
       emptyInputs.length === 0
         ? []
         : [
-            `Inputs that select components stay empty, because recordings hold no devices: ${emptyInputs.join(', ')}.`,
+            `Inputs that select components stay empty, because ${this.#whyEmpty}: ${emptyInputs.join(', ')}.`,
           ];
     return [...empty, ...this.#errors.values()].join(' ');
   }
@@ -108,6 +130,7 @@ export class Rerun {
       withoutImages: false,
     };
     const wish = { name: `${name} in ${recording.name}`, notes: '', author, makerId };
+    this.#inputs.open();
     try {
       this.#session = await sessions.start(this.#rerun.session, makerId);
       await this.#untilItRuns(this.#session);
@@ -160,7 +183,23 @@ export class Rerun {
     }
     const session = this.#session;
     this.#session = undefined;
+    this.#inputs.close();
     if (session !== undefined && sessions.isOpen(session.id)) sessions.remove(session);
+  }
+
+  /** Of the topics that the session reads, as it reads them; not of those on which several clients published. */
+  #sourcesOf({ facts }: ReplayFile, devices: readonly RecordedDevice[]) {
+    const deviceOf = devicesByTopic(devices);
+    const sources = new Map<string, RecordedSource>();
+    const shared = new Set<string>();
+    for (const { topic, clientId } of facts.topics) {
+      if (!this.readsTopic(topic)) continue;
+      const path = this.inputPrefix + topic;
+      if (sources.has(path)) shared.add(path);
+      sources.set(path, { clientId, deviceId: deviceOf.get(topic) ?? '' });
+    }
+    for (const path of shared) sources.delete(path);
+    return sources;
   }
 
   #noteErrors(): void {
