@@ -123,3 +123,18 @@ export async function listener(master: TestMaster): Promise<TestClient> {
 export function heard(client: TestClient): [topic: string, value: unknown][] {
   return client.takeValues().filter(([topic]) => !isMasterTopic(topic));
 }
+
+/** What a replay may hold: topics and clients. */
+export async function ledger(master: TestMaster) {
+  const { stringList } = await master.call({ topic: '/services/topic_list' });
+  return {
+    topics: stringList!.elements.filter((topic) => !isMasterTopic(topic)),
+    clients: await clientList(master),
+  };
+}
+
+/** Names and tags of all clients. */
+export async function clientList(master: TestMaster) {
+  const { clientList: reply } = await master.call({ topic: '/services/client/get_list' });
+  return reply!.elements.map(({ name, tags }) => ({ name, tags }));
+}
