@@ -1,5 +1,5 @@
-import { findDifference } from './value-difference.ts';
-import type { Output, TopicOutputs } from './topic-outputs.ts';
+import { findDifference, type ValueTolerance } from './value-difference.ts';
+import type { Output, OutputQueue } from './output-queue.ts';
 
 /** Outputs that belong together; one is missing where only the other side has an output. */
 export interface OutputPair {
@@ -9,94 +9,81 @@ export interface OutputPair {
   readonly path: string | undefined;
 }
 
-interface Tolerances {
-  readonly toleranceNs: bigint;
-  readonly relativeTolerance: number;
+/** Which outputs are the same, and which belong together. */
+export interface AlignOptions extends ValueTolerance {
+  /** Outputs further apart do not belong together, nanoseconds. Undefined: their order counts, and times do not. */
+  readonly toleranceNs: bigint | undefined;
+  /**
+   * Modules that run at a rhythm sample a change some rounds earlier or later: an output that repeats a value which the other
+   * side has within the tolerance is the same.
+   */
+  readonly isSampled: boolean;
 }
 
-/** So many outputs are looked ahead for one that is the same. */
+/** So many outputs are looked ahead for one that is the same, and back for one that is repeated. */
 const LOOK_AHEAD = 8;
 
-/**
- * Pairs the outputs of a topic in their order: those with the same value near in time, else those nearest in time. An output that
- * repeats the value which the other side has just before or after is the same: a module that runs at a frequency samples a change
- * one round earlier or later.
- */
+/** Pairs the outputs of a topic in their order: those with the same value, else those nearest in time. */
 export async function* alignOutputs(
-  recorded: TopicOutputs,
-  rerun: TopicOutputs,
-  tolerances: Tolerances,
+  recorded: OutputQueue,
+  rerun: OutputQueue,
+  options: AlignOptions,
 ): AsyncGenerator<OutputPair> {
-  let before: Sides = { here: undefined, there: undefined };
   for (;;) {
     const here = await recorded.peek(LOOK_AHEAD);
     const there = await rerun.peek(LOOK_AHEAD);
     if (here.length === 0 && there.length === 0) return;
-    const [skipHere, skipThere] = nextStep(here, there, tolerances);
+    const [skipHere, skipThere] = nextStep(here, there, options);
     for (let place = 0; place < Math.max(skipHere, skipThere); place += 1) {
       const a = place < skipHere ? here[place] : undefined;
       const b = place < skipThere ? there[place] : undefined;
-      const around = (side: readonly Output[], last: Output | undefined, skip: number) => {
-        const at = Math.min(place, skip);
-        return [at === 0 ? last : side[at - 1], side[at], side[at + 1]];
-      };
       const isRepeated =
-        repeats(a, around(there, before.there, skipThere), tolerances) &&
-        repeats(b, around(here, before.here, skipHere), tolerances);
+        options.isSampled &&
+        repeats(a, [...rerun.past, ...there], options) &&
+        repeats(b, [...recorded.past, ...here], options);
       yield isRepeated
         ? { recorded: a ?? b, rerun: b ?? a, path: undefined }
-        : { recorded: a, rerun: b, path: a && b && differenceOf(a, b, tolerances) };
+        : { recorded: a, rerun: b, path: a && b && differenceOf(a, b, options) };
     }
-    before = {
-      here: here[skipHere - 1] ?? before.here,
-      there: there[skipThere - 1] ?? before.there,
-    };
-    recorded.skip(skipHere);
-    rerun.skip(skipThere);
+    recorded.skip(skipHere, LOOK_AHEAD);
+    rerun.skip(skipThere, LOOK_AHEAD);
   }
-}
-
-/** The last outputs that were paired. */
-interface Sides {
-  readonly here: Output | undefined;
-  readonly there: Output | undefined;
 }
 
 /** Whether an output, if there is one, is one of those of the other side. */
 function repeats(
   output: Output | undefined,
-  others: readonly (Output | undefined)[],
-  tolerances: Tolerances,
+  others: readonly Output[],
+  options: AlignOptions,
 ): boolean {
-  return (
-    output === undefined ||
-    others.some((other) => other !== undefined && areSame(output, other, tolerances))
-  );
+  return output === undefined || others.some((other) => areSame(output, other, options));
 }
 
 /** How many outputs of each side come next: one of each as a pair, or those before the next pair with the same value. */
 function nextStep(
   here: readonly Output[],
   there: readonly Output[],
-  tolerances: Tolerances,
+  options: AlignOptions,
 ): readonly [number, number] {
   const [a, b] = [here[0], there[0]];
   if (a === undefined) return [0, 1];
   if (b === undefined) return [1, 0];
-  if (!areNear(a, b, tolerances)) return a.timeNs < b.timeNs ? [1, 0] : [0, 1];
-  if (differenceOf(a, b, tolerances) === undefined) return [1, 1];
-  return findSame(here, there, tolerances) ?? nearestStep(here, there);
+  if (!areNear(a, b, options)) return a.timeNs < b.timeNs ? [1, 0] : [0, 1];
+  if (differenceOf(a, b, options) === undefined) return [1, 1];
+  const found = findSame(here, there, options);
+  if (found !== undefined) return found;
+  return options.toleranceNs === undefined ? [1, 1] : nearestStep(here, there);
 }
 
 /** Finds the nearest pair with the same value. Skipping as many outputs of both sides is preferred. */
 function findSame(
   here: readonly Output[],
   there: readonly Output[],
-  tolerances: Tolerances,
+  options: AlignOptions,
 ): readonly [number, number] | undefined {
   const isSame = (i: number, j: number): boolean => {
     const [a, b] = [here[i], there[j]];
-    return a !== undefined && b !== undefined && areSame(a, b, tolerances);
+    return a !== undefined && b !== undefined && areSame(a, b, options);
   };
   for (let far = 1; far < LOOK_AHEAD; far += 1) {
     for (let near = far; near >= 0; near -= 1) {
@@ -123,13 +110,13 @@ function distance(a: Output, b: Output): bigint {
   return a.timeNs > b.timeNs ? a.timeNs - b.timeNs : b.timeNs - a.timeNs;
 }
 
-const areNear = (a: Output, b: Output, { toleranceNs }: Tolerances): boolean =>
-  distance(a, b) <= toleranceNs;
+const areNear = (a: Output, b: Output, { toleranceNs }: AlignOptions): boolean =>
+  toleranceNs === undefined || distance(a, b) <= toleranceNs;
 
-const areSame = (a: Output, b: Output, tolerances: Tolerances): boolean =>
-  areNear(a, b, tolerances) && differenceOf(a, b, tolerances) === undefined;
+const areSame = (a: Output, b: Output, options: AlignOptions): boolean =>
+  areNear(a, b, options) && differenceOf(a, b, options) === undefined;
 
-function differenceOf(a: Output, b: Output, { relativeTolerance }: Tolerances): string | undefined {
+function differenceOf(a: Output, b: Output, tolerance: ValueTolerance): string | undefined {
   if (a.record?.format !== b.record?.format) return '';
-  return findDifference(a.record?.value, b.record?.value, relativeTolerance);
+  return findDifference(a.record?.value, b.record?.value, tolerance);
 }

@@ -99,6 +99,13 @@ describe('compareOutputs', () => {
     expect((await compare(before, late, { toleranceMs: 12 })).different).toBeGreaterThan(0);
   });
 
+  it('takes a change that a module samples some rounds later for the same, within the tolerance', async () => {
+    const before = [1, 1, 1, 2, 2, 2, 2].map((value, place) => [1 + place, value] as const);
+    const after = [1, 1, 1, 1, 1, 2, 2].map((value, place) => [1 + place, value] as const);
+    expect((await compare(before, after, { toleranceMs: 3 })).differences).toEqual([]);
+    expect((await compare(before, after, { toleranceMs: 1 })).differences).not.toEqual([]);
+  });
+
   it('leaves out what the run wrote after the end of the recording', async () => {
     const comparison = await compare(FIVE, [...FIVE, [60, 6], [80, 7]]);
     expect(countsOf(comparison)).toEqual({ same: 5, different: 0, missing: 0, additional: 0 });
@@ -118,6 +125,8 @@ describe('compareOutputs', () => {
   it('takes numbers within the relative tolerance for the same', async () => {
     expect((await compare([[1, 1000]], [[1, 1000.9]])).same).toBe(1);
     expect((await compare([[1, 1000]], [[1, 1001.1]])).different).toBe(1);
+    expect((await compare([[1, Infinity]], [[1, 1]])).different).toBe(1);
+    expect((await compare([[1, NaN]], [[1, NaN]])).same).toBe(1);
   });
 
   it('lists no more differences than asked for, and counts all of them', async () => {

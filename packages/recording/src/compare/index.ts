@@ -1,2 +1,10 @@
-export { compareOutputs, type OutputDifference, type TopicComparison } from './compare-outputs.ts';
+export { compareOutputs } from './compare-outputs.ts';
+export {
+  compareTopic,
+  type OutputDifference,
+  type TopicComparison,
+  type TopicOptions,
+} from './compare-topic.ts';
 export type { CompareOptions, ComparedSpan } from './compare-options.ts';
+export type { OutputPair } from './align-outputs.ts';
+export { decodedOutput, type Output } from './output-queue.ts';

@@ -1,34 +1,39 @@
-/** Numbers closer to zero than this are zero. */
-const SMALLEST = 1e-12;
+/** Which numbers are the same: those within either tolerance. */
+export interface ValueTolerance {
+  /** Of the larger of two numbers; 0 for exactly equal ones. */
+  readonly relativeTolerance: number;
+  readonly absoluteTolerance: number;
+}
 
 /**
  * Finds the first member in which two decoded values differ.
  *
- * @param relativeTolerance of the larger of two numbers; 0 for exactly equal ones
  * @returns its path, such as `position.x`, `elements.0.id`, or empty for the value itself; undefined when they are the same
  */
 export function findDifference(
   a: unknown,
   b: unknown,
-  relativeTolerance: number,
+  tolerance: ValueTolerance,
 ): string | undefined {
   if (a === b) return undefined;
   if (typeof a === 'number' && typeof b === 'number')
-    return areClose(a, b, relativeTolerance) ? undefined : '';
+    return areClose(a, b, tolerance) ? undefined : '';
   if (!isObject(a) || !isObject(b)) return '';
   if (ArrayBuffer.isView(a) || ArrayBuffer.isView(b)) return haveSameBytes(a, b) ? undefined : '';
   const members = new Set([...Object.keys(a), ...Object.keys(b)]);
   for (const member of members) {
-    const path = findDifference(a[member], b[member], relativeTolerance);
+    const path = findDifference(a[member], b[member], tolerance);
     if (path !== undefined) return path === '' ? member : `${member}.${path}`;
   }
   return undefined;
 }
 
-function areClose(a: number, b: number, relativeTolerance: number): boolean {
-  if (Number.isNaN(a) || Number.isNaN(b)) return Number.isNaN(a) && Number.isNaN(b);
+function areClose(a: number, b: number, tolerance: ValueTolerance): boolean {
+  if (Number.isNaN(a) && Number.isNaN(b)) return true;
+  const { relativeTolerance, absoluteTolerance } = tolerance;
   const larger = Math.max(Math.abs(a), Math.abs(b));
-  return larger < SMALLEST || Math.abs(a - b) <= relativeTolerance * larger;
+  if (!Number.isFinite(larger)) return false;
+  return Math.abs(a - b) <= Math.max(absoluteTolerance, relativeTolerance * larger);
 }
 
 const isObject = (value: unknown): value is Record<string, unknown> =>

@@ -1,6 +1,7 @@
 import { counted } from '@ubii/words';
-import type { TopicOutputs } from './compare-outputs.ts';
-import { EDGE_OUTPUTS } from './compare-outputs.ts';
+import type { TopicRecord } from '@ubii/proto';
+import type { TopicComparison } from '@ubii/recording/compare';
+import { caseTimeMs, EDGE_OUTPUTS, isSame } from './compare-outputs.ts';
 import type { ModuleCase } from './module-case.ts';
 
 /** What is in a case: `12 s with 120 inputs and 40 outputs`. */
@@ -10,23 +11,42 @@ export function caseFacts({ durationMs, inputs, outputs }: ModuleCase): string {
 }
 
 /** How the outputs of a topic compare: `38 as recorded, 2 different`. */
-export function outputFacts({ matched, different, missing, additional }: TopicOutputs): string {
-  const isEdge = missing + additional <= EDGE_OUTPUTS;
+export function outputFacts(outputs: TopicComparison): string {
+  const { same, different, missing, additional, atEdges } = outputs;
+  const isEdge = atEdges > 0 && missing + additional === atEdges && atEdges <= EDGE_OUTPUTS;
   return [
-    `${matched} as recorded`,
+    `${same} as recorded`,
     different > 0 ? `${different} different` : '',
     missing > 0 ? `${missing} missing` : '',
     additional > 0 ? `${additional} additional` : '',
-    isEdge && missing + additional > 0 ? 'at the edges of the span, which is accepted' : '',
+    isEdge ? 'at the edges of the span, which is accepted' : '',
   ]
     .filter(Boolean)
     .join(', ');
 }
 
-/** The first output that differs. */
-export function differenceWords({ first }: TopicOutputs): string | undefined {
-  if (first === undefined) return undefined;
-  const { atMs, path, recorded, now } = first;
-  const text = (value: unknown): string => JSON.stringify(value) ?? 'nothing';
-  return `At ${(atMs / 1000).toFixed(3)} s ${path} is ${text(now)}; recorded: ${text(recorded)}.`;
+/** The first output that differs, unless all are as recorded. */
+export function differenceWords(outputs: TopicComparison): string | undefined {
+  const [first] = outputs.differences;
+  if (first === undefined || isSame(outputs)) return undefined;
+  const { kind, timeNs, path, recorded, rerun } = first;
+  const at = `At ${(caseTimeMs(timeNs) / 1000).toFixed(3)} s`;
+  const format = (recorded ?? rerun)?.format ?? '';
+  if (kind === 'missing') return `${at} an output is missing. Recorded: ${textOf(recorded, '')}.`;
+  if (kind === 'additional') return `${at} there is an additional output: ${textOf(rerun, '')}.`;
+  const member = path === '' ? format : `${format}.${path}`;
+  return `${at} ${member} is ${textOf(rerun, path)}; recorded: ${textOf(recorded, path)}.`;
+}
+
+/** The member of a value, in one line. */
+function textOf(record: TopicRecord | undefined, path: string): string {
+  let member: unknown = record?.value;
+  for (const name of path === '' ? [] : path.split('.'))
+    member = (member as Readonly<Record<string, unknown>> | undefined)?.[name];
+  const isBytes = ArrayBuffer.isView(member);
+  if (isBytes) return counted(member.byteLength, 'byte');
+  return (
+    JSON.stringify(member, (_, value: unknown) => (ArrayBuffer.isView(value) ? '…' : value)) ??
+    'nothing'
+  );
 }

@@ -1,30 +1,14 @@
-import type { JsonValue } from '@ubii/proto';
-import type { CaseRecord } from './module-case.ts';
+import { decodeRecord } from '@ubii/proto';
+import { compareTopic, type Output, type TopicComparison } from '@ubii/recording/compare';
+import { encodeCaseRecord, type CaseRecord } from './module-case.ts';
 
-/** Outputs on one topic, recorded and of this run. */
-export interface TopicOutputs {
-  readonly topic: string;
-  readonly matched: number;
-  readonly different: number;
-  /** Recorded outputs without one of this run. */
-  readonly missing: number;
-  /** Outputs of this run without a recorded one. */
-  readonly additional: number;
-  readonly first: OutputDifference | undefined;
-}
-
-/** Two outputs that differ. */
-export interface OutputDifference {
-  /** Of the recorded output, milliseconds since the beginning of the case. */
-  readonly atMs: number;
-  /** Such as `vector2.x`. */
-  readonly path: string;
-  readonly recorded: JsonValue | undefined;
-  readonly now: JsonValue | undefined;
-}
-
-/** So many outputs at the edges of a span may have their cause outside of it, or their effect. */
+/** Outputs at the edges of a span may have their cause outside of it, or their effect: so many are accepted. */
 export const EDGE_OUTPUTS = 3;
+
+/** An output of a run. */
+export interface CaseOutput extends Output {
+  readonly topic: string;
+}
 
 /** How exactly outputs are compared. */
 export interface Exactness {
@@ -39,126 +23,102 @@ export interface Exactness {
   readonly durationMs: number;
 }
 
-/** Compares recorded outputs with those of a run, topic by topic in the order of time. */
+const NS_PER_MS = 1_000_000;
+
+/** @param atMs since the beginning of the case */
+export const caseTimeNs = (atMs: number): bigint => BigInt(Math.round(atMs * NS_PER_MS));
+/** Milliseconds since the beginning of the case. */
+export const caseTimeMs = (timeNs: bigint): number => Number(timeNs) / NS_PER_MS;
+
+/**
+ * Compares recorded outputs with those of a run, topic by topic in the order of time.
+ *
+ * @throws Error with a sentence when a recorded output cannot be read
+ */
 export function compareCaseOutputs(
   recorded: readonly CaseRecord[],
-  run: readonly CaseRecord[],
+  run: readonly CaseOutput[],
   exactness: Exactness,
-): TopicOutputs[] {
-  const topics = new Set([...recorded, ...run].map(({ topic }) => topic));
-  return [...topics].map((topic) => {
-    const on = (all: readonly CaseRecord[]) => all.filter((one) => one.topic === topic);
-    return exactness.windowMs === undefined
-      ? bestShift(topic, on(recorded), on(run), exactness)
-      : compareNear(topic, on(recorded), on(run), { ...exactness, windowMs: exactness.windowMs });
-  });
+): Promise<TopicComparison[]> {
+  const outputs = recorded.map(toOutput);
+  const topics = new Set([...outputs, ...run].map(({ topic }) => topic));
+  return Promise.all(
+    [...topics].map((topic) => {
+      const on = (all: readonly CaseOutput[]) => all.filter((one) => one.topic === topic);
+      return compareOn(topic, on(outputs), on(run), exactness);
+    }),
+  );
 }
 
 /** Whether outputs are as recorded, apart from those at the edges. */
-export function isSame({ matched, different, missing, additional }: TopicOutputs): boolean {
-  return different === 0 && matched > 0 && missing + additional <= EDGE_OUTPUTS;
+export function isSame({
+  same,
+  different,
+  missing,
+  additional,
+  atEdges,
+}: TopicComparison): boolean {
+  return different === 0 && same > 0 && missing + additional === atEdges && atEdges <= EDGE_OUTPUTS;
 }
 
-function bestShift(
+/** Returns the best comparison among those in which one side begins some outputs later. */
+async function compareOn(
   topic: string,
-  recorded: readonly CaseRecord[],
-  run: readonly CaseRecord[],
+  recorded: readonly CaseOutput[],
+  run: readonly CaseOutput[],
   exactness: Exactness,
-): TopicOutputs {
-  const shifts = [0, ...Array.from({ length: EDGE_OUTPUTS }, (_, i) => [i + 1, -i - 1])].flat();
-  const tried = shifts.map((shift) => compareShifted(topic, recorded, run, shift, exactness));
-  return tried.reduce((best, one) => (errors(one) < errors(best) ? one : best));
+): Promise<TopicComparison> {
+  const { windowMs } = exactness;
+  const compare = (shift: number) => compareShifted(topic, recorded, run, shift, exactness);
+  let best = await compare(0);
+  if (windowMs !== undefined) return { ...best, atEdges: best.missing + best.additional };
+  for (let shift = 1; shift <= EDGE_OUTPUTS && !isSame(best); shift += 1) {
+    for (const other of [await compare(shift), await compare(-shift)])
+      if (errors(other) < errors(best)) best = other;
+  }
+  return best;
 }
 
-const errors = ({ different, missing, additional }: TopicOutputs): number =>
-  different + missing + additional;
+/** Those at the edges are no error as long as nothing else is. */
+const errors = ({ different, missing, additional, atEdges }: TopicComparison): number =>
+  2 * (different + missing + additional) - atEdges;
 
-function compareShifted(
+/** @param shift how many outputs at the beginning are of the run only; negative: of the recording only */
+async function compareShifted(
   topic: string,
-  recorded: readonly CaseRecord[],
-  run: readonly CaseRecord[],
+  recorded: readonly CaseOutput[],
+  run: readonly CaseOutput[],
   shift: number,
-  { tolerance }: Exactness,
-): TopicOutputs {
-  let matched = 0;
-  const differences: OutputDifference[] = [];
-  for (const [index, { atMs, record }] of recorded.entries()) {
-    const other = run[index + shift];
-    if (other === undefined) continue;
-    const difference = differenceOf(record, other.record, tolerance);
-    if (difference === undefined) matched += 1;
-    else differences.push({ atMs, ...difference });
-  }
-  const pairs = matched + differences.length;
+  { tolerance, windowMs, durationMs }: Exactness,
+): Promise<TopicComparison> {
+  const [early, late] = [recorded.slice(0, Math.max(0, -shift)), run.slice(0, Math.max(0, shift))];
+  const untilNs = caseTimeNs(durationMs - (windowMs ?? 0));
+  let afterEnd = 0;
+  const compared = await compareTopic(recorded.slice(early.length), run.slice(late.length), {
+    ...{ topic, relativeTolerance: tolerance, absoluteTolerance: tolerance, maxDifferences: 1 },
+    toleranceNs: windowMs === undefined ? undefined : caseTimeNs(windowMs),
+    isSampled: windowMs !== undefined,
+    onPair({ recorded: one, rerun, path }) {
+      const isOpen = windowMs !== undefined && one !== undefined && one.timeNs > untilNs;
+      if (!isOpen || rerun === undefined || path === undefined) return true;
+      afterEnd += 1;
+      return false;
+    },
+  });
+  const { missing, additional, atEdges } = compared;
   return {
-    topic,
-    matched,
-    different: differences.length,
-    missing: recorded.length - pairs,
-    additional: run.length - pairs,
-    first: differences[0],
+    ...compared,
+    missing: missing + early.length + afterEnd,
+    additional: additional + late.length,
+    atEdges: atEdges + early.length + late.length + afterEnd,
   };
 }
 
-/** Looks for the same value near in time. */
-function compareNear(
-  topic: string,
-  recorded: readonly CaseRecord[],
-  run: readonly CaseRecord[],
-  { tolerance, windowMs, durationMs }: Exactness & { readonly windowMs: number },
-): TopicOutputs {
-  const near = (all: readonly CaseRecord[], { atMs }: CaseRecord): readonly CaseRecord[] =>
-    all.filter((one) => Math.abs(one.atMs - atMs) <= windowMs);
-  let matched = 0;
-  let missing = 0;
-  const differences: OutputDifference[] = [];
-  for (const one of recorded) {
-    const found = near(run, one).map((other) => differenceOf(one.record, other.record, tolerance));
-    const [difference] = found;
-    if (found.includes(undefined)) matched += 1;
-    else if (difference === undefined || one.atMs + windowMs > durationMs) missing += 1;
-    else differences.push({ atMs: one.atMs, ...difference });
-  }
-  const additional = run.filter((one) => near(recorded, one).length === 0).length;
-  const [first] = differences;
-  return { topic, matched, different: differences.length, missing, additional, first };
+function toOutput(record: CaseRecord): CaseOutput {
+  const decoded = decodeRecord(encodeCaseRecord(record));
+  return {
+    topic: record.topic,
+    timeNs: caseTimeNs(record.atMs),
+    record: decoded.format === undefined ? undefined : decoded,
+  };
 }
-
-type Difference = Omit<OutputDifference, 'atMs'>;
-
-/** Where two values differ first. Members that are not written have their default. */
-function differenceOf(
-  recorded: JsonValue | undefined,
-  now: JsonValue | undefined,
-  tolerance: number,
-  path = '',
-): Difference | undefined {
-  if (recorded === now) return undefined;
-  if (isMembers(recorded) || isMembers(now)) {
-    const [a, b] = [membersOf(recorded), membersOf(now)];
-    for (const key of new Set([...Object.keys(a), ...Object.keys(b)])) {
-      const inner = path === '' ? key : `${path}.${key}`;
-      const found = differenceOf(a[key], b[key], tolerance, inner);
-      if (found) return found;
-    }
-    return undefined;
-  }
-  const [a, b] = [orDefault(recorded, now), orDefault(now, recorded)];
-  if (typeof a === 'number' && typeof b === 'number') {
-    const larger = Math.max(1, Math.abs(a), Math.abs(b));
-    if (Math.abs(a - b) <= tolerance * larger) return undefined;
-  }
-  return a === b ? undefined : { path, recorded, now };
-}
-
-type Members = Readonly<Record<string, JsonValue | undefined>>;
-const isMembers = (value: JsonValue | undefined): boolean =>
-  typeof value === 'object' && value !== null;
-const membersOf = (value: JsonValue | undefined): Members =>
-  isMembers(value) ? (value as Members) : {};
-
-const DEFAULTS: Readonly<Record<string, JsonValue>> = { number: 0, string: '', boolean: false };
-const orDefault = (
-  value: JsonValue | undefined,
-  other: JsonValue | undefined,
-): JsonValue | undefined => value ?? DEFAULTS[typeof other];

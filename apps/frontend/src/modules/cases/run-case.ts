@@ -1,15 +1,16 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import { createModuleRuntime, type SandboxFactory } from '@ubii/pm-sandbox';
 import { decodeRecord, ModuleEventKind, type ProcessingModule } from '@ubii/proto';
+import { decodedOutput, type TopicComparison } from '@ubii/recording/compare';
 import { TryTopics } from './try-topics.ts';
-import { compareCaseOutputs, isSame, type TopicOutputs } from './compare-outputs.ts';
-import { encodeCaseRecord, recordJson, type CaseRecord, type ModuleCase } from './module-case.ts';
+import { caseTimeNs, compareCaseOutputs, isSame, type CaseOutput } from './compare-outputs.ts';
+import { encodeCaseRecord, type CaseRecord, type ModuleCase } from './module-case.ts';
 import { SteppedClock } from './stepped-clock.ts';
 
 /** What a case came to. */
 export interface CaseResult {
   readonly isPassed: boolean;
-  readonly topics: readonly TopicOutputs[];
+  readonly topics: readonly TopicComparison[];
   /** The first error of the module. */
   readonly fault: string | undefined;
 }
@@ -75,12 +76,12 @@ export async function runCase(
     throw new Error('A module that runs freely has no rhythm that a test could repeat.');
   const clock = new SteppedClock(theCase.startMs);
   const runs = new Runs();
-  const outputs: CaseRecord[] = [];
+  const outputs: CaseOutput[] = [];
   let fault: string | undefined;
   const take = (topic: string, bytes: Uint8Array): void => {
-    const record = recordJson(bytes);
+    const record = decodedOutput(bytes);
     if (record !== undefined)
-      outputs.push({ atMs: clock.monotonicMs(), topic, publisherId: '', record });
+      outputs.push({ topic, timeNs: caseTimeNs(clock.monotonicMs()), record });
   };
   /** Passes do not publish; their records are complete. */
   const takePassed = (bytes: Uint8Array): void => take(decodeRecord(bytes).topic, bytes);
@@ -131,7 +132,7 @@ export async function runCase(
   }
   const { tolerance, durationMs } = theCase;
   const exactness = { tolerance, durationMs, windowMs: windowOf(module) };
-  const compared = compareCaseOutputs(theCase.outputs, outputs, exactness);
+  const compared = await compareCaseOutputs(theCase.outputs, outputs, exactness);
   const isPassed = fault === undefined && compared.length > 0 && compared.every(isSame);
   return { isPassed, topics: compared, fault };
 }

@@ -17,7 +17,7 @@ export interface CompareRequest {
 }
 
 /** Outputs of one topic. */
-export type ComparedTopic = Omit<TopicComparison, 'differences'>;
+export type ComparedTopic = Omit<TopicComparison, 'differences' | 'atEdges'>;
 
 /** Where today's modules wrote something else. */
 export interface ListedDifference {

@@ -54,7 +54,7 @@ function topicsBelow({ summary }: RecordsReader, prefix: string): string[] {
   return [...new Set(below.map(({ topic }) => topic.slice(prefix.length)))];
 }
 
-const countsOf = ({ differences, ...counts }: TopicComparison): ComparedTopic => counts;
+const countsOf = ({ differences, atEdges, ...counts }: TopicComparison): ComparedTopic => counts;
 
 function listed(
   topic: string,
