@@ -14,6 +14,7 @@ import {
 import type { OptionValues, ProgramOptions } from '@ubii/program';
 import { cutRecording, RecordingError, type EventsReader } from '@ubii/recording';
 import { csvOf, topicTable, writeParquet, xdfOf } from '@ubii/recording/export';
+import { counted } from '@ubii/words';
 import { createRecording, openRecording } from './recording-words.ts';
 import { shareRecording } from './shared-reader.ts';
 import { parseTopics, topicChoice } from './topic-choice.ts';
@@ -94,7 +95,7 @@ export async function exportRecording(
   try {
     const shared = await shareRecording(whole, personal, key);
     const { reader } = shared;
-    const chosen = chosenTopics(whole, topics, shared.topic);
+    const chosen = chosenTopics(whole, topics, shared.topic, format === 'mcap');
     await mkdir(out, { recursive: true });
     const options = { ...spanOf(reader, from, until), topics: chosen, signal };
     if (format === 'xdf' || format === 'mcap') {
@@ -108,6 +109,9 @@ export async function exportRecording(
         write(`${target}\n`);
       }
     }
+    const leftOut = leftOutTopics(whole, topics, shared.topic);
+    if (leftOut > 0)
+      write(`Left out: ${counted(leftOut, 'topic')} with messages of other programs.\n`);
     await shared.saveKey();
   } finally {
     await file.close();
@@ -180,12 +184,27 @@ function chosenTopics(
   reader: EventsReader,
   topics: readonly string[],
   shared: (topic: string) => string | undefined,
+  withForeign: boolean,
 ): readonly string[] {
   const isChosen = topics.length === 0 ? () => true : topicChoice(topics);
-  const all = reader.summary.topics.filter(({ isRaw }) => !isRaw).map(({ topic }) => topic);
+  const all = reader.summary.topics
+    .filter(({ isRaw }) => withForeign || !isRaw)
+    .map(({ topic }) => topic);
   const chosen = [...new Set(all)].filter(isChosen).flatMap((topic) => shared(topic) ?? []);
   if (chosen.length > 0) return chosen;
   throw new ConfigError('The recording has none of these topics. "npm run info" lists its topics.');
+}
+
+/** How many of the chosen topics are not shared because nobody can search them for names. [PD-14] */
+function leftOutTopics(
+  { summary }: EventsReader,
+  topics: readonly string[],
+  shared: (topic: string) => string | undefined,
+): number {
+  const isChosen = topics.length === 0 ? () => true : topicChoice(topics);
+  const foreign = summary.topics.filter(({ isRaw, topic }) => isRaw && isChosen(topic));
+  return new Set(foreign.map(({ topic }) => topic).filter((topic) => shared(topic) === undefined))
+    .size;
 }
 
 /** @throws ConfigError when the file exists or cannot be created */

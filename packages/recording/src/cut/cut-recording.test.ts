@@ -1,6 +1,14 @@
+import { McapWriter } from '@mcap/core';
 import { expect, test } from 'vitest';
 import { RecordingReader } from '../reading/recording-reader.ts';
+import { createTreatment } from '../personal/create-treatment.ts';
+import { findPeople } from '../personal/known-people.ts';
+import { SHARING_RULES } from '../personal/personal-rules.ts';
+import { createPseudonymKey } from '../personal/pseudonym-key.ts';
+import { Pseudonyms } from '../personal/pseudonyms.ts';
+import { treatRecording } from '../personal/treat-recording.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecordedTopic } from '../records/recording-summary.ts';
 import {
   MemoryFile,
   readRecords,
@@ -106,4 +114,52 @@ test('a cut without records is refused', async () => {
   await expect(cutRecording(await source(), new MemoryFile(), options)).rejects.toThrow(
     'There are no records of these topics in this span.',
   );
+});
+
+/** `/imu` with a schema, twice, and `/plain` without one. */
+async function foreignFile(): Promise<MemoryFile> {
+  const file = new MemoryFile();
+  const writer = new McapWriter({ writable: file });
+  await writer.start({ profile: 'ros2', library: 'other' });
+  const imu = await writer.registerSchema({
+    ...{ name: 'sensor_msgs/msg/Imu', encoding: 'ros2msg', data: Uint8Array.of(7, 8) },
+  });
+  const channelOf = (topic: string, schemaId: number, messageEncoding: string) =>
+    writer.registerChannel({
+      ...{ schemaId, topic, messageEncoding, metadata: new Map([['offered_qos', topic]]) },
+    });
+  const channels = [await channelOf('/imu', imu, 'cdr'), await channelOf('/plain', 0, 'json')];
+  for (const [sequence, ms] of [0, 10, 20].entries()) {
+    const times = { logTime: at(ms), publishTime: at(ms) - 5n };
+    const channelId = channels[sequence % 2]!;
+    await writer.addMessage({ channelId, sequence, data: Uint8Array.of(ms, 255), ...times });
+  }
+  await writer.end();
+  return file;
+}
+
+test('a cut has messages of other programs bit for bit, with schema and metadata', async () => {
+  const reader = await RecordingReader.open(await foreignFile());
+  const file = new MemoryFile();
+  await cutRecording(reader, file, { fromNs: at(5), untilNs: at(20) });
+  const result = await RecordingReader.open(file);
+  const describe = ({ topic, isRaw, schemaName, messageEncoding }: RecordedTopic) => ({
+    ...{ topic, isRaw, schemaName, messageEncoding },
+  });
+  expect(result.summary.topics.map(describe)).toEqual(reader.summary.topics.map(describe));
+  const records = await readRecords(result);
+  const [first, ...others] = await readRecords(reader);
+  expect(records).toMatchObject([{ ...first!, logTimeNs: at(5) }, ...others]);
+  expect(records[0]!.foreign!.schema!.data).toEqual(Uint8Array.of(7, 8));
+  const without = new MemoryFile();
+  await cutRecording(reader, without, { topics: ['/plain'] });
+  const { summary } = await RecordingReader.open(without);
+  expect(summary.topics.map(({ topic }) => topic)).toEqual(['/plain']);
+});
+
+test('a shared copy has no messages of other programs', async () => {
+  const reader = await RecordingReader.open(await foreignFile());
+  const pseudonyms = new Pseudonyms(createPseudonymKey((bytes) => bytes.fill(3)));
+  const treatment = createTreatment(SHARING_RULES, await findPeople(reader), pseudonyms);
+  await expect(treatRecording(reader, new MemoryFile(), treatment)).rejects.toThrow('no records');
 });

@@ -27,7 +27,8 @@ const PROGRESS_RECORDS = 1000;
 /**
  * Writes a span and some topics of a recording as a recording of its own. Records are copied bit for bit. The last value
  * of each topic and publisher before the span stands at its beginning, with the time at which it was published, as do the
- * states of sessions, clients and clocks. Messages of other programs are left out.
+ * states of sessions, clients, devices and clocks. Messages of other programs are copied with their schemas; a source that
+ * must not tell them, as that of a shared recording, has no such topics.
  *
  * @throws RecordingError when nothing is left; the reason of the signal; the error of the sink
  */
@@ -42,7 +43,7 @@ export async function cutRecording(
     fromNs: options.fromNs ?? summary.startNs,
     untilNs: options.untilNs ?? summary.endNs,
   };
-  const topics = ownTopics(source, options.topics);
+  const topics = chosenTopics(source, options.topics);
   const { name, kind, masterName, version, notes, selection, personalData } = summary;
   const writer = await RecordingWriter.create(sink, {
     ...{ name, kind, masterName, version, notes, selection },
@@ -69,9 +70,9 @@ export async function cutRecording(
   return writer.statistics;
 }
 
-function ownTopics({ summary }: CutSource, topics: readonly string[] | undefined): string[] {
-  const own = summary.topics.filter(({ isRaw }) => !isRaw).map(({ topic }) => topic);
-  return [...new Set(own)].filter((topic) => topics?.includes(topic) !== false);
+function chosenTopics({ summary }: CutSource, topics: readonly string[] | undefined): string[] {
+  const all = new Set(summary.topics.map(({ topic }) => topic));
+  return [...all].filter((topic) => topics?.includes(topic) !== false);
 }
 
 async function standingBefore(

@@ -109,6 +109,13 @@ it('lists messages of other programs as raw topics', async () => {
     { topic: '/imu', isRaw: true, schemaName: 'sensor_msgs/msg/Imu', messageEncoding: 'cdr' },
   ]);
   expect((await reader.latestAt(at(6))).get('/imu')).toEqual({
+    foreign: {
+      schema: expect.objectContaining({
+        name: 'sensor_msgs/msg/Imu',
+        encoding: 'ros2msg',
+      }) as object,
+      ...{ messageEncoding: 'cdr', metadata: new Map() },
+    },
     topic: '/imu',
     clientId: '',
     record: data,

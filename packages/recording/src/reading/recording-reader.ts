@@ -157,7 +157,11 @@ export class RecordingReader implements EventsReader {
   #toRecord({ channelId, data, logTimeNs, publishTimeNs }: StoredMessage): RecordedRecord {
     const { topic, metadata } = this.#channels.records.get(channelId)!;
     const clientId = metadata.get('clientId') ?? '';
-    return { topic, clientId, record: data, logTimeNs, publishTimeNs };
+    const foreign = this.#channels.foreign.get(channelId);
+    return {
+      ...{ topic, clientId, record: data, logTimeNs, publishTimeNs },
+      ...(foreign && { foreign }),
+    };
   }
 }
 

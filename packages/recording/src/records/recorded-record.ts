@@ -9,4 +9,16 @@ export interface RecordedRecord {
   readonly logTimeNs: bigint;
   /** When the value was taken, by the publisher's clock; `logTimeNs` when that is not known. Nanoseconds since the Unix epoch. */
   readonly publishTimeNs: bigint;
+  /** Of a message of another program: how its file describes it. Undefined for a `TopicDataRecord`. */
+  readonly foreign?: ForeignChannel | undefined;
+}
+
+/** A channel of another program: one object for all its messages. */
+export interface ForeignChannel {
+  /** Undefined for messages without one. */
+  readonly schema:
+    { readonly name: string; readonly encoding: string; readonly data: Uint8Array } | undefined;
+  /** Such as `cdr` or `json`. */
+  readonly messageEncoding: string;
+  readonly metadata: ReadonlyMap<string, string>;
 }

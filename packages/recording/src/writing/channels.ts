@@ -4,7 +4,7 @@ import type { FileIndex } from '../mcap/file-index.ts';
 import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
 import { describeRecord } from '../records/describe-record.ts';
 import { eventSchema } from '../records/event-schemas.ts';
-import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { ForeignChannel, RecordedRecord } from '../records/recorded-record.ts';
 import { EVENT_TOPICS, type EventKind } from '../records/recording-event.ts';
 
 /** Ids of channels have 16 bits; those of events come first. */
@@ -12,10 +12,15 @@ const MAX_CHANNELS = 65_535;
 /** Channels that are kept free for events. */
 const EVENT_CHANNELS = Object.keys(EVENT_TOPICS).length;
 
+/** Channels with this id have no schema. */
+const NO_SCHEMA = 0;
+
 /** The channels of a file: one for each topic and publisher, and one for each kind of events. */
 export class Channels {
   readonly #file: FileIndex;
   readonly #records = new Map<string, Map<string, Channel>>();
+  readonly #foreign = new Map<ForeignChannel, Channel>();
+  readonly #foreignSchemas = new Map<ForeignChannel['schema'], number>([[undefined, NO_SCHEMA]]);
   readonly #events = new Map<EventKind, Channel>();
   readonly #clientNames = new Map<string, string>();
   #recordSchemaId: number | undefined;
@@ -32,7 +37,7 @@ export class Channels {
 
   /** Channels of records. */
   get recordChannels(): number {
-    let count = 0;
+    let count = this.#foreign.size;
     for (const byClient of this.#records.values()) count += byClient.size;
     return count;
   }
@@ -43,12 +48,13 @@ export class Channels {
   }
 
   /** The channel of a record; undefined when the file can have no further ones. */
-  ofRecord({ topic, clientId, record }: RecordedRecord): Channel | undefined {
+  ofRecord({ topic, clientId, record, foreign }: RecordedRecord): Channel | undefined {
+    if (foreign !== undefined) return this.#ofForeign(topic, foreign);
     let byClient = this.#records.get(topic);
     if (byClient === undefined) this.#records.set(topic, (byClient = new Map<string, Channel>()));
     const known = byClient.get(clientId);
     if (known !== undefined) return known;
-    if (this.#file.channels.size >= MAX_CHANNELS - EVENT_CHANNELS) return undefined;
+    if (this.#isFull) return undefined;
     this.#recordSchemaId ??= this.#addSchema(RECORD_SCHEMA_NAME, 'protobuf', recordSchemaBytes());
     const channel = this.#addChannel(topic, this.#recordSchemaId, 'protobuf', {
       clientId,
@@ -56,6 +62,27 @@ export class Channels {
       format: describeRecord(record).format ?? '',
     });
     byClient.set(clientId, channel);
+    return channel;
+  }
+
+  get #isFull(): boolean {
+    return this.#file.channels.size >= MAX_CHANNELS - EVENT_CHANNELS;
+  }
+
+  /** A channel as another program described it. */
+  #ofForeign(topic: string, foreign: ForeignChannel): Channel | undefined {
+    const known = this.#foreign.get(foreign);
+    if (known !== undefined || this.#isFull) return known;
+    const { schema, messageEncoding, metadata } = foreign;
+    let schemaId = this.#foreignSchemas.get(schema);
+    if (schemaId === undefined) {
+      const { name, encoding, data } = schema!;
+      schemaId = this.#addSchema(name, encoding, data);
+      this.#foreignSchemas.set(schema, schemaId);
+    }
+    const members = Object.fromEntries(metadata);
+    const channel = this.#addChannel(topic, schemaId, messageEncoding, members);
+    this.#foreign.set(foreign, channel);
     return channel;
   }
 

@@ -57,7 +57,8 @@ export class RecordingWriter {
     this.#records = new OpenChunk(compressor);
     this.#events = new OpenChunk(compressor);
     this.#writtenChannels = new Set(file.channels.keys());
-    this.#writtenSchemas = new Set(file.schemas.keys());
+    // A channel without a schema has number 0.
+    this.#writtenSchemas = new Set([0, ...file.schemas.keys()]);
     this.#position = sink.position();
     this.#sequence = Number(file.messageCount) % MAX_SEQUENCE;
   }

@@ -1,6 +1,5 @@
-import { isDataFormat } from '@ubii/proto';
 import { plural } from '@ubii/words';
-import { tracksOf, type RecordedTopic, type Track } from '../timeline/track.ts';
+import { isOwn, tracksOf, type RecordedTopic, type Track } from '../timeline/track.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { ExportFormat } from './export-messages.ts';
 
@@ -37,15 +36,15 @@ export const EXPORT_FORMATS: readonly {
   },
 ];
 
-/** Topics that can be exported in a format. Messages of other programs have no values. */
+/** Topics that can be exported in a format. Messages of other programs have no values: only MCAP has them. */
 export function exportableTopics(
   topics: readonly RecordedTopic[],
   format: ExportFormat,
   durationMs: number,
   clientNames?: ReadonlyMap<string, string>,
 ): readonly Track[] {
-  const own = topics.filter((one) => one.format === '' || isDataFormat(one.format));
-  const tracks = tracksOf(own, durationMs, clientNames);
+  const possible = format === 'mcap' ? topics : topics.filter(isOwn);
+  const tracks = tracksOf(possible, durationMs, clientNames);
   if (format !== 'video') return tracks;
   return tracks.filter((one) => one.format === 'image2D' || one.format === 'image2DList');
 }

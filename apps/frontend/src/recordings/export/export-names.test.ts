@@ -24,12 +24,13 @@ describe('what is exported', () => {
     ]);
   });
 
-  it('has no messages of other programs, and as video only topics with images', () => {
+  it('has messages of other programs as MCAP only, and as video only topics with images', () => {
     const topics = [topic('/n', 'double'), topic('/c', 'image2D'), topic('/f', 'sensor_msgs/Imu')];
-    const names = (format: 'csv' | 'video') =>
+    const names = (format: 'csv' | 'video' | 'mcap') =>
       exportableTopics(topics, format, 1000).map((one) => one.topic);
     expect(names('csv')).toEqual(['/n', '/c']);
     expect(names('video')).toEqual(['/c']);
+    expect(names('mcap')).toContain('/f');
   });
 
   it('names clients and counts as the timeline does', () => {

@@ -28,3 +28,10 @@ it('says what will be replaced', () => {
     '2 clients will have pseudonyms. 2 labels apply to 3 topics.',
   );
 });
+
+it('says that messages of other programs are left out', () => {
+  const imu = { ...topic('/imu', ''), format: 'sensor_msgs/msg/Imu' };
+  expect(previewOf([topic('/a', 'ada'), imu], [])).toContain(
+    '1 topic with messages of other programs is left out',
+  );
+});

@@ -2,7 +2,7 @@ import { compileGlob } from '@ubii/patterns';
 import type { PersonalLabel } from '@ubii/proto';
 import type { PersonalRules } from '@ubii/recording/personal';
 import { counted, plural } from '@ubii/words';
-import type { RecordedTopic } from '../timeline/track.ts';
+import { isOwn, type RecordedTopic } from '../timeline/track.ts';
 
 /** How personal data is replaced in an export. */
 export interface PersonalChoice {
@@ -28,18 +28,27 @@ export function matchCount(pattern: string, topics: Iterable<string>): number {
   return count;
 }
 
-/** What will be replaced, in one sentence. */
+/** What will be replaced, and what is left out. */
 export function previewOf(
   topics: readonly RecordedTopic[],
   labels: readonly PersonalLabel[],
 ): string {
   const names = new Set(topics.map(({ topic }) => topic));
+  const foreign = new Set(topics.filter((one) => !isOwn(one)).map(({ topic }) => topic)).size;
   const clients = new Set(topics.map(({ clientId }) => clientId).filter((id) => id !== ''));
   const applied = labels.filter(({ topicPattern }) => matchCount(topicPattern, names) > 0);
   const globs = applied.map(({ topicPattern }) => compileGlob(topicPattern));
   const labelled = [...names].filter((topic) => globs.some((matches) => matches(topic))).length;
-  const replaced = `${counted(clients.size, 'client')} will have pseudonyms.`;
-  if (applied.length === 0) return `${replaced} No label matches a topic of this recording.`;
   const verb = plural(applied.length, 'applies', 'apply');
-  return `${replaced} ${counted(applied.length, 'label')} ${verb} to ${counted(labelled, 'topic')}.`;
+  return [
+    `${counted(clients.size, 'client')} will have pseudonyms.`,
+    applied.length === 0
+      ? 'No label matches a topic of this recording.'
+      : `${counted(applied.length, 'label')} ${verb} to ${counted(labelled, 'topic')}.`,
+    foreign === 0
+      ? ''
+      : `${counted(foreign, 'topic')} with messages of other programs ${plural(foreign, 'is', 'are')} left out, because they cannot be searched for names.`,
+  ]
+    .filter(Boolean)
+    .join(' ');
 }

@@ -1,7 +1,7 @@
 import { isClientId, unnamedClient } from '../../connection/display-names.ts';
 import { topicParts } from '../../connection/topic-parts.ts';
 import { formatLook } from '../../formats/families.ts';
-import type { DataFormat, DataFormatFamily } from '@ubii/proto';
+import { isDataFormat, type DataFormat, type DataFormatFamily } from '@ubii/proto';
 import { trackKind, type TrackKind } from './track-entry.ts';
 
 /** A topic of a recording, as a row of the timeline. */
@@ -28,6 +28,11 @@ export interface RecordedTopic {
   readonly clientId: string;
   readonly format: string;
   readonly records: number;
+}
+
+/** Whether a topic has records, not messages of another program, whose format is the name of their schema. */
+export function isOwn({ format }: RecordedTopic): boolean {
+  return format === '' || isDataFormat(format);
 }
 
 const HEIGHTS: Readonly<Record<TrackKind, number>> = {
