@@ -49,7 +49,7 @@ describe('a recording', () => {
     await master.pass(49);
     expect(add).not.toHaveBeenCalled();
     await master.pass(1);
-    expect(add.mock.calls.map(([batch]) => batch.length)).toEqual([3]);
+    expect(add.mock.calls.map(([batch]) => batch.count)).toEqual([3]);
     await stop(master, id);
     ada.publish('/lab/x', 'double', 5);
     await master.pass(100);
