@@ -83,7 +83,7 @@ describe('models of a master [EX-57] [EX-58]', () => {
     bucket.onRequest = () => new Promise((resolve) => (answer = resolve));
     await Promise.all([call('asset_set_download', 'tiny'), call('asset_set_download', 'tiny')]);
     expect((await tiny()).download).toMatchObject({ running: true, totalBytes: CONTENT.length });
-    await vi.waitUntil(() => bucket.asked.length > 0);
+    await expect.poll(() => bucket.asked.length).toBeGreaterThan(0);
     answer();
     expect(state(await settled())).toBe(AssetSetState.ASSET_SET_STATE_PRESENT);
     expect(bucket.asked).toEqual(['model.json']);
@@ -93,7 +93,7 @@ describe('models of a master [EX-57] [EX-58]', () => {
     const { bucket, call, settled, models } = await setUp();
     bucket.answers.set('model.json', { body: CONTENT.subarray(0, 3), then: 'silence' });
     await call('asset_set_download', 'tiny');
-    await vi.waitUntil(() => bucket.asked.length > 0);
+    await expect.poll(() => bucket.asked.length).toBeGreaterThan(0);
     await call('asset_set_cancel', 'tiny');
     expect((await settled()).download).toBeUndefined();
     expect(readdirSync(models)).toEqual([]);
@@ -146,7 +146,7 @@ describe('models of a master [EX-57] [EX-58]', () => {
     const { bucket, call, master, models } = await setUp();
     bucket.answers.set('model.json', { body: CONTENT.subarray(0, 3), then: 'silence' });
     await call('asset_set_download', 'tiny');
-    await vi.waitUntil(() => bucket.asked.length > 0);
+    await expect.poll(() => bucket.asked.length).toBeGreaterThan(0);
     await master.close();
     expect(existsSync(models) ? readdirSync(models) : []).toEqual([]);
   });

@@ -8,7 +8,7 @@ import { DiskFile } from '@ubii/recording/node';
 import { MemoryFile } from '@ubii/recording/testing';
 import { SystemClock } from '@ubii/timing/system';
 import { build } from 'esbuild';
-import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest';
 
 import { DiskFolder, recordingPath } from '../../src/adapters/recording/disk-folder.ts';
 import { WorkerRecorder } from '../../src/adapters/recording/worker-recorder.ts';
@@ -73,7 +73,7 @@ describe('WorkerRecorder', () => {
     await recorder.start(runningJob('a'));
     for (let i = 0; i < 50; i++) recorder.add(batchOf(recordsToKeep(`/x/${i % 20}`, 100)));
     expect(await recorder.stop('a')).toMatchObject({ recordCount: 5_000, topicCount: 20 });
-    await vi.waitFor(() => expect(recorder.waitingBytes).toBe(0));
+    await expect.poll(() => recorder.waitingBytes).toBe(0);
     await recorder.close();
   });
 });

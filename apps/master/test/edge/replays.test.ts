@@ -8,7 +8,7 @@ import { DiskFile } from '@ubii/recording/node';
 import { SAMPLE_HEADER, sampleRecord, SAMPLE_START_NS } from '@ubii/recording/testing';
 import { SystemClock } from '@ubii/timing/system';
 import { build } from 'esbuild';
-import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest';
 
 import { recordingPath } from '../../src/adapters/recording/disk-folder.ts';
 import { WorkerReplayFiles } from '../../src/adapters/recording/worker-replay-files.ts';
@@ -84,8 +84,8 @@ describe('WorkerReplayFiles', () => {
     await player.do({ kind: 'seek', positionNs: file.facts.startNs });
     await player.do({ kind: 'rate', rate: 10 });
     await player.do({ kind: 'play' });
-    await vi.waitFor(() => expect(played.states.at(-1)?.status).toBe('ended'), 10_000);
-    await vi.waitFor(() => expect(played.values.length).toBe(RECORDS));
+    await expect.poll(() => played.states.at(-1)?.status).toBe('ended');
+    await expect.poll(() => played.values.length).toBe(RECORDS);
     expect(played.values).toEqual(Array.from({ length: RECORDS }, (_, index) => index));
     await file.close();
   });

@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { flushPromises } from '@vue/test-utils';
-import { expect, test, vi } from 'vitest';
+import { expect, test } from 'vitest';
 import { nextRoom } from '../sim/index.ts';
 import { roomWith } from './testing/fake-phone-link.ts';
 import { PhonePage } from './testing/phone-page.ts';
@@ -103,7 +103,7 @@ test('seat is handed over with a code', async () => {
   page.open({ room: roomWith(1) });
   await page.button('Menu').trigger('click');
   await page.button('Move to another phone').trigger('click');
-  await vi.waitUntil(() => page.find('svg[role="img"]').exists());
+  await expect.poll(() => page.find('svg[role="img"]').exists()).toBe(true);
   expect(page.get('.code').text()).toContain('7KRM');
 });
 

@@ -1,5 +1,5 @@
 import { ModuleEventKind, ProcessingModuleStatus } from '@ubii/proto';
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { EMPTY_RESULT, inputValues, sandboxOutput } from '../testing/fake-sandboxes.ts';
 import { createAssetStore } from '../assets/asset-store.ts';
 import { FakeAssets } from '../testing/fake-assets.ts';
@@ -44,9 +44,9 @@ describe('the asset sets of an instance [PM-90]', () => {
       return [loadingSet, loadedBytes, loadingBytes];
     };
     expect(loading()).toEqual(['', 0, 0]);
-    await vi.waitFor(() => expect(pauses).toHaveLength(1));
+    await expect.poll(() => pauses.length).toBe(1);
     pauses[0]!();
-    await vi.waitFor(() => expect(pauses).toHaveLength(2));
+    await expect.poll(() => pauses.length).toBe(2);
     expect(loading()).toEqual(['library', 10, 10]);
     pauses[1]!();
     await created;

@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { mount } from '@vue/test-utils';
-import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, expect, it } from 'vitest';
 import { defineComponent, h, nextTick, useTemplateRef } from 'vue';
 import { useRoving } from './useRoving.ts';
 
@@ -51,14 +51,14 @@ it('keeps a Tab stop while items come and go', async () => {
   wrapper.get('button').element.focus();
   press('ArrowDown');
   await wrapper.setProps({ names: ['c', 'd', 'b'] });
-  await vi.waitFor(() => expect(stops()).toEqual(['b']));
+  await expect.poll(stops).toEqual(['b']);
   await wrapper.setProps({ names: ['d', 'c'] });
-  await vi.waitFor(() => expect(stops()).toEqual(['d']));
+  await expect.poll(stops).toEqual(['d']);
 });
 
 it('starts at the first item, also when it comes later', async () => {
   await wrapper.setProps({ names: ['z', 'a', 'b'] });
-  await vi.waitFor(() => expect(stops()).toEqual(['z']));
+  await expect.poll(stops).toEqual(['z']);
 });
 
 it('goes to the item whose text begins with the letters typed', async () => {

@@ -35,7 +35,7 @@ async function mounted(rows: readonly TreeGridRow[], selected?: string) {
         h('div', attributes, [row.key, h('button', { tabindex: 0 }, 'More')]),
     },
   });
-  await vi.waitFor(() => grid.get('[role="row"]'));
+  await expect.poll(() => grid.find('[role="row"]').exists()).toBe(true);
   const focused = () => document.activeElement?.getAttribute('data-key');
   async function press(key: string, at = '[tabindex="0"][role="row"]'): Promise<void> {
     await grid.get(at).trigger('keydown', { key });

@@ -1,5 +1,5 @@
 import { createServer, type ServerResponse } from 'node:http';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { afterEach, describe, expect, it } from 'vitest';
 
 import { StreamLog } from '../log/stream-log.ts';
 import { Listeners } from './listeners.ts';
@@ -107,7 +107,7 @@ describe('opening ports', () => {
     await master.open({ main: 0, legacy: { services: 0, topicData: 0 }, legacyWished: true });
     const { ports } = master;
     const slow = fetch(`http://127.0.0.1:${ports.main}/slow`);
-    await vi.waitFor(() => expect(answers).toHaveLength(1));
+    await expect.poll(() => answers.length).toBe(1);
     // Another loopback address stands for another network.
     await master.move({ host: '127.0.0.2', onePort: undefined });
     expect(master.ports).toEqual(ports);
