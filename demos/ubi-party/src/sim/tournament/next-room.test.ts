@@ -129,6 +129,33 @@ describe('a tournament', () => {
     expect(after(explained, { type: 'ready', key: 'ada', isReady: true }).phase).toBe('countdown');
   });
 
+  it.each([
+    { type: 'away', key: 'bob' },
+    { type: 'leave', key: 'bob' },
+    { type: 'kick', by: 'host', seat: 1 },
+  ] as const)('goes on when the last player it waits for is gone: $type', (gone) => {
+    const three = after(pair, join('cleo'), proceed);
+    const waiting = after(
+      three,
+      { type: 'ready', key: 'ada', isReady: true },
+      { type: 'ready', key: 'cleo', isReady: true },
+    );
+    expect(waiting.phase).toBe('explanation');
+    expect(after(waiting, gone, { type: 'time' }).phase).toBe('countdown');
+    expect(after(three, gone, { type: 'time' }).phase).toBe('explanation');
+  });
+
+  it('does not hurry through its games when only bots are there', () => {
+    const explained = after(pair, { type: 'fill', by: 'host', players: 4 }, proceed);
+    const left = after(
+      explained,
+      { type: 'away', key: 'ada' },
+      { type: 'away', key: 'bob' },
+      { type: 'time' },
+    );
+    expect(left.phase).toBe('explanation');
+  });
+
   it('lets late players wait for the next round', () => {
     const late = after(playing, join('cleo'));
     expect(late.players[2]!.isWaiting).toBe(true);

@@ -152,11 +152,15 @@ function newTable(room: Room): Room {
   };
 }
 
-/** An explanation or a podium ends when all players who are present are ready: absent players do not block it. */
+/**
+ * An explanation or a podium ends when all players who are present are ready: absent players do not block it, and bots
+ * alone do not end it.
+ */
 function whenAllReady(room: Room, nowMs: number): Room {
   const isAsked = room.phase === 'explanation' || room.phase === 'podium';
   const present = playersOf(room).filter(({ awaySinceMs }) => awaySinceMs === undefined);
-  return isAsked && present.length > 0 && present.every(({ isReady }) => isReady)
+  const isAnybodyHere = present.some(({ key }) => key !== undefined);
+  return isAsked && isAnybodyHere && present.every(({ isReady }) => isReady)
     ? proceed(room, nowMs)
     : room;
 }
@@ -176,5 +180,7 @@ function endRound(room: Room, places: Places, nowMs: number): Room {
 
 function passTime(room: Room, nowMs: number): Room {
   const left = removeLongAway(room, nowMs);
-  return left.endsAtMs !== undefined && nowMs >= left.endsAtMs ? proceed(left, nowMs) : left;
+  if (left.endsAtMs !== undefined && nowMs >= left.endsAtMs) return proceed(left, nowMs);
+  // The last player who was not ready may be gone. Here and not when one goes: several may go at once
+  return whenAllReady(left, nowMs);
 }
