@@ -614,6 +614,28 @@ export function decodeVector8(r: Reader, into?: T.Vector8): T.Vector8 {
   return m;
 }
 
+export function encodeClientClock(m: Init<T.ClientClock>, w: Writer): void {
+  if (m.offsetMs != null) w.double(9, m.offsetMs);
+  if (m.errorMs != null) w.double(17, m.errorMs);
+  if (m.driftPpm != null) w.double(25, m.driftPpm);
+  if (m.ageMs != null) w.double(33, m.ageMs);
+}
+
+export function decodeClientClock(r: Reader, into?: T.ClientClock): T.ClientClock {
+  const m: T.ClientClock = into ?? { offsetMs: 0, errorMs: 0, driftPpm: 0, ageMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.offsetMs = r.double(); break;
+      case 17: m.errorMs = r.double(); break;
+      case 25: m.driftPpm = r.double(); break;
+      case 33: m.ageMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeEndedTopics(m: Init<T.EndedTopics>, w: Writer): void {
   if (m.topics != null) for (const e of m.topics) w.string(10, e);
 }
@@ -651,9 +673,12 @@ export function encodeNodeMessage(m: Init<T.NodeMessage>, w: Writer): void {
   if (m.lockstepReply != null) { const at = w.open(18); encodeLockstepProcessingReply(m.lockstepReply, w); w.close(at); }
   if (m.moduleReports != null) { const at = w.open(26); ModuleReports.encode(m.moduleReports, w); w.close(at); }
   if (m.endedTopics != null) { const at = w.open(34); encodeEndedTopics(m.endedTopics, w); w.close(at); }
+  if (m.recorderOrder != null) { const at = w.open(42); encodeNodeRecorderOrder(m.recorderOrder, w); w.close(at); }
+  if (m.recorderAnswer != null) { const at = w.open(50); encodeNodeRecorderAnswer(m.recorderAnswer, w); w.close(at); }
+  if (m.recorderReport != null) { const at = w.open(58); encodeNodeRecorderReport(m.recorderReport, w); w.close(at); }
 }
 
-const NodeMessage_type = ['lockstepRequest', 'lockstepReply', 'moduleReports', 'endedTopics'] as const;
+const NodeMessage_type = ['lockstepRequest', 'lockstepReply', 'moduleReports', 'endedTopics', 'recorderOrder', 'recorderAnswer', 'recorderReport'] as const;
 export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessage {
   const m: T.NodeMessage = into ?? {};
   let type = into && setMember(into, NodeMessage_type);
@@ -664,6 +689,207 @@ export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessag
       case 18: type = only(m, type, 'lockstepReply'); { const end = r.enter(); m.lockstepReply = decodeLockstepProcessingReply(r, m.lockstepReply); r.end = end; break; }
       case 26: type = only(m, type, 'moduleReports'); { const end = r.enter(); m.moduleReports = ModuleReports.decode(r, m.moduleReports); r.end = end; break; }
       case 34: type = only(m, type, 'endedTopics'); { const end = r.enter(); m.endedTopics = decodeEndedTopics(r, m.endedTopics); r.end = end; break; }
+      case 42: type = only(m, type, 'recorderOrder'); { const end = r.enter(); m.recorderOrder = decodeNodeRecorderOrder(r, m.recorderOrder); r.end = end; break; }
+      case 50: type = only(m, type, 'recorderAnswer'); { const end = r.enter(); m.recorderAnswer = decodeNodeRecorderAnswer(r, m.recorderAnswer); r.end = end; break; }
+      case 58: type = only(m, type, 'recorderReport'); { const end = r.enter(); m.recorderReport = decodeNodeRecorderReport(r, m.recorderReport); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderAnswer(m: Init<T.NodeRecorderAnswer>, w: Writer): void {
+  if (m.number != null) w.int32(8, m.number);
+  if (m.recording != null) { const at = w.open(18); encodeRecording(m.recording, w); w.close(at); }
+  if (m.marker != null) { const at = w.open(26); encodeRecordingMarker(m.marker, w); w.close(at); }
+  if (m.error != null) { const at = w.open(34); encodeErrorMessage(m.error, w); w.close(at); }
+}
+
+export function decodeNodeRecorderAnswer(r: Reader, into?: T.NodeRecorderAnswer): T.NodeRecorderAnswer {
+  const m: T.NodeRecorderAnswer = into ?? { number: 0, recording: undefined, marker: undefined, error: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.number = r.int32(); break;
+      case 18: { const end = r.enter(); m.recording = decodeRecording(r, m.recording); r.end = end; break; }
+      case 26: { const end = r.enter(); m.marker = decodeRecordingMarker(r, m.marker); r.end = end; break; }
+      case 34: { const end = r.enter(); m.error = decodeErrorMessage(r, m.error); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderClock(m: Init<T.NodeRecorderClock>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.clock != null) { const at = w.open(18); encodeClientClock(m.clock, w); w.close(at); }
+}
+
+export function decodeNodeRecorderClock(r: Reader, into?: T.NodeRecorderClock): T.NodeRecorderClock {
+  const m: T.NodeRecorderClock = into ?? { clientId: '', clock: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: { const end = r.enter(); m.clock = decodeClientClock(r, m.clock); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderFacts(m: Init<T.NodeRecorderFacts>, w: Writer): void {
+  if (m.clocks != null) for (const e of m.clocks) { const at = w.open(10); encodeNodeRecorderClock(e, w); w.close(at); }
+  if (m.lostCount != null) w.double(17, m.lostCount);
+  if (m.lostFromMs != null) w.double(25, m.lostFromMs);
+  if (m.lostUntilMs != null) w.double(33, m.lostUntilMs);
+}
+
+export function decodeNodeRecorderFacts(r: Reader, into?: T.NodeRecorderFacts): T.NodeRecorderFacts {
+  const m: T.NodeRecorderFacts = into ?? { clocks: [], lostCount: 0, lostFromMs: 0, lostUntilMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.clocks.push(decodeNodeRecorderClock(r)); r.end = end; break; }
+      case 17: m.lostCount = r.double(); break;
+      case 25: m.lostFromMs = r.double(); break;
+      case 33: m.lostUntilMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderMark(m: Init<T.NodeRecorderMark>, w: Writer): void {
+  if (m.marker != null) { const at = w.open(10); encodeRecordingMarker(m.marker, w); w.close(at); }
+  if (m.mayChangeAll != null) w.bool(16, m.mayChangeAll);
+  if (m.isTopic != null) w.bool(24, m.isTopic);
+}
+
+export function decodeNodeRecorderMark(r: Reader, into?: T.NodeRecorderMark): T.NodeRecorderMark {
+  const m: T.NodeRecorderMark = into ?? { marker: undefined, mayChangeAll: false, isTopic: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.marker = decodeRecordingMarker(r, m.marker); r.end = end; break; }
+      case 16: m.mayChangeAll = r.bool(); break;
+      case 24: m.isTopic = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderOrder(m: Init<T.NodeRecorderOrder>, w: Writer): void {
+  if (m.number != null) w.int32(8, m.number);
+  if (m.start != null) { const at = w.open(18); encodeNodeRecorderStart(m.start, w); w.close(at); }
+  if (m.stop != null) { const at = w.open(26); encodeRecordingRequest(m.stop, w); w.close(at); }
+  if (m.get != null) { const at = w.open(34); encodeRecordingRequest(m.get, w); w.close(at); }
+  if (m.change != null) { const at = w.open(42); encodeRecordingChangeRequest(m.change, w); w.close(at); }
+  if (m.remove != null) { const at = w.open(50); encodeRecordingRequest(m.remove, w); w.close(at); }
+  if (m.mark != null) { const at = w.open(58); encodeNodeRecorderMark(m.mark, w); w.close(at); }
+  if (m.upload != null) { const at = w.open(66); encodeRecordingRequest(m.upload, w); w.close(at); }
+  if (m.sources != null) { const at = w.open(74); encodeNodeRecorderSources(m.sources, w); w.close(at); }
+  if (m.facts != null) { const at = w.open(82); encodeNodeRecorderFacts(m.facts, w); w.close(at); }
+}
+
+const NodeRecorderOrder_type = ['start', 'stop', 'get', 'change', 'remove', 'mark', 'upload', 'sources', 'facts'] as const;
+export function decodeNodeRecorderOrder(r: Reader, into?: T.NodeRecorderOrder): T.NodeRecorderOrder {
+  const m: T.NodeRecorderOrder = into ?? { number: 0 };
+  let type = into && setMember(into, NodeRecorderOrder_type);
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.number = r.int32(); break;
+      case 18: type = only(m, type, 'start'); { const end = r.enter(); m.start = decodeNodeRecorderStart(r, m.start); r.end = end; break; }
+      case 26: type = only(m, type, 'stop'); { const end = r.enter(); m.stop = decodeRecordingRequest(r, m.stop); r.end = end; break; }
+      case 34: type = only(m, type, 'get'); { const end = r.enter(); m.get = decodeRecordingRequest(r, m.get); r.end = end; break; }
+      case 42: type = only(m, type, 'change'); { const end = r.enter(); m.change = decodeRecordingChangeRequest(r, m.change); r.end = end; break; }
+      case 50: type = only(m, type, 'remove'); { const end = r.enter(); m.remove = decodeRecordingRequest(r, m.remove); r.end = end; break; }
+      case 58: type = only(m, type, 'mark'); { const end = r.enter(); m.mark = decodeNodeRecorderMark(r, m.mark); r.end = end; break; }
+      case 66: type = only(m, type, 'upload'); { const end = r.enter(); m.upload = decodeRecordingRequest(r, m.upload); r.end = end; break; }
+      case 74: type = only(m, type, 'sources'); { const end = r.enter(); m.sources = decodeNodeRecorderSources(r, m.sources); r.end = end; break; }
+      case 82: type = only(m, type, 'facts'); { const end = r.enter(); m.facts = decodeNodeRecorderFacts(r, m.facts); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderReport(m: Init<T.NodeRecorderReport>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeRecording(e, w); w.close(at); }
+}
+
+export function decodeNodeRecorderReport(r: Reader, into?: T.NodeRecorderReport): T.NodeRecorderReport {
+  const m: T.NodeRecorderReport = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeRecording(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderSource(m: Init<T.NodeRecorderSource>, w: Writer): void {
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.clientId != null) w.string(18, m.clientId);
+}
+
+export function decodeNodeRecorderSource(r: Reader, into?: T.NodeRecorderSource): T.NodeRecorderSource {
+  const m: T.NodeRecorderSource = into ?? { topic: '', clientId: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topic = r.string(); break;
+      case 18: m.clientId = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderSources(m: Init<T.NodeRecorderSources>, w: Writer): void {
+  if (m.recordingId != null) w.string(10, m.recordingId);
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(18); encodeNodeRecorderSource(e, w); w.close(at); }
+}
+
+export function decodeNodeRecorderSources(r: Reader, into?: T.NodeRecorderSources): T.NodeRecorderSources {
+  const m: T.NodeRecorderSources = into ?? { recordingId: '', elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.recordingId = r.string(); break;
+      case 18: { const end = r.enter(); m.elements.push(decodeNodeRecorderSource(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeRecorderStart(m: Init<T.NodeRecorderStart>, w: Writer): void {
+  if (m.recording != null) { const at = w.open(10); encodeRecording(m.recording, w); w.close(at); }
+  if (m.makerId != null) w.string(18, m.makerId);
+  if (m.masterName != null) w.string(26, m.masterName);
+  if (m.version != null) w.string(34, m.version);
+  if (m.personalData != null) w.string(42, m.personalData);
+  if (m.sources != null) { const at = w.open(50); encodeNodeRecorderSources(m.sources, w); w.close(at); }
+  if (m.facts != null) { const at = w.open(58); encodeNodeRecorderFacts(m.facts, w); w.close(at); }
+}
+
+export function decodeNodeRecorderStart(r: Reader, into?: T.NodeRecorderStart): T.NodeRecorderStart {
+  const m: T.NodeRecorderStart = into ?? { recording: undefined, makerId: '', masterName: '', version: '', personalData: '', sources: undefined, facts: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.recording = decodeRecording(r, m.recording); r.end = end; break; }
+      case 18: m.makerId = r.string(); break;
+      case 26: m.masterName = r.string(); break;
+      case 34: m.version = r.string(); break;
+      case 42: m.personalData = r.string(); break;
+      case 50: { const end = r.enter(); m.sources = decodeNodeRecorderSources(r, m.sources); r.end = end; break; }
+      case 58: { const end = r.enter(); m.facts = decodeNodeRecorderFacts(r, m.facts); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -682,6 +908,234 @@ export function decodeRecordExtension(r: Reader, into?: T.RecordExtension): T.Re
     switch (tag) {
       case 8: m.keepSeconds = r.int32(); break;
       case 16: m.expiryMs = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecording(m: Init<T.Recording>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.kind != null) w.int32(24, m.kind);
+  if (m.state != null) w.int32(32, m.state);
+  if (m.startedMs != null) w.double(41, m.startedMs);
+  if (m.durationMs != null) w.double(49, m.durationMs);
+  if (m.sizeBytes != null) w.double(57, m.sizeBytes);
+  if (m.recordCount != null) w.double(65, m.recordCount);
+  if (m.lostCount != null) w.double(73, m.lostCount);
+  if (m.topicCount != null) w.int32(80, m.topicCount);
+  if (m.markerCount != null) w.int32(88, m.markerCount);
+  if (m.problem != null) w.string(98, m.problem);
+  if (m.notes != null) w.string(106, m.notes);
+  if (m.author != null) w.string(114, m.author);
+  if (m.selection != null) { const at = w.open(122); encodeRecordingSelection(m.selection, w); w.close(at); }
+  if (m.budget != null) { const at = w.open(130); encodeRecordingBudget(m.budget, w); w.close(at); }
+  if (m.topics != null) for (const e of m.topics) { const at = w.open(138); encodeRecordingTopic(e, w); w.close(at); }
+  if (m.markers != null) for (const e of m.markers) { const at = w.open(146); encodeRecordingMarker(e, w); w.close(at); }
+  if (m.replayedRecordingId != null) w.string(154, m.replayedRecordingId);
+  if (m.nodeId != null) w.string(162, m.nodeId);
+  if (m.nodeName != null) w.string(170, m.nodeName);
+  if (m.nodeIsAway != null) w.bool(176, m.nodeIsAway);
+  if (m.uploadedBytes != null) w.double(185, m.uploadedBytes);
+  if (m.study != null) { const at = w.open(242); encodeRecordingStudy(m.study, w); w.close(at); }
+}
+
+export function decodeRecording(r: Reader, into?: T.Recording): T.Recording {
+  const m: T.Recording = into ?? { id: '', name: '', kind: 0, state: 0, startedMs: 0, durationMs: 0, sizeBytes: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0, problem: '', notes: '', author: '', selection: undefined, budget: undefined, topics: [], markers: [], replayedRecordingId: '', nodeId: '', nodeName: '', nodeIsAway: false, uploadedBytes: 0, study: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 24: m.kind = r.int32() as T.RecordingKind; break;
+      case 32: m.state = r.int32() as T.RecordingState; break;
+      case 41: m.startedMs = r.double(); break;
+      case 49: m.durationMs = r.double(); break;
+      case 57: m.sizeBytes = r.double(); break;
+      case 65: m.recordCount = r.double(); break;
+      case 73: m.lostCount = r.double(); break;
+      case 80: m.topicCount = r.int32(); break;
+      case 88: m.markerCount = r.int32(); break;
+      case 98: m.problem = r.string(); break;
+      case 106: m.notes = r.string(); break;
+      case 114: m.author = r.string(); break;
+      case 122: { const end = r.enter(); m.selection = decodeRecordingSelection(r, m.selection); r.end = end; break; }
+      case 130: { const end = r.enter(); m.budget = decodeRecordingBudget(r, m.budget); r.end = end; break; }
+      case 138: { const end = r.enter(); m.topics.push(decodeRecordingTopic(r)); r.end = end; break; }
+      case 146: { const end = r.enter(); m.markers.push(decodeRecordingMarker(r)); r.end = end; break; }
+      case 154: m.replayedRecordingId = r.string(); break;
+      case 162: m.nodeId = r.string(); break;
+      case 170: m.nodeName = r.string(); break;
+      case 176: m.nodeIsAway = r.bool(); break;
+      case 185: m.uploadedBytes = r.double(); break;
+      case 242: { const end = r.enter(); m.study = decodeRecordingStudy(r, m.study); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingBudget(m: Init<T.RecordingBudget>, w: Writer): void {
+  if (m.maxDurationMs != null) w.double(9, m.maxDurationMs);
+  if (m.maxBytes != null) w.double(17, m.maxBytes);
+  if (m.minFreeBytes != null) w.double(25, m.minFreeBytes);
+}
+
+export function decodeRecordingBudget(r: Reader, into?: T.RecordingBudget): T.RecordingBudget {
+  const m: T.RecordingBudget = into ?? { maxDurationMs: 0, maxBytes: 0, minFreeBytes: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.maxDurationMs = r.double(); break;
+      case 17: m.maxBytes = r.double(); break;
+      case 25: m.minFreeBytes = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingChangeRequest(m: Init<T.RecordingChangeRequest>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.notes != null) w.string(26, m.notes);
+}
+
+export function decodeRecordingChangeRequest(r: Reader, into?: T.RecordingChangeRequest): T.RecordingChangeRequest {
+  const m: T.RecordingChangeRequest = into ?? { id: '', name: '', notes: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.notes = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingMarker(m: Init<T.RecordingMarker>, w: Writer): void {
+  if (m.recordingId != null) w.string(10, m.recordingId);
+  if (m.id != null) w.string(18, m.id);
+  if (m.timeMs != null) w.double(25, m.timeMs);
+  if (m.text != null) w.string(34, m.text);
+  if (m.author != null) w.string(42, m.author);
+  if (m.clientId != null) w.string(50, m.clientId);
+  if (m.isRemoved != null) w.bool(56, m.isRemoved);
+}
+
+export function decodeRecordingMarker(r: Reader, into?: T.RecordingMarker): T.RecordingMarker {
+  const m: T.RecordingMarker = into ?? { recordingId: '', id: '', timeMs: 0, text: '', author: '', clientId: '', isRemoved: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.recordingId = r.string(); break;
+      case 18: m.id = r.string(); break;
+      case 25: m.timeMs = r.double(); break;
+      case 34: m.text = r.string(); break;
+      case 42: m.author = r.string(); break;
+      case 50: m.clientId = r.string(); break;
+      case 56: m.isRemoved = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingRequest(m: Init<T.RecordingRequest>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+}
+
+export function decodeRecordingRequest(r: Reader, into?: T.RecordingRequest): T.RecordingRequest {
+  const m: T.RecordingRequest = into ?? { id: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingSelection(m: Init<T.RecordingSelection>, w: Writer): void {
+  if (m.topics != null) for (const e of m.topics) w.string(10, e);
+  if (m.patterns != null) for (const e of m.patterns) w.string(18, e);
+  if (m.clients != null) for (const e of m.clients) w.string(26, e);
+  if (m.devices != null) for (const e of m.devices) w.string(34, e);
+  if (m.sessions != null) for (const e of m.sessions) w.string(42, e);
+  if (m.excludedPatterns != null) for (const e of m.excludedPatterns) w.string(50, e);
+  if (m.withoutImages != null) w.bool(56, m.withoutImages);
+}
+
+export function decodeRecordingSelection(r: Reader, into?: T.RecordingSelection): T.RecordingSelection {
+  const m: T.RecordingSelection = into ?? { topics: [], patterns: [], clients: [], devices: [], sessions: [], excludedPatterns: [], withoutImages: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topics.push(r.string()); break;
+      case 18: m.patterns.push(r.string()); break;
+      case 26: m.clients.push(r.string()); break;
+      case 34: m.devices.push(r.string()); break;
+      case 42: m.sessions.push(r.string()); break;
+      case 50: m.excludedPatterns.push(r.string()); break;
+      case 56: m.withoutImages = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingStudy(m: Init<T.RecordingStudy>, w: Writer): void {
+  if (m.studyId != null) w.string(10, m.studyId);
+  if (m.studyName != null) w.string(18, m.studyName);
+  if (m.runId != null) w.string(26, m.runId);
+  if (m.participantCode != null) w.string(34, m.participantCode);
+  if (m.visit != null) w.string(42, m.visit);
+  if (m.condition != null) w.string(50, m.condition);
+  if (m.block != null) w.int32(56, m.block);
+  if (m.runNumber != null) w.int32(64, m.runNumber);
+}
+
+export function decodeRecordingStudy(r: Reader, into?: T.RecordingStudy): T.RecordingStudy {
+  const m: T.RecordingStudy = into ?? { studyId: '', studyName: '', runId: '', participantCode: '', visit: '', condition: '', block: 0, runNumber: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.studyId = r.string(); break;
+      case 18: m.studyName = r.string(); break;
+      case 26: m.runId = r.string(); break;
+      case 34: m.participantCode = r.string(); break;
+      case 42: m.visit = r.string(); break;
+      case 50: m.condition = r.string(); break;
+      case 56: m.block = r.int32(); break;
+      case 64: m.runNumber = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeRecordingTopic(m: Init<T.RecordingTopic>, w: Writer): void {
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.clientId != null) w.string(18, m.clientId);
+  if (m.clientName != null) w.string(26, m.clientName);
+  if (m.dataFormat != null) w.string(34, m.dataFormat);
+  if (m.recordCount != null) w.double(41, m.recordCount);
+}
+
+export function decodeRecordingTopic(r: Reader, into?: T.RecordingTopic): T.RecordingTopic {
+  const m: T.RecordingTopic = into ?? { topic: '', clientId: '', clientName: '', dataFormat: '', recordCount: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topic = r.string(); break;
+      case 18: m.clientId = r.string(); break;
+      case 26: m.clientName = r.string(); break;
+      case 34: m.dataFormat = r.string(); break;
+      case 41: m.recordCount = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1241,10 +1695,28 @@ export const GENERATED_CODECS = {
   'ubii.dataStructure.Vector4': { encode: encodeVector4, decode: decodeVector4 },
   'ubii.dataStructure.Vector4List': { encode: encodeVector4List, decode: decodeVector4List },
   'ubii.dataStructure.Vector8': { encode: encodeVector8, decode: decodeVector8 },
+  'ubii.extension.ClientClock': { encode: encodeClientClock, decode: decodeClientClock },
   'ubii.extension.EndedTopics': { encode: encodeEndedTopics, decode: decodeEndedTopics },
   'ubii.extension.JoinRefusal': { encode: encodeJoinRefusal, decode: decodeJoinRefusal },
   'ubii.extension.NodeMessage': { encode: encodeNodeMessage, decode: decodeNodeMessage },
+  'ubii.extension.NodeRecorderAnswer': { encode: encodeNodeRecorderAnswer, decode: decodeNodeRecorderAnswer },
+  'ubii.extension.NodeRecorderClock': { encode: encodeNodeRecorderClock, decode: decodeNodeRecorderClock },
+  'ubii.extension.NodeRecorderFacts': { encode: encodeNodeRecorderFacts, decode: decodeNodeRecorderFacts },
+  'ubii.extension.NodeRecorderMark': { encode: encodeNodeRecorderMark, decode: decodeNodeRecorderMark },
+  'ubii.extension.NodeRecorderOrder': { encode: encodeNodeRecorderOrder, decode: decodeNodeRecorderOrder },
+  'ubii.extension.NodeRecorderReport': { encode: encodeNodeRecorderReport, decode: decodeNodeRecorderReport },
+  'ubii.extension.NodeRecorderSource': { encode: encodeNodeRecorderSource, decode: decodeNodeRecorderSource },
+  'ubii.extension.NodeRecorderSources': { encode: encodeNodeRecorderSources, decode: decodeNodeRecorderSources },
+  'ubii.extension.NodeRecorderStart': { encode: encodeNodeRecorderStart, decode: decodeNodeRecorderStart },
   'ubii.extension.RecordExtension': { encode: encodeRecordExtension, decode: decodeRecordExtension },
+  'ubii.extension.Recording': { encode: encodeRecording, decode: decodeRecording },
+  'ubii.extension.RecordingBudget': { encode: encodeRecordingBudget, decode: decodeRecordingBudget },
+  'ubii.extension.RecordingChangeRequest': { encode: encodeRecordingChangeRequest, decode: decodeRecordingChangeRequest },
+  'ubii.extension.RecordingMarker': { encode: encodeRecordingMarker, decode: decodeRecordingMarker },
+  'ubii.extension.RecordingRequest': { encode: encodeRecordingRequest, decode: decodeRecordingRequest },
+  'ubii.extension.RecordingSelection': { encode: encodeRecordingSelection, decode: decodeRecordingSelection },
+  'ubii.extension.RecordingStudy': { encode: encodeRecordingStudy, decode: decodeRecordingStudy },
+  'ubii.extension.RecordingTopic': { encode: encodeRecordingTopic, decode: decodeRecordingTopic },
   'ubii.extension.Replay': { encode: encodeReplay, decode: decodeReplay },
   'ubii.extension.ReplayList': { encode: encodeReplayList, decode: decodeReplayList },
   'ubii.extension.ReplaySpan': { encode: encodeReplaySpan, decode: decodeReplaySpan },

@@ -371,6 +371,11 @@ export const RecordingState = {
   RECORDING_STATE_REPAIRED: 3,
   /** It ended early, such as on a full disk; what was written until then can be read. */
   RECORDING_STATE_FAILED: 4,
+  /**
+   * Its file is closed, and is still on the node that recorded it: problem says why, unless it is on its way. Rule
+   * RC-63.
+   */
+  RECORDING_STATE_AT_NODE: 5,
 } as const;
 export type RecordingState = (typeof RecordingState)[keyof typeof RecordingState];
 
@@ -2294,6 +2299,8 @@ export interface NodeExtension {
   memoryBytes: number;
   /** True: it loads asset sets for trusted modules. Rule PM-91. */
   loadsAssets: boolean;
+  /** True: it makes recordings for the master. Rule RC-60. */
+  records: boolean;
 }
 
 /**
@@ -2344,6 +2351,155 @@ export interface NodeMessage {
   moduleReports?: ModuleReports | undefined;
   /** Node to master: topics that its modules do not write any more. Rule SE-63. */
   endedTopics?: EndedTopics | undefined;
+  /** Master to node: something to do for a recording. Rule RC-61. */
+  recorderOrder?: NodeRecorderOrder | undefined;
+  /** Node to master: what became of an order. Rule RC-61. */
+  recorderAnswer?: NodeRecorderAnswer | undefined;
+  /** Node to master: the recordings that are there. Rule RC-62. */
+  recorderReport?: NodeRecorderReport | undefined;
+}
+
+/**
+ * What became of an order. Rule RC-61.
+ *
+ * `ubii.extension.NodeRecorderAnswer`
+ */
+export interface NodeRecorderAnswer {
+  /** Number of the order. */
+  number: number;
+  /** The recording that it was about. */
+  recording: Recording | undefined;
+  /** The marker that it was about. */
+  marker: RecordingMarker | undefined;
+  /** Why it was refused; absent when it was not. */
+  error: ErrorMessage | undefined;
+}
+
+/**
+ * The clock of a client.
+ *
+ * `ubii.extension.NodeRecorderClock`
+ */
+export interface NodeRecorderClock {
+  /** Which client. */
+  clientId: string;
+  /** Its clock. */
+  clock: ClientClock | undefined;
+}
+
+/**
+ * What only the master knows. Rule RC-61.
+ *
+ * `ubii.extension.NodeRecorderFacts`
+ */
+export interface NodeRecorderFacts {
+  /** Clocks of clients that have changed. */
+  clocks: NodeRecorderClock[];
+  /** Records that the node did not get, because its connection was too slow. */
+  lostCount: number;
+  /** Since when, milliseconds since the Unix epoch, master's clock. */
+  lostFromMs: number;
+  /** Until when, the same clock. */
+  lostUntilMs: number;
+}
+
+/**
+ * A marker for recordings of a node.
+ *
+ * `ubii.extension.NodeRecorderMark`
+ */
+export interface NodeRecorderMark {
+  /** Of one recording, or of all that run there. */
+  marker: RecordingMarker | undefined;
+  /** True: markers of others, and of finished recordings, as well. Rule RC-21. */
+  mayChangeAll: boolean;
+  /** True: it was published to a topic. Rule RC-24. */
+  isTopic: boolean;
+}
+
+/**
+ * Something that a node is to do for a recording that it makes. Rule RC-61.
+ *
+ * `ubii.extension.NodeRecorderOrder`
+ */
+export interface NodeRecorderOrder {
+  /** Number of the order, which the answer has, too; 0 when no answer is expected. */
+  number: number;
+  /** Start a recording; the answer has it. */
+  start?: NodeRecorderStart | undefined;
+  /** Stop it and close its file; the answer has it. */
+  stop?: RecordingRequest | undefined;
+  /** Describe it with topics and markers. */
+  get?: RecordingRequest | undefined;
+  /** Change its texts; the answer has it. */
+  change?: RecordingChangeRequest | undefined;
+  /** Delete it; a running one is stopped. */
+  remove?: RecordingRequest | undefined;
+  /** Add, change or remove a marker; the answer has it. */
+  mark?: NodeRecorderMark | undefined;
+  /** Upload its file now; the answer has it once that has begun. */
+  upload?: RecordingRequest | undefined;
+  /** More that is recorded. */
+  sources?: NodeRecorderSources | undefined;
+  /** What only the master knows of what is recorded. */
+  facts?: NodeRecorderFacts | undefined;
+}
+
+/**
+ * All recordings of a node that are not at the master. Sent after each connection, when they change, and each second
+ * while one runs. Rule RC-62.
+ *
+ * `ubii.extension.NodeRecorderReport`
+ */
+export interface NodeRecorderReport {
+  /** Without selections, topics and markers. */
+  elements: Recording[];
+}
+
+/**
+ * What one client publishes on one topic.
+ *
+ * `ubii.extension.NodeRecorderSource`
+ */
+export interface NodeRecorderSource {
+  /** Which topic. */
+  topic: string;
+  /** Id of the client; empty for the master. */
+  clientId: string;
+}
+
+/**
+ * What clients, devices and sessions of a selection publish, as the master found it. Rule RC-61.
+ *
+ * `ubii.extension.NodeRecorderSources`
+ */
+export interface NodeRecorderSources {
+  /** Which recording records it. */
+  recordingId: string;
+  /** Only what is new. */
+  elements: NodeRecorderSource[];
+}
+
+/**
+ * A recording to start.
+ *
+ * `ubii.extension.NodeRecorderStart`
+ */
+export interface NodeRecorderStart {
+  /** Id, texts, selection, budget, study and replayed recording of it; the rest is empty. */
+  recording: Recording | undefined;
+  /** Id of the invitation of who started it; empty when none was needed. Rule RC-5. */
+  makerId: string;
+  /** Name of the master. */
+  masterName: string;
+  /** Version of the master. */
+  version: string;
+  /** Labels of personal data as JSON; empty when there are none. Rule PD-6. */
+  personalData: string;
+  /** What its clients, devices and sessions publish now. */
+  sources: NodeRecorderSources | undefined;
+  /** Clocks of clients. */
+  facts: NodeRecorderFacts | undefined;
 }
 
 /**
@@ -2438,6 +2594,14 @@ export interface Recording {
   markers: RecordingMarker[];
   /** Of a comparison: id of the recording that was replayed; empty for others. Rule RP-40. */
   replayedRecordingId: string;
+  /** Id of the client that records it, or has its file; empty for the master. Rule RC-60. */
+  nodeId: string;
+  /** Name of that client, for display. */
+  nodeName: string;
+  /** True: that client is not connected, and the rest is as it was when it was. Rule RC-64. */
+  nodeIsAway: boolean;
+  /** Bytes of its file that the node has sent to the master; 0 when it is not on its way. Rule RC-63. */
+  uploadedBytes: number;
   /** Which part of a study it is; absent when it is none. Rule ST-24. */
   study: RecordingStudy | undefined;
 }
@@ -2573,6 +2737,8 @@ export interface RecordingStartRequest {
   selection: RecordingSelection | undefined;
   /** When to stop; absent for the defaults. */
   budget: RecordingBudget | undefined;
+  /** Id of the node that is to record; empty for the master. Rule RC-60. */
+  nodeId: string;
 }
 
 /**
@@ -4477,6 +4643,15 @@ export interface MessageTypes {
   'ubii.extension.NodeInfo': NodeInfo;
   'ubii.extension.NodeList': NodeList;
   'ubii.extension.NodeMessage': NodeMessage;
+  'ubii.extension.NodeRecorderAnswer': NodeRecorderAnswer;
+  'ubii.extension.NodeRecorderClock': NodeRecorderClock;
+  'ubii.extension.NodeRecorderFacts': NodeRecorderFacts;
+  'ubii.extension.NodeRecorderMark': NodeRecorderMark;
+  'ubii.extension.NodeRecorderOrder': NodeRecorderOrder;
+  'ubii.extension.NodeRecorderReport': NodeRecorderReport;
+  'ubii.extension.NodeRecorderSource': NodeRecorderSource;
+  'ubii.extension.NodeRecorderSources': NodeRecorderSources;
+  'ubii.extension.NodeRecorderStart': NodeRecorderStart;
   'ubii.extension.PersonalData': PersonalData;
   'ubii.extension.PersonalLabel': PersonalLabel;
   'ubii.extension.RecordExtension': RecordExtension;

@@ -116,6 +116,7 @@ enum ubii.extension.RecordingState
 2 RECORDING_STATE_COMPLETE
 3 RECORDING_STATE_REPAIRED
 4 RECORDING_STATE_FAILED
+5 RECORDING_STATE_AT_NODE
 enum ubii.extension.ReplayAction
 0 REPLAY_ACTION_NONE
 1 REPLAY_ACTION_PLAY
@@ -735,6 +736,7 @@ message ubii.extension.NodeExtension
 5 capacity int32
 6 memory_bytes double
 7 loads_assets bool
+8 records bool
 message ubii.extension.NodeInfo
 1 client_id string
 2 name string
@@ -751,6 +753,53 @@ message ubii.extension.NodeMessage
 2 lockstep_reply ubii.processing.LockstepProcessingReply type
 3 module_reports ubii.extension.ModuleReports type
 4 ended_topics ubii.extension.EndedTopics type
+5 recorder_order ubii.extension.NodeRecorderOrder type
+6 recorder_answer ubii.extension.NodeRecorderAnswer type
+7 recorder_report ubii.extension.NodeRecorderReport type
+message ubii.extension.NodeRecorderAnswer
+1 number int32
+2 recording ubii.extension.Recording
+3 marker ubii.extension.RecordingMarker
+4 error ubii.general.Error
+message ubii.extension.NodeRecorderClock
+1 client_id string
+2 clock ubii.extension.ClientClock
+message ubii.extension.NodeRecorderFacts
+1 clocks ubii.extension.NodeRecorderClock *
+2 lost_count double
+3 lost_from_ms double
+4 lost_until_ms double
+message ubii.extension.NodeRecorderMark
+1 marker ubii.extension.RecordingMarker
+2 may_change_all bool
+3 is_topic bool
+message ubii.extension.NodeRecorderOrder
+1 number int32
+2 start ubii.extension.NodeRecorderStart type
+3 stop ubii.extension.RecordingRequest type
+4 get ubii.extension.RecordingRequest type
+5 change ubii.extension.RecordingChangeRequest type
+6 remove ubii.extension.RecordingRequest type
+7 mark ubii.extension.NodeRecorderMark type
+8 upload ubii.extension.RecordingRequest type
+9 sources ubii.extension.NodeRecorderSources type
+10 facts ubii.extension.NodeRecorderFacts type
+message ubii.extension.NodeRecorderReport
+1 elements ubii.extension.Recording *
+message ubii.extension.NodeRecorderSource
+1 topic string
+2 client_id string
+message ubii.extension.NodeRecorderSources
+1 recording_id string
+2 elements ubii.extension.NodeRecorderSource *
+message ubii.extension.NodeRecorderStart
+1 recording ubii.extension.Recording
+2 maker_id string
+3 master_name string
+4 version string
+5 personal_data string
+6 sources ubii.extension.NodeRecorderSources
+7 facts ubii.extension.NodeRecorderFacts
 message ubii.extension.PersonalData
 1 labels ubii.extension.PersonalLabel *
 message ubii.extension.PersonalLabel
@@ -783,6 +832,10 @@ message ubii.extension.Recording
 17 topics ubii.extension.RecordingTopic *
 18 markers ubii.extension.RecordingMarker *
 19 replayed_recording_id string
+20 node_id string
+21 node_name string
+22 node_is_away bool
+23 uploaded_bytes double
 30 study ubii.extension.RecordingStudy
 message ubii.extension.RecordingBudget
 1 max_duration_ms double
@@ -826,6 +879,7 @@ message ubii.extension.RecordingStartRequest
 3 notes string
 4 selection ubii.extension.RecordingSelection
 5 budget ubii.extension.RecordingBudget
+6 node_id string
 message ubii.extension.RecordingStatus
 1 running ubii.extension.Recording *
 2 flight_recorder ubii.extension.FlightRecorder

@@ -1,6 +1,6 @@
 import { withoutPayload, withPayload } from './define-service.ts';
 
-/** Services on recordings of topics and on the flight recorder. [RC-3] to [RC-6], [RC-15], [RC-20], [RC-30] to [RC-32], [PD-3], [PD-4] */
+/** Services on recordings of topics and on the flight recorder. [RC-3] to [RC-6], [RC-15], [RC-20], [RC-30] to [RC-32], [RC-63], [PD-3], [PD-4] */
 export const RECORDING_SERVICES = {
   recordingList: withoutPayload(
     '/services/ubii/recording_list',
@@ -36,6 +36,12 @@ export const RECORDING_SERVICES = {
     'recordingRequest',
     'success',
     'Deletes a recording and its file.',
+  ),
+  recordingUpload: withPayload(
+    '/services/ubii/recording_upload',
+    'recordingRequest',
+    'recording',
+    'Asks the node that has a recording to upload it.',
   ),
   recordingMark: withPayload(
     '/services/ubii/recording_mark',

@@ -8,6 +8,9 @@ import type {
   LockstepProcessingReply,
   LockstepProcessingRequest,
   ModuleReports,
+  NodeRecorderAnswer,
+  NodeRecorderOrder,
+  NodeRecorderReport,
 } from '../generated/messages.ts';
 import type { Init } from '../init.ts';
 import {
@@ -17,6 +20,9 @@ import {
   LOCKSTEP_REQUEST_TAG,
   MODULE_REPORTS_TAG,
   NODE_MESSAGE_TAG,
+  RECORDER_ANSWER_TAG,
+  RECORDER_ORDER_TAG,
+  RECORDER_REPORT_TAG,
 } from './tags.ts';
 
 /** One side of a lockstep pass, its records as they travel. */
@@ -33,11 +39,31 @@ export interface EncodedNodeMessage {
   readonly lockstepReply?: LockstepMessage<LockstepProcessingReply>;
   readonly moduleReports?: ModuleReports;
   readonly endedTopics?: EndedTopics;
+  readonly recorderOrder?: NodeRecorderOrder;
+  readonly recorderAnswer?: NodeRecorderAnswer;
+  readonly recorderReport?: NodeRecorderReport;
 }
 
 const NODE_MESSAGE = 'ubii.extension.NodeMessage';
 const REQUEST = 'ubii.processing.LockstepProcessingRequest';
 const REPLY = 'ubii.processing.LockstepProcessingReply';
+
+/** Members without records, which are decoded as they are. */
+const DECODED: { readonly [tag: number]: (bytes: Uint8Array) => EncodedNodeMessage } = {
+  [MODULE_REPORTS_TAG]: (bytes) => ({
+    moduleReports: decode('ubii.extension.ModuleReports', bytes),
+  }),
+  [ENDED_TOPICS_TAG]: (bytes) => ({ endedTopics: decode('ubii.extension.EndedTopics', bytes) }),
+  [RECORDER_ORDER_TAG]: (bytes) => ({
+    recorderOrder: decode('ubii.extension.NodeRecorderOrder', bytes),
+  }),
+  [RECORDER_ANSWER_TAG]: (bytes) => ({
+    recorderAnswer: decode('ubii.extension.NodeRecorderAnswer', bytes),
+  }),
+  [RECORDER_REPORT_TAG]: (bytes) => ({
+    recorderReport: decode('ubii.extension.NodeRecorderReport', bytes),
+  }),
+};
 
 /** A frame that asks a node for its share of a lockstep pass. [SE-40] */
 export function encodeLockstepRequestFrame(
@@ -70,11 +96,11 @@ export function readNodeMessage(borrowedBytes: Uint8Array): EncodedNodeMessage {
       // Of a oneof the last one counts.
       if (tag === LOCKSTEP_REQUEST_TAG) result = { lockstepRequest: readLockstep(reader, REQUEST) };
       else if (tag === LOCKSTEP_REPLY_TAG) result = { lockstepReply: readLockstep(reader, REPLY) };
-      else if (tag === MODULE_REPORTS_TAG) {
-        result = { moduleReports: decode('ubii.extension.ModuleReports', reader.bytes()) };
-      } else if (tag === ENDED_TOPICS_TAG) {
-        result = { endedTopics: decode('ubii.extension.EndedTopics', reader.bytes()) };
-      } else skipField(reader, tag);
+      else {
+        const read = DECODED[tag];
+        if (read === undefined) skipField(reader, tag);
+        else result = read(reader.bytes());
+      }
     }
   } catch (cause) {
     throw DecodeError.wrap(NODE_MESSAGE, borrowedBytes.length, cause);

@@ -30,5 +30,11 @@ export const LOCKSTEP_REPLY_TAG = 18;
 export const MODULE_REPORTS_TAG = 26;
 /** `NodeMessage.ended_topics` */
 export const ENDED_TOPICS_TAG = 34;
+/** `NodeMessage.recorder_order` */
+export const RECORDER_ORDER_TAG = 42;
+/** `NodeMessage.recorder_answer` */
+export const RECORDER_ANSWER_TAG = 50;
+/** `NodeMessage.recorder_report` */
+export const RECORDER_REPORT_TAG = 58;
 /** `LockstepProcessingRequest.records` and `LockstepProcessingReply.records` */
 export const LOCKSTEP_RECORD_TAG = 18;
