@@ -33,7 +33,7 @@ import { listNetworkAddresses } from './adapters/addresses/network-addresses.ts'
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
-import { recordingsFolder } from './adapters/recording/disk-folder.ts';
+import { recordingsFolder } from '@ubii/recording/node';
 import { openRecordings } from './adapters/recording/open-recordings.ts';
 import { AuditFile } from './adapters/storage/audit-file.ts';
 import { KNOWN_MODELS } from './adapters/models/catalogue.ts';

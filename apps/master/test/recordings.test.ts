@@ -10,7 +10,7 @@ import {
 } from '@ubii/proto';
 import { RecordingReader } from '@ubii/recording';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { RecorderEngine } from '../src/core/recorder/recorder-engine.ts';
+import { RecorderEngine } from '@ubii/recording/recorder';
 import { LOCAL_CALLER } from '../src/index.ts';
 import { MemoryFolder, TestMaster, type TestClient } from '../src/testing/index.ts';
 import { readRecording } from '../src/testing/read-recording.ts';

@@ -1,5 +1,5 @@
 import { MemoryFile } from '@ubii/recording/testing';
-import type { OpenFile, RecordingFolder } from '../core/recorder/recording-folder.ts';
+import type { OpenFile, RecordingFolder } from '@ubii/recording/recorder';
 
 /** A file in memory that stays when it is closed. */
 export class MemoryRecording extends MemoryFile implements OpenFile {

@@ -10,7 +10,7 @@ import { SystemClock } from '@ubii/timing/system';
 import { build } from 'esbuild';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest';
 
-import { DiskFolder, recordingPath } from '../../src/adapters/recording/disk-folder.ts';
+import { DiskFolder, recordingPath } from '@ubii/recording/node';
 import { WorkerRecorder } from '../../src/adapters/recording/worker-recorder.ts';
 import { DEFAULT_LIMITS } from '../../src/index.ts';
 import {

@@ -10,7 +10,7 @@ import { SystemClock } from '@ubii/timing/system';
 import { build } from 'esbuild';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest';
 
-import { recordingPath } from '../../src/adapters/recording/disk-folder.ts';
+import { recordingPath } from '@ubii/recording/node';
 import { WorkerReplayFiles } from '../../src/adapters/recording/worker-replay-files.ts';
 import type { PlayedBatch, PlayerState } from '../../src/core/ports/index.ts';
 import { RecordingLog } from '../../src/testing/index.ts';

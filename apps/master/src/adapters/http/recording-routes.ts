@@ -7,12 +7,12 @@ import { RecordingState, ServiceError, toJson } from '@ubii/proto';
 import type { Limits } from '../../core/limits/index.ts';
 import type { Master } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
-import { recordingPath } from '../recording/disk-folder.ts';
+import { recordingPath } from '@ubii/recording/node';
 import { receiveUpload } from '../recording/receive-upload.ts';
 import { parseByteRange } from './byte-range.ts';
 
 export interface RecordingRoutesOptions {
-  readonly master: Pick<Master, 'recordings' | 'uploadRecording'>;
+  readonly master: Pick<Master, 'recordings' | 'uploadRecording' | 'uploadNodeRecording'>;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly recordingsFolder: string;
   readonly limits: Pick<Limits, 'nameCharacters'>;
@@ -76,19 +76,23 @@ async function takeFile(
   { raw, query }: FastifyRequest,
   { master, callers, recordingsFolder, limits }: RecordingRoutesOptions,
 ): ReturnType<Master['uploadRecording']> {
-  const { name = '' } = query as { readonly name?: unknown };
-  if (typeof name !== 'string' || name.length > limits.nameCharacters) {
+  const text = (member: string): string => {
+    const value = (query as Readonly<Record<string, unknown>>)[member] ?? '';
+    if (typeof value === 'string' && value.length <= limits.nameCharacters) return value;
     throw new ServiceError(
       'invalid_argument',
-      `The query name is one text of at most ${limits.nameCharacters} characters.`,
+      `The query ${member} is one text of at most ${limits.nameCharacters} characters.`,
     );
-  }
-  const id = randomUUID();
+  };
+  const [name, recordingId, clientId] = ['name', 'recording', 'client'].map(text);
+  const id = recordingId || randomUUID();
   const upload = {
-    id,
     declaredBytes: Number(raw.headers['content-length'] ?? 0),
     receive: (take: (bytes: number) => Promise<void>) =>
       receiveUpload(raw, { folder: recordingsFolder, id }, take),
   };
-  return master.uploadRecording(upload, name, callers.read(raw));
+  const caller = callers.read(raw);
+  return recordingId
+    ? master.uploadNodeRecording({ ...upload, recordingId, clientId: clientId! }, caller)
+    : master.uploadRecording({ ...upload, id }, name!, caller);
 }

@@ -1,9 +1,9 @@
 import type { Clock } from '@ubii/timing';
 import type { Log, Recorder, ReplayFiles } from '../../core/ports/index.ts';
-import { RecorderEngine, type RecorderLimits } from '../../core/recorder/recorder-engine.ts';
+import { RecorderEngine, type RecorderLimits } from '@ubii/recording/recorder';
 import { FolderReplays } from '../../core/replayer/folder-replays.ts';
 import { WorkerReplayFiles } from './worker-replay-files.ts';
-import { DiskFolder } from './disk-folder.ts';
+import { DiskFolder } from '@ubii/recording/node';
 import { WorkerRecorder } from './worker-recorder.ts';
 
 export interface RecordingOptions {

@@ -5,7 +5,7 @@ import { Transform, type TransformCallback } from 'node:stream';
 import { pipeline } from 'node:stream/promises';
 import { ServiceError } from '@ubii/proto';
 
-import { uploadPath } from './disk-folder.ts';
+import { uploadPath } from '@ubii/recording/node';
 
 /**
  * Writes the body of a request as the upload `id`. [RC-41]

@@ -3,8 +3,8 @@ import { ServiceError } from '@ubii/proto';
 import { SystemClock } from '@ubii/timing/system';
 
 import type { RecordSource } from '../../core/ports/index.ts';
-import { RecorderEngine } from '../../core/recorder/recorder-engine.ts';
-import { DiskFolder } from './disk-folder.ts';
+import { RecorderEngine } from '@ubii/recording/recorder';
+import { DiskFolder } from '@ubii/recording/node';
 import type { FromThread, RecorderThreadData, ToThread } from './thread-messages.ts';
 
 /* The thread that records: it holds the last minutes, and writes files. [RC-50] */

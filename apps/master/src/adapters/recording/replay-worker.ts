@@ -2,7 +2,7 @@ import { parentPort, workerData } from 'node:worker_threads';
 import { SystemClock } from '@ubii/timing/system';
 
 import { FolderReplays } from '../../core/replayer/folder-replays.ts';
-import { DiskFolder } from './disk-folder.ts';
+import { DiskFolder } from '@ubii/recording/node';
 import { ReplayThread } from './replay-thread.ts';
 import type { ReplayThreadData, ToReplayThread } from './replay-messages.ts';
 

@@ -7,7 +7,7 @@ import type {
   RecorderState,
   RecordSource,
 } from '../../core/ports/index.ts';
-import type { RecorderLimits } from '../../core/recorder/recorder-engine.ts';
+import type { RecorderLimits } from '@ubii/recording/recorder';
 
 /** What the thread starts with. */
 export interface RecorderThreadData {

@@ -65,6 +65,11 @@ export function makerOf(caller: Caller): string {
   return caller.kind === 'client' && !caller.grant.hereOnly ? caller.grant.id : '';
 }
 
+/** The same for a client. */
+export function makerOfAccess({ grant }: ClientAccess): string {
+  return grant === undefined || grant.hereOnly ? '' : grant.id;
+}
+
 function withoutGrant(kind: 'local' | 'network', role: Role): ClientAccess {
   return { kind, role, grant: undefined, expiresMs: Number.POSITIVE_INFINITY };
 }

@@ -1,5 +1,6 @@
 import { PersonalLabels } from '../personal-data/personal-labels.ts';
 import { DEFAULT_FLIGHT_RECORDER } from '../recordings/flight-settings.ts';
+import { NodeRecordings } from '../recordings/node-recordings.ts';
 import { RecordCollector } from '../recordings/record-collector.ts';
 import { Recordings } from '../recordings/recordings.ts';
 import type { ClientArea } from './clients.ts';
@@ -18,7 +19,7 @@ export type RecordingDependencies = Pick<
   Pick<Foundation, 'settings' | 'limits' | 'limitWatch' | 'onClose'> &
   Pick<TopicArea, 'topics' | 'tap' | 'publisher'> &
   Pick<ClientArea, 'clients' | 'devices'> &
-  Pick<SessionArea, 'sessions'>;
+  Pick<SessionArea, 'sessions' | 'reports'>;
 
 export function createRecordings(dependencies: RecordingDependencies) {
   const { settings, limitWatch: limits, sessions, onClose } = dependencies;
@@ -28,17 +29,24 @@ export function createRecordings(dependencies: RecordingDependencies) {
     limits,
     store: dependencies.personalData,
   });
+  const parts = { ...dependencies, limits, collector, sessions: () => sessions.list() };
+  const atNodes = new NodeRecordings(parts);
+  dependencies.reports.onMessage.add((client, { recorderAnswer, recorderReport }) => {
+    if (recorderAnswer !== undefined) atNodes.handleAnswer(client, recorderAnswer);
+    if (recorderReport !== undefined) atNodes.handleReport(client, recorderReport);
+  });
   const recordings = new Recordings({
-    ...dependencies,
-    limits,
-    collector,
+    ...parts,
+    atNodes,
     personalLabels,
-    sessions: () => sessions.list(),
     flight: { ...DEFAULT_FLIGHT_RECORDER, ...settings.flightRecorder },
     masterName: nameOf(settings),
     version: settings.version,
   });
   dependencies.topics.onEnd.add((entry) => collector.handleEnd(entry));
-  onClose.add(() => collector.close());
+  onClose.add(() => {
+    atNodes.close();
+    collector.close();
+  });
   return { recordings, personalLabels };
 }

@@ -15,7 +15,7 @@ import type { DocumentStore, SessionStorage, StudyStorage } from '../ports/docum
 import type { IdSource } from '../ports/id-source.ts';
 import type { Lan } from '../ports/lan.ts';
 import type { Log } from '../ports/log.ts';
-import type { Recorder } from '../ports/recorder.ts';
+import type { Recorder } from '@ubii/recording/recorder';
 import type { ReplayFiles } from '../ports/replay-files.ts';
 import type { ResourceUsage } from '../ports/resource-usage.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';

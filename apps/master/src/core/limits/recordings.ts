@@ -22,6 +22,12 @@ export const RECORDING_LIMITS = {
     'storage',
     'Files of all recordings. Beyond it, the master deletes the oldest keepings of the flight recorder, and then stops recording.',
   ),
+  recordingsAtNodes: limit(
+    200,
+    'recordings',
+    'storage',
+    'Recordings that nodes make, or have not uploaded yet. The master keeps what nodes say of each.',
+  ),
   recordingBytes: limit(
     8 * GIB,
     'bytes',

@@ -8,7 +8,7 @@ import { readMetrics } from '../monitoring/metrics.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
-import type { Upload } from '../recordings/recordings.ts';
+import type { NodeUpload, Upload } from '../recordings/recordings.ts';
 import { openAudit, writeResult } from '../services/audit.ts';
 import { watchGrants } from '../services/grant-work.ts';
 import { IncomingRequest } from '../services/incoming-request.ts';
@@ -77,6 +77,12 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
       const wish = { name, notes: '', author: '', makerId: makerOf(caller) };
       const write = openAudit(core, caller, { service: 'POST /recordings', object: name });
       return writeResult(write, () => core.recordings.upload(upload, wish));
+    },
+    uploadNodeRecording(upload: NodeUpload, facts: CallerFacts): Promise<Recording> {
+      const caller = core.access.identify(facts);
+      const object = upload.recordingId;
+      const write = openAudit(core, caller, { service: 'POST /recordings', object });
+      return writeResult(write, () => core.recordings.uploadOfNode(upload, caller));
     },
     sessionsAtStop(): SessionsAtStop {
       return core.sessions.atStop();

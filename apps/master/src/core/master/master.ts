@@ -5,7 +5,7 @@ import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
 import type { OpenConnection, TransportPeer } from '../connections/open-connection.ts';
-import type { Recordings, Upload } from '../recordings/recordings.ts';
+import type { NodeUpload, Recordings, Upload } from '../recordings/recordings.ts';
 import type { IncomingRequest } from '../services/incoming-request.ts';
 import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
 import type { TerminalAccess } from '../access/terminal-access.ts';
@@ -72,6 +72,8 @@ export interface Master {
   readonly recordings: Pick<Recordings, 'get'>;
   /** Takes in an uploaded recording. [RC-41] @throws ServiceError when it is too large or no recording */
   uploadRecording(upload: Upload, name: string, caller: CallerFacts): Promise<Recording>;
+  /** Takes in the file of a recording that a node made. [RC-63] @throws ServiceError when another caller brings it */
+  uploadNodeRecording(upload: NodeUpload, caller: CallerFacts): Promise<Recording>;
   /** Returns which running sessions would restart and which would end if the master stopped now [SE-24]. */
   sessionsAtStop(): SessionsAtStop;
   /** Resolves to the results of the sessions that this master had to restart [SE-24]. */

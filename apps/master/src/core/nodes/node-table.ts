@@ -108,6 +108,7 @@ export function masterExtension(
     capacity,
     memoryBytes,
     loadsAssets,
+    records: false,
   };
 }
 

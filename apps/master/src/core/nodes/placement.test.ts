@@ -11,6 +11,7 @@ const ours = {
   capacity: 1,
   memoryBytes: 0,
   loadsAssets: true,
+  records: false,
 };
 
 function moduleOf(init: Init<ProcessingModule>): ProcessingModule {

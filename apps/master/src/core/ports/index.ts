@@ -9,7 +9,7 @@ export type { ResumeTokens } from './resume-tokens.ts';
 export type { Lan } from './lan.ts';
 export type { Log, LogFields } from './log.ts';
 export type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
-export { FLIGHT_TARGET } from './recorder.ts';
+export { FLIGHT_TARGET } from '@ubii/recording/recorder';
 export type {
   FlightJob,
   KeptRecording,
@@ -23,7 +23,7 @@ export type {
   RecordingBatch,
   RecordToKeep,
   RunningJob,
-} from './recorder.ts';
+} from '@ubii/recording/recorder';
 export type {
   PlayedBatch,
   PlayedPart,

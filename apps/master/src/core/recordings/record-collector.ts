@@ -3,13 +3,20 @@ import type { RecordingEvent } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
 import type { Limits } from '../limits/index.ts';
-import { FLIGHT_TARGET, type RecordingBatch, type Recorder } from '../ports/recorder.ts';
-import { OpenBatch, recordsOf } from '../recorder/recording-batch.ts';
+import {
+  eventOf,
+  FLIGHT_TARGET,
+  gapEvent,
+  isInternalTopic,
+  OpenBatch,
+  recordsOf,
+  type Recorder,
+  type RecordingBatch,
+} from '@ubii/recording/recorder';
 import type { RecordTaker, RecordTap } from '../topics/record-tap.ts';
 import type { TappedSource, TopicEntry } from '../topics/topic-entry.ts';
-import { eventOf, gapEvent } from './present-facts.ts';
 import { MARKER_TOPIC_END, type Marking } from './marker-topics.ts';
-import { isImageField, isInternalTopic, type CompiledSelection } from './selection.ts';
+import { isImageField, type CompiledSelection } from './selection.ts';
 
 /** What a collector works with. */
 export interface CollectorContext {
@@ -17,6 +24,13 @@ export interface CollectorContext {
   readonly limits: Limits;
   readonly recorder: Recorder;
   readonly tap: RecordTap;
+}
+
+/** A recording of a node: it is told who publishes what it records. [RC-61] */
+export interface RemoteRecording {
+  readonly selection: CompiledSelection;
+  /** Called for each publisher on each topic, as often as it is looked up. */
+  readonly onSource: (topic: string, clientId: string) => void;
 }
 
 interface Loss {
@@ -31,6 +45,7 @@ const MAX_SOURCES = 100_000;
 const BATCH_MS = 50;
 /** Bytes of records from which on they are handed over before their time: what they keep in memory is bounded. */
 const MAX_WAITING_BYTES = 4 * 1024 * 1024;
+const TOO_SLOW = 'The recorder could not take records as fast as they came.';
 const SESSION_NEWS = '/info/session/';
 const CLIENT_NEWS = '/ubii/client/';
 const DEVICE_NEWS: ReadonlySet<string> = new Set([INFO_TOPICS.newDevice, INFO_TOPICS.deleteDevice]);
@@ -39,6 +54,7 @@ const DEVICE_NEWS: ReadonlySet<string> = new Set([INFO_TOPICS.newDevice, INFO_TO
 export class RecordCollector implements RecordTaker {
   readonly #context: CollectorContext;
   readonly #selections = new Map<number, CompiledSelection>();
+  readonly #remotes = new Set<RemoteRecording>();
   #flight: 'off' | 'with images' | 'without images' = 'off';
   #sources = new WeakMap<TopicEntry, Map<string, TappedSource>>();
   #sourceCount = 0;
@@ -81,6 +97,12 @@ export class RecordCollector implements RecordTaker {
 
   remove(target: number): void {
     this.#change(() => this.#selections.delete(target));
+  }
+
+  /** Looks from now on for what a node records. @returns ends it */
+  watch(remote: RemoteRecording): () => void {
+    this.#change(() => this.#remotes.add(remote));
+    return () => this.#change(() => this.#remotes.delete(remote));
   }
 
   setFlight(isOn: boolean, withImages: boolean): void {
@@ -144,7 +166,8 @@ export class RecordCollector implements RecordTaker {
     this.flush();
     change();
     this.#forgetSources();
-    this.#context.tap.taker = this.targets === 0 ? undefined : this;
+    const isOn = this.targets !== 0 || this.#remotes.size > 0;
+    this.#context.tap.taker = isOn ? this : undefined;
   }
 
   /** [RC-11] [RC-12] */
@@ -152,7 +175,7 @@ export class RecordCollector implements RecordTaker {
     const isOfSession = topic.startsWith(SESSION_NEWS);
     const isOfClient = topic.startsWith(CLIENT_NEWS);
     if (!isOfSession && !isOfClient && !DEVICE_NEWS.has(topic)) return;
-    if (this.#selections.size > 0) {
+    if (this.#selections.size > 0 || this.#remotes.size > 0) {
       this.#areSelectionsStale = true;
       this.#forgetSources();
     }
@@ -197,9 +220,14 @@ export class RecordCollector implements RecordTaker {
     this.#generation++;
   }
 
-  #find(topic: string, clientId: string): TappedSource {
-    if (this.#areSelectionsStale) for (const each of this.#selections.values()) each.refresh();
+  #refreshSelections(): void {
+    for (const selection of this.#selections.values()) selection.refresh();
+    for (const { selection } of this.#remotes) selection.refresh();
     this.#areSelectionsStale = false;
+  }
+
+  #find(topic: string, clientId: string): TappedSource {
+    if (this.#areSelectionsStale) this.#refreshSelections();
     const flight = isInternalTopic(topic, clientId) ? 'off' : this.#flight;
     let targets = flight === 'off' ? 0 : FLIGHT_TARGET;
     let targetsOfImages = flight === 'with images' ? FLIGHT_TARGET : 0;
@@ -207,6 +235,9 @@ export class RecordCollector implements RecordTaker {
       if (!selection.selects(topic, clientId)) continue;
       targets |= target;
       if (!selection.withoutImages) targetsOfImages |= target;
+    }
+    for (const { selection, onSource } of this.#remotes) {
+      if (selection.selects(topic, clientId)) onSource(topic, clientId);
     }
     const isOfMarkers = topic.endsWith(MARKER_TOPIC_END);
     return {
@@ -220,7 +251,7 @@ export class RecordCollector implements RecordTaker {
     if ((batch.targets & FLIGHT_TARGET) !== 0) this.#useFlight();
     if (recorder.waitingBytes > limits.recorderQueueBytes) return this.#lose(batch);
     for (const [targets, { fromMs, untilMs, records }] of this.#losses) {
-      recorder.addEvent(gapEvent(fromMs, untilMs, records), targets);
+      recorder.addEvent(gapEvent(fromMs, untilMs, records, TOO_SLOW), targets);
     }
     this.#losses.clear();
     recorder.add(batch);

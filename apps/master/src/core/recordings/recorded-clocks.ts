@@ -1,7 +1,6 @@
 import type { Clock } from '@ubii/timing';
 import type { ClientRegistry } from '../clients/client-registry.ts';
-import type { Recorder } from '../ports/recorder.ts';
-import { clockEvent } from './present-facts.ts';
+import { clockEvent, type Recorder } from '@ubii/recording/recorder';
 import type { RecordCollector } from './record-collector.ts';
 
 /** What clocks are recorded with. */
@@ -28,8 +27,7 @@ export class RecordedClocks {
     this.#lookedMs = clock.monotonicMs();
     for (const client of clients.values()) {
       if (client.clock === undefined || client.clock.toldMs < sinceMs) continue;
-      const event = clockEvent(client, clock.nowMs());
-      if (event !== undefined) recorder.addEvent(event, collector.targets);
+      recorder.addEvent(clockEvent(client.id, client.clock, clock.nowMs()), collector.targets);
     }
   }
 }

@@ -1,6 +1,6 @@
-import { RECORDING_STATUS_TOPIC } from '@ubii/proto';
+import { RECORDING_STATUS_TOPIC, type FlightRecorderSettings } from '@ubii/proto';
 import type { MasterPublisher } from '../info/master-publisher.ts';
-import type { RecorderState } from '../ports/recorder.ts';
+import type { RecorderState } from '@ubii/recording/recorder';
 
 /** Publishes what is recorded now. [RC-8] */
 export function publishStatus(
@@ -14,4 +14,11 @@ export function publishStatus(
       listRevision,
     },
   });
+}
+
+/** What a recorder says before its first record. */
+export function idleState(settings: FlightRecorderSettings): RecorderState {
+  const held = { heldMs: 0, heldBytes: 0, topicCount: 0, recordCount: 0, lostCount: 0 };
+  const flight = { ...settings, ...held, recordsPerSecond: [] };
+  return { running: [], targets: 0, flight, listRevision: 0 };
 }

@@ -11,14 +11,21 @@ import {
   type RecordingStudy,
 } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
+import type { Caller } from '../access/caller.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import { Hook } from '../hooks/hook.ts';
 import type { PersonalLabels } from '../personal-data/personal-labels.ts';
 import type { IdSource } from '../ports/id-source.ts';
-import type { KeptRecording, Recorder, RecorderState, RecordingJob } from '../ports/recorder.ts';
+import type {
+  KeptRecording,
+  Recorder,
+  RecorderState,
+  RecordingJob,
+} from '@ubii/recording/recorder';
 import type { TopicTable } from '../topics/topic-table.ts';
+import type { NodeRecordings } from './node-recordings.ts';
 import { budgetOf } from './budget.ts';
 import { estimate } from './estimate.ts';
 import { FlightSettings } from './flight-settings.ts';
@@ -26,7 +33,7 @@ import { MarkerTopics } from './marker-topics.ts';
 import { presentEvents } from './present-facts.ts';
 import type { RecordCollector } from './record-collector.ts';
 import { RecordedClocks } from './recorded-clocks.ts';
-import { publishStatus } from './recording-news.ts';
+import { idleState, publishStatus } from './recording-news.ts';
 import { RecordingTargets } from './recording-targets.ts';
 import { CompiledSelection, type SelectionContext } from './selection.ts';
 import { UploadSpace } from './upload-space.ts';
@@ -41,6 +48,7 @@ export interface RecordingsContext extends SelectionContext {
   readonly publisher: MasterPublisher;
   readonly recorder: Recorder;
   readonly collector: RecordCollector;
+  readonly atNodes: NodeRecordings;
   readonly personalLabels: PersonalLabels;
   readonly flight: FlightRecorderSettings;
   readonly masterName: string;
@@ -65,6 +73,14 @@ export interface RecordingWish extends RecordingAuthor {
   readonly study?: RecordingStudy;
 }
 
+/** What to record, when to stop, and who records. */
+export interface RecordingPlan {
+  readonly selection: RecordingSelection;
+  readonly budget?: RecordingBudget | undefined;
+  /** Id of the node; empty for the master. [RC-60] @default the master */
+  readonly nodeId?: string;
+}
+
 /** A file that is uploaded. */
 export interface Upload {
   /** Of the recording that it becomes. */
@@ -73,6 +89,13 @@ export interface Upload {
   readonly declaredBytes: number;
   /** Stores it; calls `take` for each part before, which rejects when there is no space. Nothing is kept when it fails. */
   readonly receive: (take: (bytes: number) => Promise<void>) => Promise<void>;
+}
+
+/** The file of a recording that a node made. [RC-63] */
+export interface NodeUpload extends Omit<Upload, 'id'> {
+  readonly recordingId: string;
+  /** Id of the client that brings it, as it says. */
+  readonly clientId: string;
 }
 
 /** All that can be done with recordings and the flight recorder. */
@@ -86,7 +109,9 @@ export class Recordings {
   readonly onDelete = new Hook<[id: string]>();
   /** Called when recordings were added, changed or deleted. */
   readonly onListChanged = new Hook<[]>();
-  #listRevision = 0;
+  /** What the recorder said last; undefined before it has said anything. */
+  #state: RecorderState | undefined = undefined;
+  #nodeRevision = 0;
 
   constructor(context: RecordingsContext) {
     this.#context = context;
@@ -103,33 +128,40 @@ export class Recordings {
       const marker = markerTopics.read(record);
       if (marker === undefined) return;
       // A recording that has all its markers keeps the text as a record.
-      void recorder.mark({ marker, kind: 'topic', mayChangeAll: false }).catch(() => undefined);
+      const job = { marker, kind: 'topic', mayChangeAll: false } as const;
+      void recorder.mark(job).catch(() => undefined);
+      void context.atNodes.mark(job);
     });
     collector.setFlight(flight.isOn, flight.withImages);
+    context.atNodes.onChange.add((isListChanged) => {
+      if (isListChanged) this.#nodeRevision++;
+      this.#publish(isListChanged);
+    });
   }
 
   async list(): Promise<RecordingList> {
-    const { recorder, limits } = this.#context;
+    const { recorder, limits, atNodes } = this.#context;
     const { recordings, sizeBytes, freeBytes } = await recorder.list();
     const maxBytes = limits.limits.recordingsBytes;
-    return { elements: [...recordings], sizeBytes, maxBytes, freeBytes };
+    const here = new Set(recordings.map(({ id }) => id));
+    const elsewhere = atNodes.list().filter(({ id }) => !here.has(id));
+    const elements = [...elsewhere, ...recordings].sort((a, b) => b.startedMs - a.startedMs);
+    return { elements, sizeBytes, maxBytes, freeBytes };
   }
 
   get(id: string): Promise<KeptRecording> {
-    return this.#context.recorder.get(id);
+    return this.#at(id).get(id);
   }
 
-  /** [RC-4] */
-  async start(
-    wish: RecordingWish,
-    selection: RecordingSelection,
-    budget: RecordingBudget | undefined,
-  ): Promise<Recording> {
-    const { recorder, collector, limits } = this.#context;
-    const full = budgetOf(budget, limits.limits);
+  /** [RC-4] [RC-60] */
+  async start(wish: RecordingWish, plan: RecordingPlan): Promise<Recording> {
+    const { recorder, collector, limits, atNodes } = this.#context;
+    const { selection, nodeId = '' } = plan;
+    const budget = budgetOf(plan.budget, limits.limits);
     await this.#requireRoom();
+    if (nodeId !== '') return atNodes.start(this.#jobOf(wish), { selection, budget }, nodeId);
     const target = this.#targets.beginStart();
-    const job = { ...this.#jobOf(wish), target, selection, budget: full, present: this.#present() };
+    const job = { ...this.#jobOf(wish), target, selection, budget, present: this.#present() };
     collector.flush();
     try {
       const started = recorder.start(job);
@@ -146,12 +178,17 @@ export class Recordings {
   /** [RC-5] */
   stop(id: string): Promise<Recording> {
     this.#context.collector.flush();
-    return this.#context.recorder.stop(id);
+    return this.#at(id).stop(id);
   }
 
   delete(id: string): Promise<void> {
     this.onDelete.emit(id);
-    return this.#context.recorder.delete(id);
+    return this.#at(id).delete(id);
+  }
+
+  /** [RC-63] @throws ServiceError when no node has it */
+  fetch(id: string): Promise<Recording> {
+    return this.#context.atNodes.upload(id);
   }
 
   /** [RC-6] */
@@ -159,12 +196,16 @@ export class Recordings {
     if (name === '') {
       throw new ServiceError('invalid_argument', 'The recording needs a name. Set `name`.');
     }
-    return this.#context.recorder.change(id, { name, notes });
+    return this.#at(id).change(id, { name, notes });
   }
 
   /** [RC-20] @param author name of the client that asks */
-  mark(wanted: RecordingMarker, author: string, mayChangeAll: boolean): Promise<RecordingMarker> {
-    const { clock, ids, recorder, collector } = this.#context;
+  async mark(
+    wanted: RecordingMarker,
+    author: string,
+    mayChangeAll: boolean,
+  ): Promise<RecordingMarker> {
+    const { clock, ids, recorder, collector, atNodes } = this.#context;
     const { timeMs } = wanted;
     if (!(timeMs >= 0 && Number.isFinite(timeMs))) {
       throw new ServiceError(
@@ -175,7 +216,15 @@ export class Recordings {
     collector.flush();
     const id = wanted.id === '' ? ids.uuid() : wanted.id;
     const marker = { ...wanted, id, author, timeMs: timeMs === 0 ? clock.nowMs() : timeMs };
-    return this.#withFlight(() => recorder.mark({ marker, mayChangeAll }));
+    const isMarked = await atNodes.mark({ marker, mayChangeAll });
+    if (isMarked && wanted.recordingId !== '') return marker;
+    try {
+      return await this.#withFlight(() => recorder.mark({ marker, mayChangeAll }));
+    } catch (cause) {
+      // Nothing is recorded here, but a node has the marker.
+      if (isMarked) return marker;
+      throw cause;
+    }
   }
 
   /** [RC-15] */
@@ -216,10 +265,32 @@ export class Recordings {
     return this.#context.recorder.adopt({ ...this.#jobOf(wish), id, name: wish.name });
   }
 
+  /** The same for what a node recorded. [RC-63] */
+  async uploadOfNode(upload: NodeUpload, caller: Caller): Promise<Recording> {
+    const { recorder, atNodes } = this.#context;
+    const { recordingId: id, clientId, receive, declaredBytes } = upload;
+    const known = await recorder.get(id).catch(() => undefined);
+    if (known !== undefined) {
+      throw new ServiceError('already_exists', 'The master has this recording already.');
+    }
+    const wish = atNodes.requireUpload(id, clientId, caller);
+    await this.#uploads.hold(declaredBytes, receive);
+    const job = { ...this.#jobOf({ ...wish, notes: '' }), id, isOfNode: true };
+    const recording = await recorder.adopt(job);
+    atNodes.handleUploaded(id);
+    return recording;
+  }
+
   /** Closes all files. */
   async close(): Promise<void> {
     this.#context.collector.close();
     await this.#context.recorder.close();
+  }
+
+  /** Where a recording is: at a node, or here. */
+  #at(id: string): Pick<Recorder, 'get' | 'stop' | 'change' | 'delete'> {
+    const { atNodes, recorder } = this.#context;
+    return atNodes.has(id) ? atNodes : recorder;
   }
 
   /** Returns the bytes that are left beyond so many. @throws ServiceError when no further recording may be stored */
@@ -266,11 +337,23 @@ export class Recordings {
   }
 
   #handleState(state: RecorderState): void {
-    const { collector, publisher } = this.#context;
+    const { collector } = this.#context;
     for (const target of this.#targets.update(state.targets)) collector.remove(target);
-    if (state.listRevision !== this.#listRevision) this.onListChanged.emit();
-    this.#listRevision = state.listRevision;
+    const isListChanged = state.listRevision !== (this.#state?.listRevision ?? 0);
+    this.#state = state;
     this.#clocks.look();
-    publishStatus(publisher, state);
+    this.#publish(isListChanged);
+  }
+
+  /** [RC-8] */
+  #publish(isListChanged: boolean): void {
+    const { publisher, atNodes } = this.#context;
+    if (isListChanged) this.onListChanged.emit();
+    const state = this.#state ?? idleState(this.#flight.settings);
+    publishStatus(publisher, {
+      ...state,
+      running: [...atNodes.running(), ...state.running],
+      listRevision: state.listRevision + this.#nodeRevision,
+    });
   }
 }

@@ -1,6 +1,7 @@
 import { compileGlob } from '@ubii/patterns';
 import type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
 import { DATA_FORMATS, type Component, type RecordingSelection } from '@ubii/proto';
+import { isInternalTopic } from '@ubii/recording/recorder';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { Session } from '../sessions/session.ts';
@@ -37,13 +38,6 @@ const IMAGE_FIELDS: ReadonlySet<number> = new Set([
 /** Whether a record with this value is an image or a list of them. */
 export function isImageField(valueField: number): boolean {
   return IMAGE_FIELDS.has(valueField);
-}
-
-/** Whether a page tells its state to other pages there: recorded only where a selection names it. [RC-12] */
-export function isInternalTopic(topic: string, publisherId: string): boolean {
-  return (
-    topic === `/${publisherId}/page_state` || topic === `/${publisherId}/graph_editor/presence`
-  );
 }
 
 /** A selection, ready to be compared with topics and their publishers. [RC-10] [RC-13] */

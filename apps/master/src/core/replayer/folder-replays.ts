@@ -15,7 +15,7 @@ import type {
   ReplayFiles,
   ReplayPlayer,
 } from '../ports/replay-files.ts';
-import type { OpenFile, RecordingFolder } from '../recorder/recording-folder.ts';
+import type { OpenFile, RecordingFolder } from '@ubii/recording/recorder';
 import { RecordingPlayer } from './recording-player.ts';
 
 /** Devices of a span that replays are told of: as many as a master may have. */

@@ -137,7 +137,7 @@ export class Rerun {
       // It has data of the participant, and is deleted with it. [ST-51]
       const { id: replayedRecordingId, study } = recording;
       const comparison = { ...wish, replayedRecordingId, ...(study && { study }) };
-      const { id } = await recordings.start(comparison, selection, undefined);
+      const { id } = await recordings.start(comparison, { selection });
       this.#comparisonId = id;
     } finally {
       // The replay was stopped meanwhile.

@@ -27,8 +27,8 @@ export const RECORDING_SERVICES = [
     roles: PARTICIPANTS,
     subject: ({ clientId }) => clientId,
     auditObject: (_core, { name }) => name,
-    handle(core, { selection, budget, ...wish }, call) {
-      return core.recordings.start(wishOf(core, wish, call), selection ?? EVERYTHING, budget);
+    handle(core, { selection = EVERYTHING, budget, nodeId, ...wish }, call) {
+      return core.recordings.start(wishOf(core, wish, call), { selection, budget, nodeId });
     },
   }),
   // [RC-5]
@@ -53,6 +53,12 @@ export const RECORDING_SERVICES = [
       await core.recordings.delete(id);
       return success('The recording is deleted.');
     },
+  }),
+  // [RC-63]
+  define('recordingUpload', {
+    roles: PARTICIPANTS,
+    auditObject: (_core, { id }) => id,
+    handle: ({ recordings }, { id }) => recordings.fetch(id),
   }),
   // [RC-20] [RC-21]
   define('recordingMark', {

@@ -6,10 +6,11 @@ import {
   type ModuleEvent,
   type ModuleReports,
 } from '@ubii/proto';
-import { readNodeMessage } from '@ubii/proto/wire';
+import { readNodeMessage, type EncodedNodeMessage } from '@ubii/proto/wire';
 import type { Client } from '../clients/client.ts';
 import type { EventLog } from '../counters/event-log.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
+import { Hook } from '../hooks/hook.ts';
 import { cutTexts } from '../texts/bound-texts.ts';
 import { quote } from '../texts/quote.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -35,6 +36,8 @@ export interface NodeReportsContext {
 /** Takes what nodes say: answers of passes, and how their modules do [EX-20]. The master is one of the nodes. */
 export class NodeReports {
   readonly #context: NodeReportsContext;
+  /** Called with each message: what is not about sessions is handled by others. */
+  readonly onMessage = new Hook<[client: Client, message: EncodedNodeMessage]>();
 
   constructor(context: NodeReportsContext) {
     this.#context = context;
@@ -42,7 +45,8 @@ export class NodeReports {
 
   /** @throws DecodeError when the bytes are no message of a node */
   handleMessage(client: Client, bytes: Uint8Array): void {
-    const { lockstepReply, moduleReports, endedTopics } = readNodeMessage(bytes);
+    const message = readNodeMessage(bytes);
+    const { lockstepReply, moduleReports, endedTopics } = message;
     if (lockstepReply !== undefined) {
       const { sessionId, pass } = lockstepReply.head;
       // The frame may be reused for something else before all have answered.
@@ -51,6 +55,7 @@ export class NodeReports {
     }
     if (moduleReports !== undefined) this.#takeReports(client, moduleReports);
     if (endedTopics !== undefined) this.#endTopics(client, endedTopics);
+    this.onMessage.emit(client, message);
   }
 
   /** A module runs, or has ended. Returns false when no session has it on this node [SE-32]. */

@@ -162,7 +162,7 @@ export class StudyBlocks {
     const notes = forced === '' ? '' : `Begun although required devices were not ready: ${forced}.`;
     const wish = { ...by, name, notes, study: part };
     const selection = study.selection ?? EVERYTHING;
-    return { recording: await recordings.start(wish, selection, undefined), runNumber };
+    return { recording: await recordings.start(wish, { selection }), runNumber };
   }
 
   #takenNames(studyId: string): Set<string> {

@@ -15,7 +15,10 @@ export interface TextFault {
 
 /** Messages of clients: requests, and reports of nodes. */
 type Root =
-  'ubii.services.ServiceRequest' | 'ubii.extension.ModuleStatistics' | 'ubii.extension.ModuleEvent';
+  | 'ubii.services.ServiceRequest'
+  | 'ubii.extension.ModuleStatistics'
+  | 'ubii.extension.ModuleEvent'
+  | 'ubii.extension.Recording';
 
 /** Limits and state of checking the texts of a message. */
 export interface TextContext {
@@ -154,6 +157,7 @@ function plansOf(): { readonly [R in Root]: Plan } {
     'ubii.services.ServiceRequest': planOf('ubii.services.ServiceRequest'),
     'ubii.extension.ModuleStatistics': planOf('ubii.extension.ModuleStatistics'),
     'ubii.extension.ModuleEvent': planOf('ubii.extension.ModuleEvent'),
+    'ubii.extension.Recording': planOf('ubii.extension.Recording'),
   };
 }
 

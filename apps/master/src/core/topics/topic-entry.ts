@@ -6,7 +6,7 @@ import {
   type Component,
 } from '@ubii/proto';
 import type { TokenBucket } from '@ubii/timing';
-import type { RecordSource } from '../ports/recorder.ts';
+import type { RecordSource } from '@ubii/recording/recorder';
 import type { Account } from '../shares/account.ts';
 import type { ReadRights } from './rights.ts';
 

@@ -14,7 +14,7 @@ import type {
   RecordToKeep,
   RunningJob,
 } from '../../core/ports/index.ts';
-import { OpenBatch, type BatchedSource } from '../../core/recorder/recording-batch.ts';
+import { OpenBatch, type BatchedSource } from '@ubii/recording/recorder';
 import { readRecording } from '../read-recording.ts';
 
 /** A recorder with its files. */

@@ -1,4 +1,4 @@
-import type { RecordingBatch, RecordSource, RecordToKeep } from '../ports/recorder.ts';
+import type { RecordingBatch, RecordSource, RecordToKeep } from './recorder.ts';
 
 /** A source that knows its place in the batch that is open. */
 export interface BatchedSource extends RecordSource {

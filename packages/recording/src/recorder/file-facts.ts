@@ -7,8 +7,9 @@ import {
   type RecordingSelection,
   type RecordingStudy,
 } from '@ubii/proto';
-import type { RecordingHeader, RecordingSummary } from '@ubii/recording';
-import type { RecordingJob } from '../ports/recorder.ts';
+import type { RecordingHeader } from '../records/recording-header.ts';
+import type { RecordingSummary } from '../records/recording-summary.ts';
+import type { RecordingJob } from './recorder.ts';
 import { msOf } from './nanoseconds.ts';
 
 /** What the master keeps in the header of a file, besides what every reader knows. */
@@ -38,6 +39,9 @@ const KINDS: { readonly [K in RecordingKind]?: RecordingHeader['kind'] } = {
   [RecordingKind.RECORDING_KIND_IMPORT]: 'import',
   [RecordingKind.RECORDING_KIND_COMPARISON]: 'comparison',
 };
+
+/** Of recordings that no node has. [RC-60] */
+export const AT_MASTER = { nodeId: '', nodeName: '', nodeIsAway: false, uploadedBytes: 0 } as const;
 
 /** What the file of a new recording begins with. */
 export function factsOf(
@@ -118,6 +122,7 @@ export function describeFile(
     topics: [],
     markers: [],
     replayedRecordingId: facts.replayedRecordingId,
+    ...AT_MASTER,
   };
 }
 

@@ -7,7 +7,7 @@ import type {
   RecordingSelection,
   RecordingStudy,
 } from '@ubii/proto';
-import type { RecordingEvent } from '@ubii/recording';
+import type { RecordingEvent } from '../records/recording-event.ts';
 
 /** Who publishes what. The same object for all records of one publisher on one topic. */
 export interface RecordSource {
@@ -61,6 +61,8 @@ export interface RecordingJob {
   readonly personalData: string;
   /** Which part of a study it is [ST-24]. */
   readonly study?: RecordingStudy | undefined;
+  /** Of an upload: a node recorded it for this master, so that what its file says of it stays. [RC-63] */
+  readonly isOfNode?: boolean;
 }
 
 /** A recording to start. */

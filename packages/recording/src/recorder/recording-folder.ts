@@ -1,4 +1,4 @@
-import type { RecordingFile } from '@ubii/recording';
+import type { RecordingFile } from '../storage/recording-storage.ts';
 
 /** A recording's file that is open. */
 export interface OpenFile extends RecordingFile {

@@ -1,6 +1,9 @@
 import { RecordingKind, RecordingState, ServiceError, type Recording } from '@ubii/proto';
-import { changeRecording, RecordingError, RecordingReader, repairRecording } from '@ubii/recording';
-import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from '../ports/recorder.ts';
+import { changeRecording } from '../repair/change-recording.ts';
+import { RecordingError } from '../records/recording-error.ts';
+import { RecordingReader } from '../reading/recording-reader.ts';
+import { repairRecording } from '../repair/repair-recording.ts';
+import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from './recorder.ts';
 import { describeFile, factsOf, formatHeader, parseFacts } from './file-facts.ts';
 import type { FileFacts } from './file-facts.ts';
 import { describeMarker, MarkerList } from './marker-list.ts';
@@ -126,14 +129,8 @@ export class FileList {
       await this.#edit(job.id, async (file) => {
         await repairRecording(file);
         const { summary } = await RecordingReader.open(file);
-        const own = parseFacts(summary);
-        const name = job.name || own.name;
-        const facts = factsOf(
-          { ...job, name, notes: own.notes, personalData: own.personalData, study: own.study },
-          RecordingKind.RECORDING_KIND_IMPORT,
-          nowMs,
-        );
-        await changeRecording(file, { header: formatHeader(facts) });
+        const header = formatHeader(adopted(job, parseFacts(summary), nowMs));
+        await changeRecording(file, { header });
       });
       return await this.read(job.id);
     } catch (cause) {
@@ -220,6 +217,15 @@ export class FileList {
     this.#queue = done.catch(() => undefined);
     return done;
   }
+}
+
+/** What is kept of an upload: of the recording of a node, all that its file says. [RC-41] [RC-63] */
+function adopted(job: RecordingJob, own: FileFacts, nowMs: number): FileFacts {
+  if (job.isOfNode === true) return { ...own, author: job.author, makerId: job.makerId };
+  const { notes, personalData, study } = own;
+  const name = job.name || own.name;
+  const texts = { ...job, name, notes, personalData, study };
+  return factsOf(texts, RecordingKind.RECORDING_KIND_IMPORT, nowMs);
 }
 
 function problemOf(lostAfterNs: bigint | undefined): string {

@@ -9,7 +9,7 @@ import {
 } from '../../testing/acceptance/index.ts';
 import { MemoryFolder } from '../../testing/index.ts';
 import { readRecording } from '../../testing/read-recording.ts';
-import { RecorderEngine, type RecorderLimits } from './recorder-engine.ts';
+import { RecorderEngine, type RecorderLimits } from '@ubii/recording/recorder';
 
 const LIMITS: RecorderLimits = { recordingsBytes: 1e9, markersPerRecording: 100 };
 

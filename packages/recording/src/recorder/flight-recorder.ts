@@ -1,11 +1,9 @@
 import type { FlightRecorder as FlightMessage } from '@ubii/proto';
-import {
-  FlightRing,
-  type RecordedRecord,
-  type RecordingEvent,
-  type RecordingWriter,
-} from '@ubii/recording';
-import type { FlightJob, MarkerJob } from '../ports/recorder.ts';
+import { FlightRing } from '../flight/flight-ring.ts';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecordingWriter } from '../writing/recording-writer.ts';
+import type { FlightJob, MarkerJob } from './recorder.ts';
 import { MarkerList } from './marker-list.ts';
 
 /** Bars of the chart of rates. */

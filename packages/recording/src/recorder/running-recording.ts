@@ -1,13 +1,11 @@
 import { RecordingKind, RecordingState, type Recording } from '@ubii/proto';
-import {
-  changeRecording,
-  RecordingWriter,
-  repairRecording,
-  type RecordedRecord,
-  type RecordingEvent,
-} from '@ubii/recording';
-import type { RecordingTexts, RunningJob } from '../ports/recorder.ts';
-import { factsOf, formatHeader, type FileFacts } from './file-facts.ts';
+import { changeRecording } from '../repair/change-recording.ts';
+import { RecordingWriter } from '../writing/recording-writer.ts';
+import { repairRecording } from '../repair/repair-recording.ts';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecordingTexts, RunningJob } from './recorder.ts';
+import { AT_MASTER, factsOf, formatHeader, type FileFacts } from './file-facts.ts';
 import { MarkerList } from './marker-list.ts';
 import type { OpenFile } from './recording-folder.ts';
 
@@ -131,6 +129,7 @@ export class RunningRecording {
       topics: [],
       markers: [],
       replayedRecordingId,
+      ...AT_MASTER,
     };
   }
 }

@@ -1,7 +1,8 @@
 import { RecordingState, ServiceError, type Recording } from '@ubii/proto';
-import type { RecordedRecord, RecordingEvent } from '@ubii/recording';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
 import type { Clock } from '@ubii/timing';
-import type { KeptRecording, MarkerJob, RecordingTexts, RunningJob } from '../ports/recorder.ts';
+import type { KeptRecording, MarkerJob, RecordingTexts, RunningJob } from './recorder.ts';
 import type { FileList } from './file-list.ts';
 import { describeMarker } from './marker-list.ts';
 import type { RecordingFolder } from './recording-folder.ts';

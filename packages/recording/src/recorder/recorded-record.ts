@@ -1,5 +1,6 @@
-import { describeRecord, type RecordedRecord } from '@ubii/recording';
-import type { RecordSource } from '../ports/recorder.ts';
+import { describeRecord } from '../records/describe-record.ts';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import type { RecordSource } from './recorder.ts';
 import { nsOf } from './nanoseconds.ts';
 
 /** A record as it stands in files, with the time of its publisher. */

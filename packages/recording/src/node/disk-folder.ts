@@ -1,8 +1,8 @@
 import { mkdir, readdir, rename, rm, statfs } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
-import { DiskFile } from '@ubii/recording/node';
+import { DiskFile } from './disk-file.ts';
 
-import type { OpenFile, RecordingFolder } from '../../core/recorder/recording-folder.ts';
+import type { OpenFile, RecordingFolder } from '../recorder/recording-folder.ts';
 
 const EXTENSION = '.mcap';
 /** Uploads that are under way. */

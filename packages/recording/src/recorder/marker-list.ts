@@ -1,6 +1,6 @@
 import { ServiceError, type RecordingMarker } from '@ubii/proto';
-import type { Marker, RecordingEvent } from '@ubii/recording';
-import type { MarkerJob } from '../ports/recorder.ts';
+import type { Marker, RecordingEvent } from '../records/recording-event.ts';
+import type { MarkerJob } from './recorder.ts';
 import { nsOf } from './nanoseconds.ts';
 
 /** Markers of one recording. [RC-20] */

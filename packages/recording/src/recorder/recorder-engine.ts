@@ -5,7 +5,8 @@ import {
   type Recording,
   type RecordingMarker,
 } from '@ubii/proto';
-import { RecordingWriter, type RecordingEvent } from '@ubii/recording';
+import { RecordingWriter } from '../writing/recording-writer.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
 import type { Cancel, Clock } from '@ubii/timing';
 import {
   FLIGHT_TARGET,
@@ -20,7 +21,7 @@ import {
   type RecordingBatch,
   type RecordToKeep,
   type RunningJob,
-} from '../ports/recorder.ts';
+} from './recorder.ts';
 import { factsOf, formatHeader } from './file-facts.ts';
 import { FileList } from './file-list.ts';
 import { FlightRecorder } from './flight-recorder.ts';

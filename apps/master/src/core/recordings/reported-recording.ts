@@ -1,0 +1,47 @@
+import { RecordingKind, RecordingState, type Recording } from '@ubii/proto';
+import { AT_MASTER, type RecordingJob } from '@ubii/recording/recorder';
+import type { Client } from '../clients/client.ts';
+
+/** Ids of recordings, which are names of files as well. */
+const ID = /^[\da-zA-Z-]{1,64}$/;
+
+/** What the master knows itself of a recording of a node. */
+interface Known {
+  readonly author: string;
+  readonly recording: Pick<Recording, 'study' | 'selection' | 'budget' | 'replayedRecordingId'>;
+}
+
+export function isRecordingId(id: string): boolean {
+  return ID.test(id);
+}
+
+/** A recording of a node as the master describes it: numbers and texts of the node, and what only the master decides. [RC-62] */
+export function reportedRecording(told: Recording, known: Known, client: Client): Recording {
+  const isRunning = told.state === RecordingState.RECORDING_STATE_RECORDING;
+  const { study, selection, budget, replayedRecordingId } = known.recording;
+  return {
+    ...told,
+    ...{ study, selection, budget, replayedRecordingId, author: known.author },
+    state: isRunning ? told.state : RecordingState.RECORDING_STATE_AT_NODE,
+    nodeId: client.id,
+    nodeName: client.label,
+    nodeIsAway: false,
+    topics: [],
+    markers: [],
+  };
+}
+
+/** A recording that a node is asked to start. */
+export function newRecording(job: RecordingJob, nowMs: number): Recording {
+  const { id, name, notes, author, study, replayedRecordingId = '' } = job;
+  return {
+    ...{ id, name, notes, author, study, replayedRecordingId },
+    kind: RecordingKind.RECORDING_KIND_RECORDING,
+    // Until the node says that it records.
+    state: RecordingState.RECORDING_STATE_UNSPECIFIED,
+    startedMs: nowMs,
+    ...{ durationMs: 0, sizeBytes: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0 },
+    ...{ problem: '', selection: undefined, budget: undefined, topics: [], markers: [] },
+    ...AT_MASTER,
+  };
+}
