@@ -78,6 +78,18 @@ export const OPTIONS = {
       'Memory of all sandboxed modules on this node, in MiB. Modules of one session get half of it, at most 1024.',
     parse: parseMegabytes,
   }),
+  recordDir: pathOption(
+    '<folder>',
+    'off',
+    'Record for the master into this folder, when somebody asks for it. Recordings are uploaded to the master when they end; the node joins as a participant or an admin for that.',
+  ),
+  recordSpace: option({
+    placeholder: '<MiB>',
+    fallback: 20_480 * 1024 * 1024,
+    fallbackText: '20480',
+    description: 'Most space of recordings in the folder, in MiB; recordings stop beyond it.',
+    parse: parseMegabytes,
+  }),
   identity: option<string | undefined>({
     placeholder: '<file>|off',
     fallback: undefined,

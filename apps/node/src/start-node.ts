@@ -1,7 +1,12 @@
 import { ConfigError } from '@ubii/program';
 import type { LogLevel } from '@ubii/program';
-import { createClient } from '@ubii/client-web/node';
-import type { ConnectionError, ConnectionState, UbiiClient } from '@ubii/client-web/node';
+import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
+import type {
+  ConnectionError,
+  ConnectionState,
+  IdentityStorage,
+  UbiiClient,
+} from '@ubii/client-web/node';
 import { createProcessingNode } from '@ubii/client-web/processing';
 import type { NodeInstance, ProcessingNode } from '@ubii/client-web/processing';
 import { moduleLibrary } from '@ubii/modules';
@@ -18,6 +23,7 @@ import { counted } from '@ubii/words';
 import { createIdentityFile, defaultIdentityFile } from './identity-file.ts';
 import type { Log } from './log.ts';
 import type { Config } from './options.ts';
+import { openRecorder, watchCredential } from './recorder/open-recorder.ts';
 
 /** Time for each step of the shutdown, milliseconds. With the exit of the process, it takes 2 s at most. */
 const STOP_TIMEOUT_MS = 800;
@@ -53,6 +59,7 @@ export async function startNode({
     isRunnable(module, libraries),
   );
   let folder: FolderWatch | undefined;
+  const { identity, credential } = watchCredential(identityOf(config));
   const client = createClient({
     url: config.master,
     name: config.name,
@@ -60,14 +67,15 @@ export async function startNode({
     publishIntervalMs: 0,
     onError: (error, source) => log('error', `Error in ${source}: ${messageOf(error)}`),
     ...(config.join === undefined ? {} : { joinToken: config.join }),
-    ...(config.identity === 'off'
-      ? {}
-      : {
-          identity: createIdentityFile(
-            config.identity ?? defaultIdentityFile(config.master, config.name),
-          ),
-        }),
+    identity,
   });
+  const recorder =
+    config.recordDir === undefined
+      ? undefined
+      : await openRecorder({
+          ...{ client, log, credential, master: config.master },
+          ...{ folder: config.recordDir, maxBytes: config.recordSpace },
+        });
   const node = createProcessingNode(client, {
     kind: 'node',
     isDedicated: true,
@@ -76,6 +84,7 @@ export async function startNode({
     assets: createAssetStore(createHttpAssets(config.master)),
     capacity: config.capacity,
     acceptsWork: !config.noAcceptWork,
+    records: recorder !== undefined,
   });
   const use = (loaded: LoadedFolder): Promise<void> => {
     for (const { file, message } of loaded.problems) log('error', `${file}: ${message}`);
@@ -106,10 +115,16 @@ export async function startNode({
       folder?.close();
       // A master that is not available: nothing to deregister from.
       const ignore = (): void => undefined;
-      await within(systemClock, STOP_TIMEOUT_MS, node.stop().catch(ignore));
+      const closed = recorder?.close().catch(ignore);
+      await within(systemClock, STOP_TIMEOUT_MS, Promise.all([closed, node.stop().catch(ignore)]));
       await within(systemClock, STOP_TIMEOUT_MS, client.close().catch(ignore));
     },
   };
+}
+
+function identityOf({ identity, master, name }: Config): IdentityStorage {
+  if (identity === 'off') return createMemoryIdentity();
+  return createIdentityFile(identity ?? defaultIdentityFile(master, name));
 }
 
 /** True when the node has all libraries of the module. Other modules are not offered. [PM-4] */

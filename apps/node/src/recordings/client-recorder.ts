@@ -1,7 +1,7 @@
 import type { UbiiClient } from '@ubii/client-web/node';
 import type { EncodedRecord } from '@ubii/client-web/node';
-import { SessionState, toJson } from '@ubii/proto';
 import { describeRecord, type RecordedRecord, type RecordingWriter } from '@ubii/recording';
+import { clientEvent, nsOf, sessionEvent } from '@ubii/recording/recorder';
 
 /** What is collected is written after this time: an end without warning loses no more. Milliseconds. */
 const FLUSH_MS = 1000;
@@ -123,11 +123,10 @@ export class ClientRecorder {
   async #writeClients(): Promise<void> {
     const { elements } = await this.#client.call('clientGetList');
     if (this.#abort.signal.aborted) return;
-    for (const { id = '', name, tags } of elements) {
-      if (this.#knownClients.has(id)) continue;
-      this.#knownClients.add(id);
-      const value = { id, name, tags, state: 'active' };
-      this.#writer.addEvent({ kind: 'client', timeNs: this.#nowNs(), value });
+    for (const client of elements) {
+      if (this.#knownClients.has(client.id)) continue;
+      this.#knownClients.add(client.id);
+      this.#writer.addEvent(clientEvent(client, this.#client.masterTime.nowMs()));
     }
   }
 
@@ -135,28 +134,13 @@ export class ClientRecorder {
   async #writeSessions(): Promise<void> {
     const { elements } = await this.#client.call('sessionRuntimeGetList');
     for (const session of elements) {
-      const { id, name, extension } = session;
-      const value = {
-        ...{ id, name, state: stateText(extension?.state) },
-        session: JSON.stringify(toJson('ubii.sessions.Session', session)),
-      };
-      this.#writer.addEvent({ kind: 'session', timeNs: this.#nowNs(), value });
+      this.#writer.addEvent(sessionEvent(session, this.#client.masterTime.nowMs()));
     }
   }
 
   #nowNs(): bigint {
     return nsOf(this.#client.masterTime.nowMs());
   }
-}
-
-function stateText(state: SessionState | undefined): string {
-  const entry = Object.entries(SessionState).find(([, value]) => value === state);
-  return (entry?.[0] ?? 'SESSION_CREATED').replace('SESSION_', '').toLowerCase();
-}
-
-/** @param ms milliseconds, with fractions down to a microsecond */
-function nsOf(ms: number): bigint {
-  return BigInt(Math.round(ms * 1000)) * 1000n;
 }
 
 function aborted(signal: AbortSignal): Promise<void> {

@@ -164,7 +164,7 @@ class Node implements ProcessingNode {
   /** [PM-60] */
   #tellProfile(isNode: boolean): Promise<void> {
     const { kind, libraries = [], capacity = 0, isDedicated = false } = this.#options;
-    const { assets, sandboxes } = this.#options;
+    const { assets, sandboxes, records = false } = this.#options;
     return this.#client.updateProfile({
       node: isNode
         ? {
@@ -173,6 +173,7 @@ class Node implements ProcessingNode {
             acceptsWork: this.#acceptsWork,
             libraries: [...libraries],
             loadsAssets: assets !== undefined,
+            records,
             capacity,
             memoryBytes: sandboxes.memory?.limitBytes ?? 0,
           }

@@ -27,6 +27,8 @@ export interface ProcessingNodeOptions {
   readonly libraries?: readonly string[];
   /** Loads the asset sets of trusted modules into `state.assets`. @default none: such modules cannot run here */
   readonly assets?: AssetStore;
+  /** True: the program makes recordings for the master. [RC-60] @default false */
+  readonly records?: boolean;
   /** Number of modules that it accepts at once; 0: not specified. @default 0 */
   readonly capacity?: number;
   readonly limits?: Partial<RuntimeLimits>;

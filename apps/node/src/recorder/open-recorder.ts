@@ -1,0 +1,78 @@
+import { mkdir } from 'node:fs/promises';
+import { join } from 'node:path';
+import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
+import { ConfigError } from '@ubii/program';
+import { DiskFolder, recordingPath } from '@ubii/recording/node';
+import { RecorderEngine } from '@ubii/recording/recorder';
+import { systemClock } from '@ubii/timing/system';
+import type { Log } from '../log.ts';
+import { NodeRecorder } from './node-recorder.ts';
+import { sendFile } from './send-file.ts';
+
+/** Markers of one recording, as on the master. [RC-23] */
+const MARKERS_PER_RECORDING = 10_000;
+
+/** What a recorder of a node is opened with. */
+export interface RecorderSetup {
+  readonly client: UbiiClient;
+  /** URL of the master. */
+  readonly master: string;
+  /** Folder for recordings of all masters. */
+  readonly folder: string;
+  /** Most space of all recordings of this master, bytes. */
+  readonly maxBytes: number;
+  /** Shows who this client is, of this moment. */
+  readonly credential: () => string | undefined;
+  readonly log: Log;
+}
+
+/** Records into a folder of this machine. @throws ConfigError when it cannot be used */
+export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> {
+  const { client, master, log, credential, maxBytes } = setup;
+  // What was recorded at one master is not given to another one.
+  const folder = join(setup.folder, encodeURIComponent(new URL(master).host));
+  try {
+    await mkdir(folder, { recursive: true });
+  } catch (error) {
+    const { message } = error as Error;
+    throw new ConfigError(`The folder ${setup.folder} (--record-dir) cannot be used: ${message}.`);
+  }
+  const recorder = new RecorderEngine({
+    folder: new DiskFolder(folder),
+    clock: systemClock,
+    limits: { recordingsBytes: maxBytes, markersPerRecording: MARKERS_PER_RECORDING },
+  });
+  return new NodeRecorder({
+    ...{ client, recorder, log },
+    send: (recordingId, signal, onProgress) =>
+      sendFile({
+        ...{ recordingId, master, signal, onProgress },
+        path: recordingPath(folder, recordingId),
+        clientId: client.id ?? '',
+        credential: credential(),
+      }),
+  });
+}
+
+/** A storage of an identity that shows the credential in it. */
+export function watchCredential(storage: IdentityStorage): {
+  readonly identity: IdentityStorage;
+  credential(): string | undefined;
+} {
+  let credential: string | undefined;
+  return {
+    credential: () => credential,
+    identity: {
+      ...storage,
+      async load() {
+        const identity = await storage.load();
+        credential = identity?.credential;
+        return identity;
+      },
+      save(identity) {
+        credential = identity?.credential;
+        storage.save(identity);
+      },
+    },
+  };
+}
