@@ -1,6 +1,12 @@
 import { RecordingState, type Recording } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { estimateSentence, findRecordings, formatWhen, recordingLook } from './recording-words.ts';
+import {
+  estimateSentence,
+  findRecordings,
+  formatWhen,
+  placeSentence,
+  recordingLook,
+} from './recording-words.ts';
 
 const aRecording = (changes: Partial<Recording>): Recording =>
   ({
@@ -29,6 +35,24 @@ it('a recording says what is wrong with it, and nothing when it is whole', () =>
   const failed = aRecording({ state: RecordingState.RECORDING_STATE_FAILED });
   expect(recordingLook(failed)?.word).toBe('Stopped early');
   expect(recordingLook(aRecording({ lostCount: 1 }))?.word).toBe('1 record missing');
+});
+
+it('[RC-63] [RC-64] a recording of a node says where it is', () => {
+  const at = {
+    nodeName: 'kitchen',
+    nodeIsAway: false,
+    problem: '',
+    uploadedBytes: 0,
+    sizeBytes: 200,
+  };
+  const there = aRecording({ ...at, state: RecordingState.RECORDING_STATE_AT_NODE });
+  expect(recordingLook(there)?.word).toBe('Uploading from kitchen');
+  expect(placeSentence({ ...there, uploadedBytes: 50 })).toContain('25 % of it is uploaded');
+  expect(recordingLook({ ...there, problem: 'No room.' })?.word).toBe('On kitchen');
+  expect(placeSentence({ ...there, nodeIsAway: true })).toMatch(/uploaded when it returns/);
+  const running = aRecording({ ...at, state: RecordingState.RECORDING_STATE_RECORDING });
+  expect(recordingLook(running)).toBeUndefined();
+  expect(recordingLook({ ...running, nodeIsAway: true })?.word).toBe('kitchen is away');
 });
 
 it('recordings are found by words of name, notes and author', () => {

@@ -14,15 +14,46 @@ export interface RecordingLook {
 export const isRunning = ({ state }: Pick<Recording, 'state'>): boolean =>
   state === RecordingState.RECORDING_STATE_RECORDING;
 
+/** Its file is still on the node that recorded it. [RC-63] */
+export const isAtNode = ({ state }: Pick<Recording, 'state'>): boolean =>
+  state === RecordingState.RECORDING_STATE_AT_NODE;
+
+/** Where a recording of a node is, in one sentence. */
+export function placeSentence(recording: Recording): string {
+  const { nodeName, nodeIsAway, uploadedBytes, sizeBytes, problem } = recording;
+  if (isRunning(recording)) {
+    return nodeIsAway
+      ? `${nodeName}, which records it, is not connected. It goes on when it returns.`
+      : `Recorded by ${nodeName}.`;
+  }
+  if (nodeIsAway) {
+    return `The file is on ${nodeName}, which is not connected. It is uploaded when it returns.`;
+  }
+  if (uploadedBytes > 0 && sizeBytes > 0) {
+    const percent = Math.min(100, Math.floor((uploadedBytes / sizeBytes) * 100));
+    return `The file is on ${nodeName}, and ${percent} % of it is uploaded.`;
+  }
+  return problem === ''
+    ? `The file is on ${nodeName}, and waits to be uploaded.`
+    : `The file is on ${nodeName}.`;
+}
+
 /** Undefined for one that is as it should be. */
-export function recordingLook({ state, lostCount }: Recording): RecordingLook | undefined {
+export function recordingLook(recording: Recording): RecordingLook | undefined {
+  const { state, lostCount, nodeName, nodeIsAway, problem } = recording;
   switch (state) {
+    case RecordingState.RECORDING_STATE_RECORDING:
+      return nodeIsAway ? { mark: 'away', word: `${nodeName} is away` } : undefined;
+    case RecordingState.RECORDING_STATE_AT_NODE:
+      return nodeIsAway || problem !== ''
+        ? { mark: 'warning', word: `On ${nodeName}` }
+        : { mark: 'live', word: `Uploading from ${nodeName}` };
     case RecordingState.RECORDING_STATE_REPAIRED:
       return { mark: 'warning', word: 'Repaired' };
     case RecordingState.RECORDING_STATE_FAILED:
       return { mark: 'error', word: 'Stopped early' };
     default:
-      return lostCount > 0 && !isRunning({ state })
+      return lostCount > 0
         ? { mark: 'warning', word: `${counted(lostCount, 'record')} missing` }
         : undefined;
   }

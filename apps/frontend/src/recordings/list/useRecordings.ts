@@ -41,6 +41,8 @@ export interface Recordings {
   /** @returns whether it is deleted */
   remove(id: string): Promise<boolean>;
   mark(marker: Init<RecordingMarker>): Promise<RecordingMarker | undefined>;
+  /** Asks the node that has it to upload it again. */
+  fetch(id: string): Promise<Recording | undefined>;
   /** Gives a file of this device to the master. */
   upload(file: File): Promise<Recording | undefined>;
   setFlight(settings: FlightChoice): Promise<FlightRecorder | undefined>;
@@ -96,6 +98,7 @@ export function provideRecordings(): Recordings {
       })) === true,
     mark: (marker) =>
       changed(() => client.call('recordingMark', { ...marker, clientId: client.id })),
+    fetch: (id) => changed(() => client.call('recordingUpload', { id })),
     upload: (file) => changed(() => uploadRecording(file)),
     setFlight: (settings) => attempt(() => client.call('flightRecorderSet', settings)),
   };
