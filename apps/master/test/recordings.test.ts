@@ -18,7 +18,8 @@ import { contentOf, SERVICES, start, stop } from './recording-world.ts';
 
 async function topicsOf(master: TestMaster, id: string): Promise<string[]> {
   await stop(master, id);
-  return (await contentOf(master, id)).values.map(([topic]) => topic).sort();
+  const { values } = await contentOf(master, id);
+  return [...new Set(values.map(([topic]) => topic))].sort();
 }
 
 describe('a recording', () => {
@@ -59,7 +60,6 @@ describe('a recording', () => {
   it('[RC-1] [RC-4] [RC-5] holds all that was published from its start to its stop', async () => {
     const master = new TestMaster();
     const ada = await master.legacy('ada');
-    ada.publish('/lab/before', 'double', 1);
     const id = await start(master);
     ada.publish('/lab/x', 'double', 2);
     ada.publish('/lab/name', 'string', 'Lab');
@@ -76,6 +76,31 @@ describe('a recording', () => {
       { topic: '/lab/x', clientId: ada.id, clientName: 'ada', format: 'double' },
       { topic: '/lab/name', clientId: ada.id, format: 'string' },
     ]);
+  });
+
+  it('[RC-9] begins with the values that topics have, as far as they are selected and no events', async () => {
+    const master = new TestMaster();
+    const ada = await master.legacy('ada');
+    ada.publish('/lab/flag', 'bool', false);
+    ada.publish('/lab/flag', 'bool', true);
+    ada.publish('/lab/pressed', 'keyEvent', { type: 0, key: 'a' });
+    ada.publish('/lab/camera', 'image2D', {
+      ...{ width: 1, height: 1, dataFormat: 0, data: Uint8Array.of(1) },
+    });
+    ada.publish('/other', 'double', 1);
+    await master.pass(5_000);
+    const startedMs = master.clock.nowMs();
+    const id = await start(master, { patterns: ['/lab/**'], withoutImages: true });
+    ada.publish('/lab/x', 'double', 2);
+    expect(await stop(master, id)).toMatchObject({ recordCount: 2, lostCount: 0 });
+    const { values, summary } = await contentOf(master, id);
+    expect(values).toEqual([
+      ['/lab/flag', true],
+      ['/lab/x', 2],
+    ]);
+    expect(summary.topics[0]).toMatchObject({ topic: '/lab/flag', clientName: 'ada' });
+    const reader = await RecordingReader.open(await master.recordings.open(id));
+    expect(reader.summary.startNs).toBe(BigInt(startedMs) * 1_000_000n);
   });
 
   it('[RC-12] tells of clients and sessions with their code, and not of topics of the master', async () => {

@@ -196,7 +196,10 @@ describe('a run', () => {
     const [take] = blocks[0]!.takes;
     expect(take).toMatchObject({ name: 'Touch_P07_withHaptics_01', runNumber: 1, problem: '' });
     const { values, summary } = await contentOf(master, take!.recordingId);
-    expect(values).toEqual([['/lab/x', 1]]);
+    expect(values).toEqual([
+      ['/lab/before', 0], // [RC-9]
+      ['/lab/x', 1],
+    ]);
     expect(summary.markers.map(({ text }) => text)).toEqual([
       'Begin of block 1: with haptics',
       'Looked away',

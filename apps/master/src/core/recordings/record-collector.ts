@@ -14,7 +14,7 @@ import {
   type RecordingBatch,
 } from '@ubii/recording/recorder';
 import type { RecordTaker, RecordTap } from '../topics/record-tap.ts';
-import type { TappedSource, TopicEntry } from '../topics/topic-entry.ts';
+import { isEventField, type TappedSource, type TopicEntry } from '../topics/topic-entry.ts';
 import { MARKER_TOPIC_END, type Marking } from './marker-topics.ts';
 import { isImageField, type CompiledSelection } from './selection.ts';
 
@@ -45,6 +45,8 @@ const MAX_SOURCES = 100_000;
 const BATCH_MS = 50;
 /** Bytes of records from which on they are handed over before their time: what they keep in memory is bounded. */
 const MAX_WAITING_BYTES = 4 * 1024 * 1024;
+/** Markers that wait: more at once are too many for any recording. [RC-24] */
+const MAX_MARKINGS = 100;
 const TOO_SLOW = 'The recorder could not take records as fast as they came.';
 const SESSION_NEWS = '/info/session/';
 const CLIENT_NEWS = '/ubii/client/';
@@ -90,9 +92,12 @@ export class RecordCollector implements RecordTaker {
     return this.#selections.size === 0 && !this.#isFlightUsed;
   }
 
-  /** Records from now on what is selected. */
-  add(target: number, selection: CompiledSelection): void {
+  /** Records from now on what is selected, beginning with the values that topics have now. [RC-9] */
+  add(target: number, selection: CompiledSelection, topics: Iterable<TopicEntry>): void {
     this.#change(() => this.#selections.set(target, selection));
+    const timeMs = this.#context.clock.nowMs();
+    for (const entry of topics) this.#addValue(entry, target, timeMs);
+    this.flush();
   }
 
   remove(target: number): void {
@@ -115,12 +120,8 @@ export class RecordCollector implements RecordTaker {
     const { publisherId, publishedMs } = entry;
     const source = this.#sourceOf(entry, publisherId);
     const targets = isImageField(entry.valueField) ? source.targetsOfImages : source.targets;
-    if (source.isOfMarkers) this.#markings.push({ record, publisherId, timeMs: publishedMs });
-    else if (targets === 0) return;
-    if (targets !== 0) this.#batch.add(source, record, publishedMs, targets);
-    this.#waitingBytes += record.byteLength;
-    if (this.#waitingBytes > MAX_WAITING_BYTES) this.flush();
-    else if (this.#cancel === undefined) this.#startTimer();
+    if (targets !== 0) this.#addToBatch(source, record, publishedMs, targets);
+    if (source.isOfMarkers) this.#addMarking({ record, publisherId, timeMs: publishedMs });
   }
 
   /** Hands over what waits. */
@@ -159,6 +160,27 @@ export class RecordCollector implements RecordTaker {
 
   #startTimer(): void {
     this.#cancel ??= this.#context.clock.after(BATCH_MS, () => this.flush());
+  }
+
+  /** What a recording that starts now takes of a topic. An event is over. [RC-9] */
+  #addValue(entry: TopicEntry, target: number, timeMs: number): void {
+    const { record, valueField, publisherId, isMasters } = entry;
+    if (record === undefined || isMasters || isEventField(valueField)) return;
+    const source = this.#sourceOf(entry, publisherId);
+    const targets = isImageField(valueField) ? source.targetsOfImages : source.targets;
+    if ((targets & target) !== 0) this.#addToBatch(source, record, timeMs, target);
+  }
+
+  #addToBatch(source: TappedSource, record: Uint8Array, timeMs: number, targets: number): void {
+    this.#batch.add(source, record, timeMs, targets);
+    this.#waitingBytes += record.byteLength;
+    if (this.#waitingBytes > MAX_WAITING_BYTES) this.flush();
+    else if (this.#cancel === undefined) this.#startTimer();
+  }
+
+  #addMarking(marking: Marking): void {
+    if (this.#markings.length < MAX_MARKINGS) this.#markings.push(marking);
+    this.#startTimer();
   }
 
   /** What came before belongs to what recorded then. */

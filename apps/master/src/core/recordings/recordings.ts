@@ -155,7 +155,7 @@ export class Recordings {
 
   /** [RC-4] [RC-60] */
   async start(wish: RecordingWish, plan: RecordingPlan): Promise<Recording> {
-    const { recorder, collector, limits, atNodes } = this.#context;
+    const { recorder, collector, limits, topics, atNodes } = this.#context;
     const { selection, nodeId = '' } = plan;
     const budget = budgetOf(plan.budget, limits.limits);
     await this.#requireRoom();
@@ -165,7 +165,7 @@ export class Recordings {
     collector.flush();
     try {
       const started = recorder.start(job);
-      collector.add(target, new CompiledSelection(selection, this.#context));
+      collector.add(target, new CompiledSelection(selection, this.#context), topics.values());
       return await started;
     } catch (cause) {
       collector.remove(target);
