@@ -37,9 +37,9 @@ describe('tracks of a recording', () => {
       { topic: `/${id}/smart-device/level`, clientId: '', format: 'double', records: 1 },
     ];
     const [track] = tracksOf(topics, 1, new Map([[id, 'Mara']]));
-    expect(track).toMatchObject({ label: 'smart-device/level · Mara', owner: 'Mara' });
+    expect(track).toMatchObject({ label: 'level · Mara', owner: 'Mara' });
     const [unnamed] = tracksOf(topics, 1);
-    expect(unnamed).toMatchObject({ label: 'smart-device/level · Client 729eaeb0' });
+    expect(unnamed).toMatchObject({ label: 'level · Client 729eaeb0' });
   });
 
   it('of an unknown format are shown as bytes', () => {

@@ -1,13 +1,13 @@
 import { isClientId, unnamedClient } from '../../connection/display-names.ts';
-import { topicParts } from '../../connection/topic-parts.ts';
 import { formatLook } from '../../formats/families.ts';
 import { isDataFormat, type DataFormat, type DataFormatFamily } from '@ubii/proto';
+import { topicLabel, topicLabels, type NameOf } from './topic-label.ts';
 import { trackKind, type TrackKind } from './track-entry.ts';
 
 /** A topic of a recording, as a row of the timeline. */
 export interface Track {
   readonly topic: string;
-  /** The topic with the name of its client in place of the id. */
+  /** Its last level with the name of its client, and more where that is not enough to tell it. */
   readonly label: string;
   /** The last level of the topic. */
   readonly name: string;
@@ -57,7 +57,11 @@ export function tracksOf(
     clientNames.get(id) ?? (isClientId(id) ? unnamedClient(id) : undefined);
   const byTopic = new Map<string, RecordedTopic[]>();
   for (const one of topics) byTopic.set(one.topic, [...(byTopic.get(one.topic) ?? []), one]);
-  const tracks = [...byTopic].map(([topic, parts]) => trackOf(topic, parts, durationMs, nameOf));
+  const labels = topicLabels([...byTopic.keys()], nameOf);
+  const tracks = [...byTopic].map(([topic, parts]) => ({
+    ...trackOf(topic, parts, durationMs, nameOf),
+    label: labels.get(topic) ?? topic,
+  }));
   return tracks.sort(
     (a, b) => ORDER.indexOf(a.family) - ORDER.indexOf(b.family) || a.topic.localeCompare(b.topic),
   );
@@ -68,20 +72,17 @@ const ORDER: readonly DataFormatFamily[] = [
   ...(['objects', 'text', 'system'] as const),
 ];
 
-type NameOf = (clientId: string) => string | undefined;
-
 function trackOf(
   topic: string,
   parts: readonly RecordedTopic[],
   durationMs: number,
   nameOf: NameOf,
-): Track {
+): Omit<Track, 'label'> {
   const records = parts.reduce((sum, one) => sum + one.records, 0);
   const { format, family, text } = formatLook(parts[0]?.format ?? '');
   const kind = trackKind(format);
   return {
     topic,
-    label: labelOf(topic, nameOf),
     name: topic.split('/').findLast((level) => level !== '') ?? topic,
     owner: ownerOf(topic, parts, nameOf),
     ...{ format, family, kind, records },
@@ -91,18 +92,13 @@ function trackOf(
   };
 }
 
-function labelOf(topic: string, nameOf: NameOf): string {
-  const { name, place, owner } = topicParts(topic, '', nameOf);
-  if (owner === undefined) return topic;
-  return `${place === '' ? name : `${place}/${name}`} · ${owner}`;
-}
-
-/** Who published it, or whose id it begins with; where that is not known, where the topic stands. */
+/** Who published it, or whose id it begins with; where that is not known, where the topic stands. Of a run, whose input or output it is. */
 function ownerOf(topic: string, parts: readonly RecordedTopic[], nameOf: NameOf): string {
+  const { owner, isOfRun } = topicLabel(topic, nameOf);
+  if (isOfRun) return owner;
   const names = new Set(parts.map(({ clientId }) => nameOf(clientId)).filter(Boolean));
   if (names.size > 0) return [...names].join(', ');
-  const { owner } = topicParts(topic, '', nameOf);
-  if (owner !== undefined) return owner;
+  if (owner !== '') return owner;
   return topic.slice(0, Math.max(0, topic.lastIndexOf('/')));
 }
 
