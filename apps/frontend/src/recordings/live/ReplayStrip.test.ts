@@ -56,6 +56,17 @@ describe('the strip about replays', () => {
     expect(wrapper.text()).toContain('plays in a loop.');
   });
 
+  it('leaves a session that runs again to the page of its recording', async () => {
+    const session = {
+      ...{ name: 'Lights', runningId: 's', comparisonRecordingId: 'c', recordedModules: [] },
+      ...{ inputPrefix: '/replays/r1/in', outputPrefix: '/replays/r1/out' },
+    };
+    const run = aReplay({ session });
+    expect((await open('/', [run])).wrapper.text()).toContain('Session “Lights” runs again');
+    const { wrapper } = await open('/recordings/study', [run]);
+    expect(wrapper.find('[role=status]').exists()).toBe(false);
+  });
+
   it('shows a replay into live topics before ghosts', async () => {
     const ghost = aReplay({ id: 'g', isGhost: true });
     const { wrapper } = await open('/', [ghost, aReplay()]);
