@@ -16,7 +16,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { useReplays } from '../../connection/useReplays.ts';
 import { recordingFileUrl } from '../../locations/recording-location.ts';
 import { writtenTopics } from '../../sessions/words/shared-topics.ts';
-import { useMayReplay } from '../live/useStopReplay.ts';
+import { useMayRecord } from '../rights/useMayRecord.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { PlayedSession } from '../reading/recording-messages.ts';
 import type { Span } from '../timeline/span.ts';
@@ -64,7 +64,7 @@ export function provideRerun(
 ): Rerun {
   const { client } = useConnection();
   const replays = useReplays();
-  const mayReplay = useMayReplay();
+  const mayReplay = useMayRecord();
   const state = shallowRef<RerunState>();
   let outputs: readonly string[] = [];
   let span: Span | undefined;

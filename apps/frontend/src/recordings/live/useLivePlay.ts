@@ -17,7 +17,7 @@ import type { OpenedPlayer } from '../opened/opened-player.ts';
 import { createFollowedPlayer } from './followed-player.ts';
 import { liveRequest, type LiveChoice } from './live-choice.ts';
 import { ReplayControl } from './replay-control.ts';
-import { useMayReplay } from './useStopReplay.ts';
+import { useMayRecord } from '../rights/useMayRecord.ts';
 
 /** Playing one recording into live topics. */
 export interface LivePlay {
@@ -62,7 +62,7 @@ export function provideLivePlay(
 ): OpenedPlayer {
   const { client } = useConnection();
   const replays = useReplays();
-  const mayReplay = useMayReplay();
+  const mayReplay = useMayRecord();
   const problem = shallowRef<string>();
   const publishers = shallowRef<readonly string[]>([]);
   const leftId = shallowRef<string>();

@@ -63,8 +63,12 @@ export function useMarkers(
 }
 
 /** Why markers of a recording cannot be changed; undefined when they can. */
-export function markRefusal(recording: Recording | undefined): string | undefined {
+export function markRefusal(
+  recording: Recording | undefined,
+  mayRecord = true,
+): string | undefined {
   if (recording === undefined) return 'Upload the file to the master to add markers.';
+  if (!mayRecord) return 'Participants and admins can add markers.';
   return recording.state === RecordingState.RECORDING_STATE_RECORDING
     ? 'Stop the recording first.'
     : undefined;
