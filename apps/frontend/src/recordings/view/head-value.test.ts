@@ -20,6 +20,11 @@ describe('the head of a track', () => {
     ]);
   });
 
+  it('has the yaw of a rotation, as all numbers have no room there', () => {
+    const half = Math.SQRT1_2;
+    expect(rows('quaternion', { x: 0, y: 0, z: -half, w: half })).toEqual(['yaw −90°']);
+  });
+
   it('counts things and pictures', () => {
     expect(rows('object2DList', { elements: [{ id: 'a' }, { id: 'b' }] })).toEqual(['2 found']);
     expect(

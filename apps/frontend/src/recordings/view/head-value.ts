@@ -1,5 +1,8 @@
 import { formatFixed } from '../../topics/values/format-value.ts';
 import { seriesOf } from '../../topics/values/value-series.ts';
+import { anglesOf } from '../../topics/viewers/space/describe-things.ts';
+import { axesOf } from '../../topics/viewers/space/space-things.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { PlayedRecord } from '../opened/played-values.ts';
 import { firstFrom } from '../timeline/draw/film-strip.ts';
 import type { Track } from '../timeline/track.ts';
@@ -21,6 +24,8 @@ export function headRows(
     return number > 0 ? [`#${number}`] : [];
   }
   if (track.kind === 'bars') return [`${countOf(record.value)} found`];
+  if (record.format === 'quaternion')
+    return [`yaw ${formatNumber(Math.round(anglesOf(axesOf(record.value)).yaw) + 0)}°`];
   const numbers = seriesOf(record.format)?.read(record.value as never);
   if (numbers && track.heightPx >= 60)
     return numbers.slice(0, MAX_ROWS).map((number) => formatFixed(number, DECIMALS));
