@@ -46,6 +46,6 @@ export class RangeSource implements RecordingSource {
   }
 
   #refused({ status, statusText }: Response): RecordingError {
-    return new RecordingError(`The recording cannot be read: ${status} ${statusText}.`);
+    return new RecordingError(`The master answered ${status} ${statusText}.`);
   }
 }

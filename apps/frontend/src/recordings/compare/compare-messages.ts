@@ -1,12 +1,13 @@
 import type { OutputDifference, TopicComparison } from '@ubii/recording/compare';
+import type { MasterFile } from '../files/readable-file.ts';
 import type { Span } from '../timeline/span.ts';
 
 /** What the page asks of the worker that compares two recordings. */
 export interface CompareRequest {
-  /** Address of the file with the recorded outputs. */
-  readonly recordedUrl: string;
-  /** Address of the file with the inputs and outputs of the run. */
-  readonly rerunUrl: string;
+  /** With the recorded outputs. */
+  readonly recordedFile: MasterFile;
+  /** With the inputs and outputs of the run. */
+  readonly rerunFile: MasterFile;
   /** Prefixes that topics have in the run. */
   readonly inputPrefix: string;
   readonly outputPrefix: string;

@@ -24,7 +24,7 @@ const RELATIVE_TOLERANCE = 1e-6;
 export async function compareSession(
   recorded: RecordsReader,
   rerun: RecordsReader,
-  request: Omit<CompareRequest, 'recordedUrl' | 'rerunUrl'>,
+  request: Omit<CompareRequest, 'recordedFile' | 'rerunFile'>,
   onProgress: (outputs: number) => void,
 ): Promise<SessionComparison> {
   const { inputPrefix, outputPrefix, span } = request;

@@ -1,5 +1,5 @@
 import { RecordingReader } from '@ubii/recording';
-import { RangeSource } from '@ubii/recording/browser';
+import { openSource } from '../files/open-source.ts';
 import { sentenceOf } from '../reading/recording-desk.ts';
 import type { CompareReport, CompareRequest } from './compare-messages.ts';
 import { compareSession } from './compare-session.ts';
@@ -7,9 +7,9 @@ import { compareSession } from './compare-session.ts';
 /** Compares two recordings beside the page. */
 const tell = (report: CompareReport): void => self.postMessage(report);
 
-async function compare({ recordedUrl, rerunUrl, ...request }: CompareRequest): Promise<void> {
+async function compare({ recordedFile, rerunFile, ...request }: CompareRequest): Promise<void> {
   const [recorded, rerun] = await Promise.all(
-    [recordedUrl, rerunUrl].map((url) => RecordingReader.open(new RangeSource(url))),
+    [recordedFile, rerunFile].map((file) => RecordingReader.open(openSource(file))),
   );
   const comparison = await compareSession(recorded!, rerun!, request, (outputs) =>
     tell({ kind: 'progress', outputs }),

@@ -62,7 +62,8 @@ describe('a recorded session that runs again', () => {
     expect(services(calls)).toEqual(['replayStart', 'replayStop']);
     expect(requests).toEqual([
       {
-        ...{ recordedUrl: '/recordings/study.mcap', rerunUrl: '/recordings/again.mcap' },
+        recordedFile: { url: '/recordings/study.mcap', authorization: undefined },
+        rerunFile: { url: '/recordings/again.mcap', authorization: undefined },
         ...{ inputPrefix: '/replays/r1/in', outputPrefix: '/replays/r1/out' },
         ...{ outputs: ['/sum'], span: undefined },
       },

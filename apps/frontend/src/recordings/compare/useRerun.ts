@@ -14,8 +14,8 @@ import {
 } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useReplays } from '../../connection/useReplays.ts';
-import { recordingFileUrl } from '../../locations/recording-location.ts';
 import { writtenTopics } from '../../sessions/words/shared-topics.ts';
+import { masterFile } from '../files/readable-file.ts';
 import { useMayRecord } from '../rights/useMayRecord.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { PlayedSession } from '../reading/recording-messages.ts';
@@ -87,8 +87,8 @@ export function provideRerun(
     const isStopped = await attempt(() => client.call('replayStop', { id: replay.id }));
     if (isStopped === undefined) return;
     const request = {
-      recordedUrl: recordingFileUrl(recordingId),
-      rerunUrl: recordingFileUrl(session.comparisonRecordingId),
+      recordedFile: masterFile(recordingId, client),
+      rerunFile: masterFile(session.comparisonRecordingId, client),
       ...{ inputPrefix: session.inputPrefix, outputPrefix: session.outputPrefix, outputs, span },
     };
     cancelCompare = compare(request, (report) => {

@@ -1,3 +1,4 @@
+import type { ReadableFile } from '../files/readable-file.ts';
 import type { PersonalChoice } from '../personal/personal-choice.ts';
 
 /** What a recording is written as. */
@@ -19,7 +20,7 @@ export interface ExportRequest {
 export type ExportCommand =
   | {
       readonly kind: 'export';
-      readonly source: Blob | string;
+      readonly source: ReadableFile;
       readonly request: ExportRequest;
       /** Where the file is written to; undefined to keep it in memory. */
       readonly handle: FileSystemFileHandle | undefined;

@@ -1,4 +1,5 @@
 import type { Recording } from '@ubii/proto';
+import type { ReadableFile } from '../files/readable-file.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { Span } from '../timeline/span.ts';
 
@@ -9,6 +10,5 @@ export interface ExportTarget {
   readonly opened: Pick<OpenedPlayer, 'recording'>;
   /** At the master; undefined for a file of this device. */
   readonly recording: Recording | undefined;
-  /** The file or its address. */
-  readonly source: Blob | string;
+  readonly source: ReadableFile;
 }

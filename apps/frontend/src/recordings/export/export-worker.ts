@@ -1,5 +1,5 @@
 import { RecordingReader } from '@ubii/recording';
-import { BlobSource, RangeSource } from '@ubii/recording/browser';
+import { openSource } from '../files/open-source.ts';
 import { sentenceOf } from '../reading/recording-desk.ts';
 import { runExport } from './export-job.ts';
 import type { ExportCommand, ExportReport } from './export-messages.ts';
@@ -14,8 +14,7 @@ async function start({
   request,
   handle,
 }: Extract<ExportCommand, { kind: 'export' }>): Promise<void> {
-  const from = typeof source === 'string' ? new RangeSource(source) : new BlobSource(source);
-  const whole = await RecordingReader.open(from);
+  const whole = await RecordingReader.open(openSource(source));
   const { personal } = request;
   const shared =
     personal && (await (await import('../personal/share-reader.ts')).shareReader(whole, personal));

@@ -1,5 +1,6 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 import { saveBlob, saveFile } from '../../files/save-file.ts';
+import type { ReadableFile } from '../files/readable-file.ts';
 import type { ExportCommand, ExportReport, ExportRequest } from './export-messages.ts';
 
 /** An export as the dialog shows it. */
@@ -9,7 +10,7 @@ export interface Export {
   readonly failure: Readonly<ShallowRef<string | undefined>>;
   /** @returns what was left out, or undefined when nothing was saved */
   run(
-    source: Blob | string,
+    source: ReadableFile,
     request: ExportRequest,
     name: string,
   ): Promise<readonly string[] | undefined>;

@@ -1,5 +1,6 @@
-import { ConnectionError } from '@ubii/client-web';
+import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { fromJson, ServiceError, type Recording } from '@ubii/proto';
+import { authorized } from '../files/readable-file.ts';
 
 /**
  * Uploads a file as a recording of the master. [RC-41]
@@ -7,14 +8,17 @@ import { fromJson, ServiceError, type Recording } from '@ubii/proto';
  * @throws ServiceError when the master refuses it
  * @throws ConnectionError when there is no answer
  */
-export async function uploadRecording(file: File): Promise<Recording> {
+export async function uploadRecording(
+  file: File,
+  { authorization }: Pick<UbiiClient, 'authorization'>,
+): Promise<Recording> {
   const name = file.name.replace(/\.mcap$/i, '');
   let json: unknown;
   let isTaken: boolean;
   try {
     const response = await fetch(`/recordings?name=${encodeURIComponent(name)}`, {
       method: 'POST',
-      headers: { 'content-type': 'application/octet-stream' },
+      headers: authorized(authorization, { 'content-type': 'application/octet-stream' }),
       body: file,
     });
     isTaken = response.ok;

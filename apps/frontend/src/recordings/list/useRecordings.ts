@@ -99,7 +99,7 @@ export function provideRecordings(): Recordings {
     mark: (marker) =>
       changed(() => client.call('recordingMark', { ...marker, clientId: client.id })),
     fetch: (id) => changed(() => client.call('recordingUpload', { id })),
-    upload: (file) => changed(() => uploadRecording(file)),
+    upload: (file) => changed(() => uploadRecording(file, client)),
     setFlight: (settings) => attempt(() => client.call('flightRecorderSet', settings)),
   };
   provide(RECORDINGS, recordings);

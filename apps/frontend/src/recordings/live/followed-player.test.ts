@@ -34,7 +34,7 @@ function setUp(replay?: Replay) {
       onReport: (handle) => (tell = handle),
       close: () => undefined,
     },
-    '/recordings/a.mcap',
+    { url: '/recordings/a.mcap', authorization: undefined },
     () => undefined,
   );
   tell({ kind: 'opened', recording: RECORDING });

@@ -15,7 +15,7 @@ function setUp() {
   };
   const opened = createOpenedPlayer(
     port,
-    '/recordings/a.mcap',
+    { url: '/recordings/a.mcap', authorization: undefined },
     (fn) => frames.push(fn),
     () => clock.nowMs,
   );

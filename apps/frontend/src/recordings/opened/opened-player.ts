@@ -1,5 +1,6 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { perFrame } from '../../connection/per-frame.ts';
+import type { ReadableFile } from '../files/readable-file.ts';
 import { FrameCache } from '../timeline/frame-cache.ts';
 import type { Span } from '../timeline/span.ts';
 import type { Survey } from '../timeline/survey.ts';
@@ -62,7 +63,7 @@ const SHOW_EVERY_MS = 50;
  */
 export function createOpenedPlayer(
   port: RecordingPort,
-  source: Blob | string,
+  source: ReadableFile,
   atFrame?: (fn: () => void) => void,
   nowMs = (): number => performance.now(),
 ): OpenedPlayer {

@@ -1,5 +1,6 @@
 import type { Recording } from '@ubii/proto';
 import type { Component } from 'vue';
+import type { ReadableFile } from '../files/readable-file.ts';
 import type { OpenedPlayer } from './opened-player.ts';
 import type { Span } from '../timeline/span.ts';
 
@@ -10,7 +11,7 @@ export interface SpanTarget {
   /** At the master; undefined for a file of this device. */
   readonly recording: Recording | undefined;
   /** The file or its address, for a worker of the action's own. */
-  readonly source: Blob | string;
+  readonly source: ReadableFile;
 }
 
 /** What can be done with a span of a recording. */

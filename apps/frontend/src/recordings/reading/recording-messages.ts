@@ -1,4 +1,5 @@
 import type { PersonalLabel } from '@ubii/proto';
+import type { ReadableFile } from '../files/readable-file.ts';
 import type { Span } from '../timeline/span.ts';
 import type { Survey } from '../timeline/survey.ts';
 import type { TileRequest } from '../timeline/tile-store.ts';
@@ -70,7 +71,7 @@ export interface PlayedSession {
 
 /** What the page asks of the worker that reads a recording. */
 export type RecordingCommand =
-  | { readonly kind: 'open'; readonly source: Blob | string }
+  | { readonly kind: 'open'; readonly source: ReadableFile }
   /** The file was changed: markers, or the name. */
   | { readonly kind: 'reopen' }
   | { readonly kind: 'tiles'; readonly request: TileRequest }

@@ -1,6 +1,7 @@
 import { RecordingReader } from '@ubii/recording';
-import { BlobSource, RangeSource } from '@ubii/recording/browser';
 import { systemClock } from '@ubii/timing/system';
+import { openSource } from '../files/open-source.ts';
+import type { ReadableFile } from '../files/readable-file.ts';
 import { RecordingDesk, sentenceOf, type Tell } from './recording-desk.ts';
 import type { RecordingCommand } from './recording-messages.ts';
 
@@ -13,14 +14,13 @@ const turns = {
   pause: () => new Promise<void>((resolve) => void setTimeout(resolve)),
 };
 
-let source: Blob | string = '';
+let source: ReadableFile = new Blob();
 
 async function openDesk(): Promise<RecordingDesk> {
-  const from = typeof source === 'string' ? new RangeSource(source) : new BlobSource(source);
-  return new RecordingDesk(await RecordingReader.open(from), systemClock, tell);
+  return new RecordingDesk(await RecordingReader.open(openSource(source)), systemClock, tell);
 }
 
-async function open(from: Blob | string): Promise<void> {
+async function open(from: ReadableFile): Promise<void> {
   source = from;
   desk = await openDesk();
   await desk.begin(turns);

@@ -204,6 +204,11 @@ class Client implements UbiiClient {
     return this.#registration.profile.name;
   }
 
+  get authorization(): string | undefined {
+    const { credential } = this.#registration;
+    return credential === undefined ? undefined : `Bearer ${credential}`;
+  }
+
   get role(): ClientRole | undefined {
     return this.#registration.membership?.role;
   }

@@ -67,6 +67,11 @@ export interface UbiiClient {
    * the same error, unless it was connected: then it stays what it was.
    */
   join(token: string): Promise<void>;
+  /**
+   * Value of the header `Authorization` for requests to the master that are not service calls, such as for files of
+   * recordings; `undefined` when the client joined without an invitation. It changes while the client is connected. [AC-13]
+   */
+  readonly authorization: string | undefined;
   /** Rights of the client; `undefined` before the first connection, and with masters that do not support roles. */
   readonly role: ClientRole | undefined;
 

@@ -296,7 +296,9 @@ describe('a client whose socket drops [EX-5]', () => {
     const master = new FakeMaster();
     master.credential = 'credential';
     const { client, clock } = createTestClient(master);
+    expect(client.authorization).toBeUndefined();
     await client.connect();
+    expect(client.authorization).toBe('Bearer credential');
     await clock.advance(10_000);
     const open = master.openConnection.bind(master);
     // A socket that is refused silently: services are asked why. [AC-27]

@@ -34,7 +34,7 @@ export function fakePlayer() {
       onReport: (handle) => (tell = handle),
       close: () => undefined,
     },
-    '/recordings/study.mcap',
+    { url: '/recordings/study.mcap', authorization: undefined },
     () => undefined,
   );
   const facts = { name: 'Study', notes: '', masterName: '', startMs: 0, durationMs: 1000 };
