@@ -78,7 +78,7 @@ describe('the check list', () => {
     const master = new TestMaster();
     const required = { tag: 'phone', minBattery: 0.5, maxClockErrorMs: 5 };
     const ada = await phone(master, 'Ada');
-    const [battery, clock] = ['battery level not reported', 'clock error not reported'];
+    const [battery, clock] = ['not reported', 'not reported'];
     expect(await check(master, required)).toMatchObject({
       state: MISSING,
       texts: ['1 of 1 found', battery, clock],
@@ -87,13 +87,13 @@ describe('the check list', () => {
     ada.socket.handleText('PING 1 100 12.5 0');
     expect(await check(master, required)).toMatchObject({
       state: LOW,
-      texts: ['1 of 1 found', 'battery 40 % of 50 %', 'clock error 12 ms, at most 5 ms'],
+      texts: ['1 of 1 found', '40 % (at least 50 %)', '12 ms (at most 5 ms)'],
     });
     ada.publish('/Ada/battery', 'double', 0.9);
     ada.socket.handleText('PING 2 100 1 0');
     expect(await check(master, required)).toMatchObject({
       state: OK,
-      texts: ['1 of 1 found', 'battery 90 % of 50 %', 'clock error 1 ms, at most 5 ms'],
+      texts: ['1 of 1 found', '90 % (at least 50 %)', '1 ms (at most 5 ms)'],
     });
     ada.publish('/Ada/battery', 'double', 7);
     ada.publish(`/${ada.id}/page_state`, 'string', 'broken');
@@ -130,7 +130,7 @@ describe('the check list', () => {
       studyRunChangeRequest: { runId: run.id, action: ACTION.begin },
     };
     const reply = await callAndPass(master, request, 1_100);
-    expect(reply.error?.message).toContain('Phone: 0 of 20 Hz');
+    expect(reply.error?.message).toContain('Phone: rate 0 Hz (at least 20 Hz)');
     const cancel = master.clock.every(40, () => move(ada, 'Ada'));
     await master.pass(2_000);
     expect((await master.call(request)).studyRun?.blocks[0]!.takes).toHaveLength(1);

@@ -36,29 +36,29 @@ describe('a row of the check list', () => {
       found: ['Ada'],
       items: [
         { kind: StudyCheckKind.STUDY_CHECK_KIND_PRESENCE, state: OK, text: '1 of 1 found' },
-        { kind: StudyCheckKind.STUDY_CHECK_KIND_RATE, state: OK, text: '60 of 30 Hz' },
-        { kind: StudyCheckKind.STUDY_CHECK_KIND_BATTERY, state: OK, text: 'battery 80 % of 50 %' },
+        { kind: StudyCheckKind.STUDY_CHECK_KIND_RATE, state: OK, text: '60 Hz (at least 30 Hz)' },
+        { kind: StudyCheckKind.STUDY_CHECK_KIND_BATTERY, state: OK, text: '80 % (at least 50 %)' },
         {
           kind: StudyCheckKind.STUDY_CHECK_KIND_CLOCK,
           state: OK,
-          text: 'clock error 2 ms, at most 5 ms',
+          text: '2 ms (at most 5 ms)',
         },
       ],
     });
   });
 
   it.each([
-    [{ rateHz: 29.9 }, LOW, 'Phone: 29 of 30 Hz'],
-    [{ rateHz: 0 }, LOW, 'Phone: 0 of 30 Hz'],
+    [{ rateHz: 29.9 }, LOW, 'Phone: rate 29 Hz (at least 30 Hz)'],
+    [{ rateHz: 0 }, LOW, 'Phone: rate 0 Hz (at least 30 Hz)'],
     [{ rateHz: undefined }, MISSING, 'Phone: rate not known'],
-    [{ battery: 0.499 }, LOW, 'Phone: battery 49 % of 50 %'],
-    [{ battery: undefined }, MISSING, 'Phone: battery level not reported'],
-    [{ clockErrorMs: 12.5 }, LOW, 'Phone: clock error 12 ms, at most 5 ms'],
+    [{ battery: 0.499 }, LOW, 'Phone: battery 49 % (at least 50 %)'],
+    [{ battery: undefined }, MISSING, 'Phone: battery not reported'],
+    [{ clockErrorMs: 12.5 }, LOW, 'Phone: clock error 12 ms (at most 5 ms)'],
     [{ clockErrorMs: undefined }, MISSING, 'Phone: clock error not reported'],
     [
       { rateHz: 1.239, battery: undefined },
       MISSING,
-      'Phone: 1.23 of 30 Hz, battery level not reported',
+      'Phone: rate 1.23 Hz (at least 30 Hz), battery not reported',
     ],
   ])('of a device with %o has state %i [ST-30]', (change, state, text) => {
     expect(check(required(all), phone(change))).toEqual([state, text]);
@@ -74,8 +74,11 @@ describe('a row of the check list', () => {
     const [good, better] = [phone({ battery: 0.6 }), phone({ battery: 0.9 })];
     const bad = phone({ name: 'Bob', battery: 0.1, rateHz: 1 });
     expect(check(device, bad, good, better)).toEqual([OK, '']);
-    expect(checkRow(device, [bad, good, better]).items[2]!.text).toBe('battery 60 % of 50 %');
-    expect(check(device, bad, good)).toEqual([LOW, 'Phone: 1 of 30 Hz, battery 10 % of 50 %']);
+    expect(checkRow(device, [bad, good, better]).items[2]!.text).toBe('60 % (at least 50 %)');
+    expect(check(device, bad, good)).toEqual([
+      LOW,
+      'Phone: rate 1 Hz (at least 30 Hz), battery 10 % (at least 50 %)',
+    ]);
   });
 
   it('names at most 20 devices', () => {

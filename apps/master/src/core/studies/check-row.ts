@@ -51,12 +51,22 @@ export function checkRow(device: StudyDevice, found: readonly DeviceFacts[]): St
   };
 }
 
+/** Names of the values in a sentence. */
+const NOUNS: Readonly<Record<StudyCheckKind, string>> = {
+  [StudyCheckKind.STUDY_CHECK_KIND_PRESENCE]: '',
+  [StudyCheckKind.STUDY_CHECK_KIND_RATE]: 'rate ',
+  [StudyCheckKind.STUDY_CHECK_KIND_BATTERY]: 'battery ',
+  [StudyCheckKind.STUDY_CHECK_KIND_CLOCK]: 'clock error ',
+};
+
 /** What is wrong with rows, in one line; empty when nothing is. */
 export function troublesOf(rows: readonly StudyCheckRow[]): string {
   return rows
     .filter(({ state }) => state !== OK)
     .map(({ name, items }) => {
-      const texts = items.filter(({ state }) => state !== OK).map(({ text }) => text);
+      const texts = items
+        .filter(({ state }) => state !== OK)
+        .map(({ kind, text }) => `${NOUNS[kind]}${text}`);
       return `${name}: ${texts.join(', ')}`;
     })
     .join('; ');
@@ -70,8 +80,8 @@ function requirementsOf({ minRateHz, minBattery, maxClockErrorMs }: StudyDevice)
       valueOf: ({ rateHz }) => rateHz,
       isMet: (value) => value >= minRateHz,
       isWorse: (a, b) => a < b,
-      format: (value) => `${rounded(value)} of ${rounded(minRateHz)} Hz`,
-      unknown: 'rate not known',
+      format: (value) => `${rounded(value)} Hz (at least ${rounded(minRateHz)} Hz)`,
+      unknown: 'not known',
     },
     {
       kind: StudyCheckKind.STUDY_CHECK_KIND_BATTERY,
@@ -79,8 +89,8 @@ function requirementsOf({ minRateHz, minBattery, maxClockErrorMs }: StudyDevice)
       valueOf: ({ battery }) => battery,
       isMet: (value) => value >= minBattery,
       isWorse: (a, b) => a < b,
-      format: (value) => `battery ${percent(value)} of ${percent(minBattery)}`,
-      unknown: 'battery level not reported',
+      format: (value) => `${percent(value)} (at least ${percent(minBattery)})`,
+      unknown: 'not reported',
     },
     {
       kind: StudyCheckKind.STUDY_CHECK_KIND_CLOCK,
@@ -88,8 +98,8 @@ function requirementsOf({ minRateHz, minBattery, maxClockErrorMs }: StudyDevice)
       valueOf: ({ clockErrorMs }) => clockErrorMs,
       isMet: (value) => value <= maxClockErrorMs,
       isWorse: (a, b) => a > b,
-      format: (value) => `clock error ${rounded(value)} ms, at most ${rounded(maxClockErrorMs)} ms`,
-      unknown: 'clock error not reported',
+      format: (value) => `${rounded(value)} ms (at most ${rounded(maxClockErrorMs)} ms)`,
+      unknown: 'not reported',
     },
   ];
 }

@@ -70,6 +70,14 @@ describe('a block', () => {
     expect(() => requireStart(runWith(DONE, PENDING), 0)).toThrow('Block 1 is done');
   });
 
+  it('is done again when its repetition is skipped [ST-21]', () => {
+    const skipped = (problem: string) => {
+      const once = endBlock(beginBlock(runWith(PENDING), 0, take), 0, { endedMs: 9, problem });
+      return statesOf(changeBlock(changeBlock(once, 0, 'repeat'), 0, 'skip'));
+    };
+    expect([skipped(''), skipped('The disk is full.')]).toEqual([[DONE], [SKIPPED]]);
+  });
+
   it('keeps the recordings of each time it was done [ST-21]', () => {
     const once = endBlock(beginBlock(runWith(PENDING), 0, take), 0, { endedMs: 9, problem: '' });
     const again = beginBlock(changeBlock(once, 0, 'repeat'), 0, { ...take, recordingId: 's' });

@@ -77,8 +77,15 @@ export function requireStart(run: StudyRun, index: number): void {
 
 /** @throws ServiceError when the block is in no state for it [ST-21] */
 export function changeBlock(run: StudyRun, index: number, event: BlockEvent): StudyRun {
-  return withBlock(run, index, (block) => ({ ...block, state: move(block, index, event) }));
+  return withBlock(run, index, (block) => {
+    const state = move(block, index, event);
+    return { ...block, state: state === SKIPPED && wasDone(block) ? DONE : state };
+  });
 }
+
+/** Whether a recording is of the whole block: a repetition that is skipped leaves the block done. */
+const wasDone = ({ takes }: StudyBlock): boolean =>
+  takes.some(({ endedMs, problem }) => endedMs > 0 && problem === '');
 
 export function beginBlock(run: StudyRun, index: number, take: StudyTake): StudyRun {
   const begun = changeBlock(run, index, 'begin');
