@@ -26,7 +26,11 @@ function show(run: StudyRun, status: object, study: object = {}) {
   const { studies, publish } = fakeStudies();
   publish(status);
   const act = vi.fn(async () => true);
-  const connection = { isConnected: shallowRef(true), client: { id: 'me' } };
+  const connection = {
+    isConnected: shallowRef(true),
+    client: { id: 'me' },
+    state: shallowRef({ status: 'connected' }),
+  };
   const router = createRouter({
     history: createMemoryHistory(),
     routes: [{ path: '/:path(.*)*', component: { template: '<p />' } }],
@@ -116,6 +120,55 @@ describe('a run', () => {
     expect(studies.mark.mock.calls).toEqual([['rec', 'Error']]);
     button('Stop').click();
     expect(act).toHaveBeenCalledWith(StudyRunAction.STUDY_RUN_ACTION_END_BLOCK);
+  });
+
+  it('offers an interrupted block before the end of the run', async () => {
+    const { wrapper, act, button } = show(aRun([2, 4]), ready);
+    expect(wrapper.find('.now').text()).toContain('Block 2 was interrupted');
+    button('Repeat block 2').click();
+    await flushPromises();
+    expect(act).toHaveBeenCalledWith(StudyRunAction.STUDY_RUN_ACTION_REPEAT_BLOCK, { block: 2 });
+  });
+
+  it('keeps the focus on its button, and ignores a press that was meant for the action before', async () => {
+    vi.useFakeTimers();
+    const { wrapper, act, button } = show(aRun([0]), ready);
+    const main = button('Start');
+    main.focus();
+    await wrapper.setProps({ run: aRun([1]) });
+    expect(document.activeElement).toBe(button('Stop'));
+    button('Stop').click();
+    expect(act).not.toHaveBeenCalled();
+    await vi.advanceTimersByTimeAsync(500);
+    button('Stop').click();
+    expect(act).toHaveBeenCalledWith(StudyRunAction.STUDY_RUN_ACTION_END_BLOCK);
+    vi.useRealTimers();
+  });
+
+  it('closes the consent text when the participant agreed on another device', async () => {
+    const study = { consentText: 'You tap.', consentVersion: 1 };
+    const { wrapper, button } = show(aRun([0]), ready, study);
+    button('Show the consent text').click();
+    await flushPromises();
+    expect(document.querySelector('[role=dialog]')).not.toBeNull();
+    await wrapper.setProps({ run: aRun([0], { consent: { version: 1, timeMs: 1 } }) });
+    expect(document.querySelector('[role=dialog]')).toBeNull();
+  });
+
+  it('says how a block that is repeated can stay as it is, and changes none of an interrupted run', () => {
+    const takes = [{ recordingId: 'rec', name: 'run-01', endedMs: 9 }];
+    const blocks = [{ condition: 'Left', repetition: 1, state: 0, takes }];
+    const labels = (run: StudyRun) =>
+      [...show(run, ready).wrapper.element.querySelectorAll('.blocks li button')].map((one) =>
+        one.getAttribute('aria-label'),
+      );
+    expect(labels(aRun([], { blocks }))).toEqual(['Keep block 1']);
+    expect(labels(aRun([2, 4, 0], { state: 2 }))).toEqual([]);
+  });
+
+  it('that ended early does not say that the participant is done', () => {
+    const { wrapper } = show(aRun([2, 0], { state: 3 }), ready);
+    expect(wrapper.find('h3').text()).toContain('The run of P07 ended early.');
   });
 
   it('ends with the names of its files', () => {

@@ -12,7 +12,8 @@ describe('the stage of a run', () => {
     ['ready', aRun([DONE, PENDING], CONSENT), true],
     ['running', aRun([DONE, RUNNING, PENDING], CONSENT), true],
     ['done', aRun([DONE, SKIPPED], CONSENT), true],
-    ['done', aRun([DONE, INTERRUPTED], CONSENT), true],
+    ['incomplete', aRun([DONE, INTERRUPTED], CONSENT), true],
+    ['ready', aRun([INTERRUPTED, PENDING], CONSENT), true],
     ['interrupted', aRun([DONE, INTERRUPTED], { state: 2 }), false],
     ['ended', aRun([DONE, PENDING], { state: 3 }), true],
   ] as const)('is %s', (stage, run, needsConsent) => {

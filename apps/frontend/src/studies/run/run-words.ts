@@ -2,6 +2,7 @@ import {
   StudyBlockState,
   StudyCheckKind,
   StudyCheckState,
+  StudyRunState,
   type StudyBlock,
   type StudyCheckItem,
   type StudyCheckList,
@@ -24,8 +25,11 @@ const BLOCKS: Readonly<Record<StudyBlockState, Look>> = {
   [StudyBlockState.STUDY_BLOCK_STATE_SKIPPED]: { mark: 'away', word: 'Skipped' },
   [StudyBlockState.STUDY_BLOCK_STATE_INTERRUPTED]: { mark: 'warning', word: 'Interrupted' },
 };
-export const blockLook = ({ state }: StudyBlock): Look =>
-  BLOCKS[state] ?? { mark: 'warning', word: 'Unknown' };
+export function blockLook({ state, takes }: StudyBlock): Look {
+  if (state === StudyBlockState.STUDY_BLOCK_STATE_PENDING && takes.length > 0)
+    return { mark: 'stopped', word: 'To repeat' };
+  return BLOCKS[state] ?? { mark: 'warning', word: 'Unknown' };
+}
 
 const CHECKS: Readonly<Record<StudyCheckState, Look>> = {
   [StudyCheckState.STUDY_CHECK_STATE_OK]: { mark: 'live', word: 'Ready' },
@@ -90,6 +94,24 @@ export const blockPlace = (number: number, { blocks }: StudyRun): string =>
 export function blockTitle({ condition, repetition }: StudyBlock, { blocks }: StudyRun): string {
   const isRepeated = blocks.some((block) => block.repetition > 1);
   return isRepeated ? `${condition}, repetition ${repetition}` : condition;
+}
+
+const isLeft = ({ state }: StudyBlock): boolean =>
+  state === StudyBlockState.STUDY_BLOCK_STATE_PENDING ||
+  state === StudyBlockState.STUDY_BLOCK_STATE_INTERRUPTED;
+
+/** The state of a run with a participant, one sentence for those who took part. */
+export function endSentence({ participantCode, blocks }: StudyRun): string {
+  return blocks.some(isLeft)
+    ? `The run of ${participantCode} ended early.`
+    : `${participantCode} is done.`;
+}
+
+/** What is open in a run, with a space after it; empty for a run that ended with its last block. */
+export function runStateWords(run: StudyRun): string {
+  if (run.state === StudyRunState.STUDY_RUN_STATE_OPEN) return 'Open. ';
+  if (run.state === StudyRunState.STUDY_RUN_STATE_INTERRUPTED) return 'Interrupted. ';
+  return run.blocks.some(isLeft) ? 'Ended early. ' : '';
 }
 
 /** What a run made, in one sentence. */
