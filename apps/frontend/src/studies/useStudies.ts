@@ -17,11 +17,13 @@ import {
   watch,
   type ComputedRef,
   type InjectionKey,
+  type Ref,
   type ShallowRef,
 } from 'vue';
 import { useTopic } from '../connection/live/useTopic.ts';
 import { useAttempt } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
+import { useRole } from '../connection/useRole.ts';
 
 /** The studies of the master, and the requests about them. A failed request returns undefined and sets `problem`. */
 export interface Studies {
@@ -31,8 +33,8 @@ export interface Studies {
   readonly runs: Readonly<ShallowRef<readonly StudyRun[]>>;
   /** Open runs and check lists. */
   readonly status: ComputedRef<StudyStatus | undefined>;
-  /** Why the last request failed. */
-  readonly problem: ShallowRef<string | undefined>;
+  /** Why the last action failed, or what the page loaded last. */
+  readonly problem: Readonly<Ref<string | undefined>>;
   readonly isBusy: Readonly<ShallowRef<boolean>>;
   /** With its texts. */
   load(id: string): Promise<Study | undefined>;
@@ -60,14 +62,17 @@ export function useStudies(): Studies {
 
 export function provideStudies(): Studies {
   const { client, isConnected } = useConnection();
+  const { isViewerOrPlayer } = useRole();
   const list = shallowRef<readonly Study[]>();
   const runs = shallowRef<readonly StudyRun[]>([]);
   const { problem, isBusy, attempt } = useAttempt();
+  // What the page loads by itself leaves the reply to the last action.
+  const loading = useAttempt();
   const { newest } = useTopic(STUDY_STATUS_TOPIC, { format: 'studyStatus' });
   const status = computed(() => newest.value?.value);
 
   async function refresh(): Promise<void> {
-    const replies = await attempt(() =>
+    const replies = await loading.attempt(() =>
       Promise.all([client.call('studyList'), client.call('studyRunList', {})]),
     );
     if (replies === undefined) return;
@@ -76,13 +81,14 @@ export function provideStudies(): Studies {
   }
   watch(
     [isConnected, () => status.value?.listRevision],
-    ([connected]) => connected && void refresh(),
+    ([connected]) => connected && !isViewerOrPlayer.value && void refresh(),
     { immediate: true },
   );
 
   const studies: Studies = {
-    ...{ list, runs, status, problem, isBusy },
-    load: (id) => attempt(() => client.call('studyGet', { id })),
+    ...{ list, runs, status, isBusy },
+    problem: computed(() => problem.value ?? loading.problem.value),
+    load: (id) => loading.attempt(() => client.call('studyGet', { id })),
     async save(study) {
       const saved = await attempt(() => client.call('studySave', study));
       if (saved) list.value = withStudy(list.value ?? [], saved);
@@ -99,9 +105,9 @@ export function provideStudies(): Studies {
       attempt(() => client.call('studyRunStart', { ...request, clientId: client.id })),
     changeRun: (request) =>
       attempt(() => client.call('studyRunChange', { ...request, clientId: client.id })),
-    loadRun: (id) => attempt(() => client.call('studyRunGet', { id })),
+    loadRun: (id) => loading.attempt(() => client.call('studyRunGet', { id })),
     participants: async (studyId) =>
-      (await attempt(() => client.call('studyParticipantList', { studyId })))?.elements,
+      (await loading.attempt(() => client.call('studyParticipantList', { studyId })))?.elements,
     deleteParticipant: (participantCode) =>
       attempt(() => client.call('studyParticipantDelete', { participantCode })),
     mark: async (recordingId, text) =>

@@ -1,4 +1,4 @@
-import type { Study, StudyParticipant, StudyRun } from '@ubii/proto';
+import type { Study, StudyNote, StudyParticipant, StudyRun } from '@ubii/proto';
 import { counted } from '@ubii/words';
 import { sizeText } from '../../recordings/list/recording-words.ts';
 import { formatMoment } from '../../ui/readouts/format-clock.ts';
@@ -12,6 +12,10 @@ export function consentWords(
   const version = consent.version === consentVersion ? '' : ` to version ${consent.version}`;
   return `Consented${version} on ${formatMoment(consent.timeMs, 'minute')}.`;
 }
+
+/** When in a run a note was written, and by whom. */
+export const noteSource = ({ block, author }: Pick<StudyNote, 'block' | 'author'>): string =>
+  [block > 0 ? `block ${block}` : '', author].filter(Boolean).join(', ');
 
 /** What a deletion takes away, one sentence. */
 export function deletionSentence(
