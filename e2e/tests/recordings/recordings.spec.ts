@@ -2,7 +2,9 @@ import { SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
 import { placedSession } from '../../fixtures/placed-session.ts';
 import { expect, test } from '../../fixtures/test.ts';
+import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
 import { RecordingsPage } from '../../pages/recordings-page.ts';
+import { makeGrant } from '../connect/make-grant.ts';
 
 test('K keeps the last minutes on any page, under a name that is edited at once', async ({
   room,
@@ -125,10 +127,17 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
   });
 });
 
-test('on a phone a recording is made, and scrubbed with a finger', async ({ room }) => {
+test('a phone that joined with an invitation makes a recording, scrubs it and downloads it', async ({
+  master,
+  room,
+}) => {
   const robot = await room.program('Robot');
-  const ben = new RecordingsPage(await room.withPhone('Ben'));
-  await ben.open();
+  const phone = await room.withPhone('Ben', FROM_ELSEWHERE);
+  phone.watch.expect(/status of (401|403)/);
+  const { token } = await makeGrant(master, { target: '/recordings' });
+  await phone.page.goto(`/join#${token}`);
+  await new JoinPage(phone).join.tap();
+  const ben = new RecordingsPage(phone);
   await ben.record('Walk');
   const values = [0.25, 0.75];
   for (const [index, value] of values.entries()) {
@@ -155,4 +164,7 @@ test('on a phone a recording is made, and scrubbed with a finger', async ({ room
   const box = await ben.page.getByRole('group', { name: 'Tracks' }).boundingBox();
   await ben.page.touchscreen.tap(box!.x + box!.width - 2, box!.y + 10);
   await expect(ben.inspector).toContainText('0.750');
+  const download = ben.page.waitForEvent('download');
+  await ben.page.getByRole('link', { name: 'Download' }).tap();
+  expect((await download).suggestedFilename()).toBe('Walk.mcap');
 });
