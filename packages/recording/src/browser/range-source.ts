@@ -1,5 +1,11 @@
 import { RecordingError } from '../records/recording-error.ts';
+import { LruCache } from '../reading/lru-cache.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
+
+/** Small reads get the block around them: magic, header and metadata lie together, and events in small chunks. */
+const BLOCK_BYTES = 16n * 1024n;
+const SMALL_BYTES = 4n * 1024n;
+const KEPT_BLOCKS = 16;
 
 type Fetch = (url: string, init: RequestInit) => Promise<Response>;
 
@@ -9,6 +15,7 @@ export class RangeSource implements RecordingSource {
   readonly #fetch: Fetch;
   #size: Promise<bigint> | undefined;
   #etag: string | null = null;
+  readonly #blocks = new LruCache<Uint8Array>(KEPT_BLOCKS);
 
   /** @param fetch sends the requests. @default the browser's */
   constructor(url: string, fetch: Fetch = (address, init) => globalThis.fetch(address, init)) {
@@ -22,8 +29,16 @@ export class RangeSource implements RecordingSource {
   }
 
   async read(offset: bigint, length: bigint): Promise<Uint8Array> {
-    await this.size();
+    const size = await this.size();
     if (length === 0n) return new Uint8Array();
+    const start = (offset / BLOCK_BYTES) * BLOCK_BYTES;
+    const end = start + BLOCK_BYTES < size ? start + BLOCK_BYTES : size;
+    if (length > SMALL_BYTES || offset + length > end) return this.#fetchRange(offset, length);
+    const block = await this.#blocks.get(start, 1, () => this.#fetchRange(start, end - start));
+    return block.slice(Number(offset - start), Number(offset - start + length));
+  }
+
+  async #fetchRange(offset: bigint, length: bigint): Promise<Uint8Array> {
     const range = `bytes=${offset}-${offset + length - 1n}`;
     const response = await this.#fetch(this.#url, { headers: { Range: range } });
     if (response.status !== 206) throw this.#refused(response);

@@ -10,12 +10,8 @@ export class LruCache<V> {
 
   /** Returns the value of a key, from the cache or by `load`; failures are not kept. */
   get(key: bigint, bytes: number, load: () => Promise<V>): Promise<V> {
-    const known = this.#entries.get(key);
-    if (known !== undefined) {
-      this.#entries.delete(key);
-      this.#entries.set(key, known);
-      return known.value;
-    }
+    const known = this.find(key);
+    if (known !== undefined) return known;
     const value = load();
     this.#entries.set(key, { value, bytes });
     this.#bytes += bytes;
@@ -25,6 +21,19 @@ export class LruCache<V> {
       this.#remove(oldest);
     }
     return value;
+  }
+
+  has(key: bigint): boolean {
+    return this.#entries.has(key);
+  }
+
+  /** Returns the value of a key, and counts as its use; undefined when it is not kept. */
+  find(key: bigint): Promise<V> | undefined {
+    const known = this.#entries.get(key);
+    if (known === undefined) return undefined;
+    this.#entries.delete(key);
+    this.#entries.set(key, known);
+    return known.value;
   }
 
   #remove(key: bigint): void {

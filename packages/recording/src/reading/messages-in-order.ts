@@ -18,14 +18,15 @@ export async function* messagesInOrder(
   chunks: readonly ChunkIndex[],
   channelIds: ReadonlySet<number>,
   span: TimeSpan,
-  isReverse: boolean,
+  { isReverse = false, isOnce = false }: { isReverse?: boolean; isOnce?: boolean },
 ): AsyncGenerator<StoredMessage> {
   const { fromNs, untilNs } = span;
   const groups = overlappingGroups(chunks, span);
   if (isReverse) groups.reverse();
+  const messagesOf = file.inOrder(groups.flat(), isOnce);
   for (const group of groups) {
     const parts = [];
-    for (const chunk of group) parts.push((await file.messagesOf(chunk)).all);
+    for (const chunk of group) parts.push((await messagesOf(chunk)).all);
     const messages = parts.length === 1 ? parts[0]! : parts.flat().sort(byTime);
     const length = messages.length;
     for (let i = 0; i < length; i++) {

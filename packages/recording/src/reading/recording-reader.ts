@@ -17,7 +17,8 @@ import type { RecordingSource } from '../storage/recording-storage.ts';
 import { ChannelChunks } from './channel-chunks.ts';
 import { findLatest } from './find-latest.ts';
 import { messagesInOrder } from './messages-in-order.ts';
-import { readEvents } from './recorded-events.ts';
+import { markersOf, readEvents } from './recorded-events.ts';
+import { withMarkers } from './recorded-times.ts';
 import { StoredFile } from './stored-file.ts';
 import { channelsOf, type FileChannels } from './topics-of.ts';
 
@@ -31,6 +32,8 @@ export interface RecordsQuery {
   readonly untilNs?: bigint | undefined;
   /** From the last to the first. @default false */
   readonly isReverse?: boolean | undefined;
+  /** Their chunks are not kept for later reads: for reading a whole recording beside others. @default false */
+  readonly isOnce?: boolean | undefined;
 }
 
 /** What playback reads. */
@@ -76,9 +79,7 @@ export class RecordingReader implements EventsReader {
     const isForeign = index.profile !== PROFILE;
     const header = headerFromMetadata(await readMetadata(whole, index, PROFILE));
     const events = await eventsOf(file, chunks, ['marker', 'client', 'gap']);
-    const markers = lastOfEach(valuesOf(events, 'marker'))
-      .filter(({ isRemoved }) => isRemoved !== true)
-      .sort((a, b) => a.timeMs - b.timeMs);
+    const markers = markersOf(events);
     const summary = {
       ...header,
       ...withMarkers(times, markers),
@@ -98,7 +99,10 @@ export class RecordingReader implements EventsReader {
     const span = { fromNs: query.fromNs ?? startNs, untilNs: query.untilNs ?? endNs };
     const ids = this.#idsOf(query.topics);
     const chunks = this.#chunks.ofAny(ids);
-    const messages = messagesInOrder(this.#file, chunks, ids, span, query.isReverse === true);
+    const messages = messagesInOrder(this.#file, chunks, ids, span, {
+      isReverse: query.isReverse === true,
+      isOnce: query.isOnce === true,
+    });
     for await (const message of messages) yield this.#toRecord(message);
   }
 
@@ -180,17 +184,4 @@ function valuesOf<K extends EventKind>(events: readonly RecordingEvent[], kind: 
 
 function lastOfEach<T extends { readonly id: string }>(values: readonly T[]): T[] {
   return [...new Map(values.map((value) => [value.id, value])).values()];
-}
-
-/** A recording lasts at least until its last marker, which may be after the last record. */
-function withMarkers(
-  { startNs, endNs }: { readonly startNs: bigint; readonly endNs: bigint },
-  markers: readonly Marker[],
-): { readonly startNs: bigint; readonly endNs: bigint } {
-  const times = markers
-    .filter(({ timeMs }) => Number.isFinite(timeMs))
-    .map(({ timeMs }) => BigInt(Math.round(timeMs * 1000)) * 1000n);
-  const last = times.at(-1);
-  if (last === undefined) return { startNs, endNs };
-  return { startNs: startNs === 0n ? times[0]! : startNs, endNs: last > endNs ? last : endNs };
 }

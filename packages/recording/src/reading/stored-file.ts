@@ -5,11 +5,18 @@ import { SNAPSHOT_NAME } from '../mcap/snapshot-attachment.ts';
 import { unpackChunk } from '../mcap/unpack-chunk.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
+import { ChunkAhead } from './chunk-ahead.ts';
 import { ChunkMessages } from './chunk-messages.ts';
 import { LruCache } from './lru-cache.ts';
+import { endOf, MAX_READ_BYTES, neighbours, spanOf, type ByteSpan } from './neighbours.ts';
 
 /** Decompressed chunks that are kept: those between two snapshots, and some more. */
 const CACHE_BYTES = 48 * 1024 * 1024;
+/** Small chunks that came along with others: their records are kept as they are in the file. */
+const ALONG_BYTES = 4 * 1024 * 1024;
+const SMALL_CHUNK_BYTES = 16 * 1024;
+/** Chunks of events are small: what is between them is not worth a long read. */
+const EVENT_LIMITS = { maxBytes: MAX_READ_BYTES, maxGapBytes: 32 * 1024 };
 const RECORD_HEAD_BYTES = 9;
 /** `logTime` and `createTime` of an attachment record. */
 const ATTACHMENT_TIMES_BYTES = 16;
@@ -27,6 +34,9 @@ export class StoredFile {
   readonly index: FileIndex;
   readonly #source: RecordingSource;
   readonly #chunks = new LruCache<ChunkMessages>(CACHE_BYTES);
+  readonly #along = new LruCache<Uint8Array>(ALONG_BYTES);
+  /** Small chunks in the order of the file. */
+  #small: readonly ChunkIndex[] | undefined;
   readonly #snapshots: readonly AttachmentIndex[];
   readonly #openSnapshots = new LruCache<Snapshot>(CACHE_BYTES / 4);
 
@@ -38,11 +48,75 @@ export class StoredFile {
 
   /** The messages of a chunk. @throws RecordingError when it is broken */
   messagesOf(chunk: ChunkIndex): Promise<ChunkMessages> {
-    const { chunkStartOffset, chunkLength, uncompressedSize } = chunk;
-    return this.#chunks.get(chunkStartOffset, Number(uncompressedSize), async () => {
-      const record = await this.#source.read(chunkStartOffset, chunkLength);
-      return new ChunkMessages(messagesIn(await unpackChunk(record.subarray(RECORD_HEAD_BYTES))));
+    return this.#kept(chunk, () => this.#recordOf(chunk));
+  }
+
+  /**
+   * Returns a function that loads chunks one after the other, neighbours with one read.
+   *
+   * @param chunks in the order in which they are asked for
+   * @param isOnce they are not kept, so that those that others use stay
+   */
+  inOrder(
+    chunks: readonly ChunkIndex[],
+    isOnce: boolean,
+  ): (chunk: ChunkIndex) => Promise<ChunkMessages> {
+    const ahead = new ChunkAhead({
+      chunks,
+      isKnown: (chunk) => this.#chunks.has(chunk.chunkStartOffset),
+      read: (span) => this.#readSpan(span),
     });
+    return (chunk) => {
+      const load = (): Promise<Uint8Array> => ahead.recordOf(chunk);
+      if (!isOnce) return this.#kept(chunk, load);
+      return this.#chunks.find(chunk.chunkStartOffset) ?? unpacked(load());
+    };
+  }
+
+  /** Divides small chunks that are asked for together into groups, each of which `messagesOfAll` loads with one read. */
+  groupsOf(chunks: readonly ChunkIndex[]): (readonly ChunkIndex[])[] {
+    const isHere = ({ chunkStartOffset }: ChunkIndex): boolean =>
+      this.#along.has(chunkStartOffset) || this.#chunks.has(chunkStartOffset);
+    const missing = chunks.filter((chunk) => !isHere(chunk));
+    return [...chunks.filter(isHere).map((chunk) => [chunk]), ...neighbours(missing, EVENT_LIMITS)];
+  }
+
+  async messagesOfAll(group: readonly ChunkIndex[]): Promise<ChunkMessages[]> {
+    if (group.length === 1) return [await this.messagesOf(group[0]!)];
+    const { from, until } = spanOf(group);
+    const bytes = await this.#source.read(from, until - from);
+    return Promise.all(
+      group.map((chunk) => this.#kept(chunk, () => Promise.resolve(cutOut(bytes, from, chunk)))),
+    );
+  }
+
+  #kept(chunk: ChunkIndex, load: () => Promise<Uint8Array>): Promise<ChunkMessages> {
+    const { chunkStartOffset, uncompressedSize } = chunk;
+    return this.#chunks.get(chunkStartOffset, Number(uncompressedSize), () => unpacked(load()));
+  }
+
+  #recordOf({ chunkStartOffset, chunkLength }: ChunkIndex): Promise<Uint8Array> {
+    return this.#along.find(chunkStartOffset) ?? this.#source.read(chunkStartOffset, chunkLength);
+  }
+
+  /** Reads bytes, and keeps small chunks that nobody asked for yet: those of events lie between others. */
+  async #readSpan(span: ByteSpan): Promise<Uint8Array> {
+    const bytes = await this.#source.read(span.from, span.until - span.from);
+    for (const chunk of this.#smallChunksIn(span)) {
+      const length = Number(chunk.chunkLength);
+      const record = cutOut(bytes, span.from, chunk);
+      void this.#along.get(chunk.chunkStartOffset, length, () => Promise.resolve(record));
+    }
+    return bytes;
+  }
+
+  #smallChunksIn({ from, until }: ByteSpan): ChunkIndex[] {
+    this.#small ??= this.index.chunks
+      .filter(({ chunkLength }) => chunkLength <= SMALL_CHUNK_BYTES)
+      .sort((a, b) => (a.chunkStartOffset < b.chunkStartOffset ? -1 : 1));
+    const first = firstFrom(this.#small, from);
+    const past = this.#small.findIndex((chunk, i) => i >= first && endOf(chunk) > until);
+    return this.#small.slice(first, past < 0 ? undefined : past);
   }
 
   /** The last snapshot that has nothing newer than a moment. */
@@ -60,4 +134,31 @@ export class StoredFile {
       return { offset: entry.offset, messages };
     });
   }
+}
+
+async function unpacked(record: Promise<Uint8Array>): Promise<ChunkMessages> {
+  return new ChunkMessages(
+    messagesIn(await unpackChunk((await record).subarray(RECORD_HEAD_BYTES))),
+  );
+}
+
+/** The record of a chunk, as a copy. @param from where the bytes begin in the file */
+function cutOut(
+  bytes: Uint8Array,
+  from: bigint,
+  { chunkStartOffset, chunkLength }: ChunkIndex,
+): Uint8Array {
+  const start = Number(chunkStartOffset - from);
+  return bytes.slice(start, start + Number(chunkLength));
+}
+
+/** Place of the first chunk that does not begin before an offset. */
+function firstFrom(chunks: readonly ChunkIndex[], offset: bigint): number {
+  let [low, high] = [0, chunks.length];
+  while (low < high) {
+    const middle = (low + high) >>> 1;
+    if (chunks[middle]!.chunkStartOffset < offset) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }

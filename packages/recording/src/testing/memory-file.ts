@@ -6,6 +6,8 @@ export class MemoryFile implements RecordingFile {
   #length = 0;
   /** Bytes that `read` returned so far. */
   readBytes = 0;
+  /** Calls of `read` so far. */
+  reads = 0;
   /** Writes beyond this many bytes fail, as on a full disk. */
   maxBytes = Infinity;
 
@@ -28,6 +30,7 @@ export class MemoryFile implements RecordingFile {
       return Promise.reject(new RangeError('The file ends before these bytes.'));
     }
     this.readBytes += Number(length);
+    this.reads += 1;
     return Promise.resolve(this.#bytes.slice(Number(offset), end));
   }
 

@@ -1,0 +1,77 @@
+import type { ChunkIndex } from '@mcap/core';
+import { countNeighbours, endOf, MAX_READ_BYTES, spanOf, type ByteSpan } from './neighbours.ts';
+
+/** Bytes of the second read. Each later one has up to twice as many: a reader that stops soon has read little. */
+const SECOND_READ_BYTES = 512 * 1024;
+/** Message indexes of a full chunk of small records, and chunks of events, are shorter. */
+const MAX_GAP_BYTES = 512 * 1024;
+
+interface Window extends ByteSpan {
+  readonly bytes: Promise<Uint8Array>;
+}
+
+/** What reads ahead. */
+export interface ChunkAheadOptions {
+  /** In the order in which they are asked for. */
+  readonly chunks: readonly ChunkIndex[];
+  /** The chunk need not be read. */
+  isKnown(chunk: ChunkIndex): boolean;
+  read(span: ByteSpan): Promise<Uint8Array>;
+}
+
+/** Reads chunks one after the other: neighbours in the file with one read, and the next ones while these are used. */
+export class ChunkAhead {
+  readonly #options: ChunkAheadOptions;
+  /** Place of the first chunk that no window has. */
+  #planned = 0;
+  #maxBytes = 1;
+  #windows: Window[] = [];
+
+  constructor(options: ChunkAheadOptions) {
+    this.#options = options;
+  }
+
+  /** Returns the record of a chunk, as a copy. */
+  async recordOf(chunk: ChunkIndex): Promise<Uint8Array> {
+    const window = this.#windowOf(chunk);
+    const from = Number(chunk.chunkStartOffset - window.from);
+    const bytes = await window.bytes;
+    return bytes.slice(from, from + Number(chunk.chunkLength));
+  }
+
+  #windowOf(chunk: ChunkIndex): Window {
+    const holds = ({ from, until }: Window): boolean =>
+      chunk.chunkStartOffset >= from && endOf(chunk) <= until;
+    while (!this.#windows.some(holds)) {
+      const next = this.#openNext();
+      // It was known when the windows were planned, and is no longer.
+      if (next === undefined) return this.#open([chunk]);
+    }
+    // Windows before are not asked for again.
+    this.#windows.splice(0, this.#windows.findIndex(holds));
+    const isSteady = this.#maxBytes > SECOND_READ_BYTES;
+    if (isSteady && this.#windows.length === 1) this.#openNext();
+    return this.#windows.find(holds)!;
+  }
+
+  #openNext(): Window | undefined {
+    const { chunks, isKnown } = this.#options;
+    while (this.#planned < chunks.length && isKnown(chunks[this.#planned]!)) this.#planned++;
+    if (this.#planned >= chunks.length) return undefined;
+    const limits = { maxBytes: this.#maxBytes, maxGapBytes: MAX_GAP_BYTES };
+    const end = this.#planned + countNeighbours(chunks, this.#planned, limits);
+    const window = this.#open(chunks.slice(this.#planned, end));
+    this.#planned = end;
+    this.#maxBytes = Math.min(Math.max(2 * this.#maxBytes, SECOND_READ_BYTES), MAX_READ_BYTES);
+    this.#windows.push(window);
+    return window;
+  }
+
+  #open(chunks: readonly ChunkIndex[]): Window {
+    const span = spanOf(chunks);
+    const bytes = this.#options.read(span);
+    // A window that was read ahead may fail before it is asked for.
+    bytes.catch(() => undefined);
+    return { ...span, bytes };
+  }
+}
