@@ -4,6 +4,7 @@ import { MemoryFile, SAMPLE_HEADER } from '@ubii/recording/testing';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { decodeRecorded } from './decode-recorded.ts';
+import { ReadTurns } from './read-turns.ts';
 import { RecordingDesk } from './recording-desk.ts';
 import type { RecordingReport } from './recording-messages.ts';
 
@@ -51,12 +52,19 @@ async function aRecording(): Promise<RecordingReader> {
   return RecordingReader.open(file);
 }
 
+const turns = (): ReadTurns =>
+  new ReadTurns({
+    nowMs: () => 0,
+    pause: () => Promise.resolve(),
+    wait: () => Promise.resolve(),
+  });
+
 async function setUp() {
   const reports: RecordingReport[] = [];
-  const desk = new RecordingDesk(await aRecording(), new FakeClock(), (report) =>
+  const desk = new RecordingDesk(await aRecording(), new FakeClock(), turns(), (report) =>
     reports.push(report),
   );
-  await desk.begin({ nowMs: () => 0, pause: () => Promise.resolve() });
+  await desk.begin();
   const last = <K extends RecordingReport['kind']>(kind: K) =>
     reports.findLast((report) => report.kind === kind) as RecordingReport & { kind: K };
   return { desk, reports, last };
@@ -130,7 +138,7 @@ describe('the worker that reads a recording', () => {
     await desk.handle({ kind: 'rate', rate: 2 });
     await desk.handle({ kind: 'loop', loop: { fromMs: 100, untilMs: 900 } });
     const reports: RecordingReport[] = [];
-    const next = new RecordingDesk(await aRecording(), new FakeClock(), (report) =>
+    const next = new RecordingDesk(await aRecording(), new FakeClock(), turns(), (report) =>
       reports.push(report),
     );
     await next.resume(desk.state);

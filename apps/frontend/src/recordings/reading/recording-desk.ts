@@ -9,10 +9,11 @@ import type { Clock } from '@ubii/timing';
 import { openedRecording } from './opened-recording.ts';
 import { readFrame } from './frame-reader.ts';
 import type { PlayedValue, RecordingCommand, RecordingReport } from './recording-messages.ts';
-import type { TileViewer } from '../timeline/tile-store.ts';
+import type { TileRequest, TileViewer } from '../timeline/tile-store.ts';
 import { TimeBase } from './recording-time-base.ts';
 import { sessionsNear } from './sessions-near.ts';
-import { readSurvey, type Turns } from './survey-reader.ts';
+import type { ReadTurns } from './read-turns.ts';
+import { readSurvey } from './survey-reader.ts';
 import { readTiles } from './tile-reader.ts';
 
 /** Says something to the page. @param transfer what it may take over */
@@ -27,12 +28,14 @@ export class RecordingDesk {
   readonly #tell: Tell;
   readonly #base: TimeBase;
   readonly #playback: Playback;
+  readonly #turns: ReadTurns;
   readonly #tilesAsked = new Map<TileViewer, number>();
   #sessions: readonly RecordingEvent<'session'>[] = [];
   #sessionsTold = '';
 
-  constructor(reader: RecordingReader, clock: Clock, tell: Tell) {
+  constructor(reader: RecordingReader, clock: Clock, turns: ReadTurns, tell: Tell) {
     this.#reader = reader;
+    this.#turns = turns;
     this.#tell = tell;
     this.#base = new TimeBase(reader.summary.startNs);
     this.#playback = new Playback({
@@ -52,12 +55,19 @@ export class RecordingDesk {
   }
 
   /** Tells what the recording is and, bit by bit, what is in it. */
-  async begin(turns: Turns): Promise<void> {
+  async begin(): Promise<void> {
     this.#tellOpened();
     this.#sessions = await this.#reader.sessions();
     this.#tellState(this.#playback.state);
     await this.#playback.seek(this.#reader.summary.startNs);
-    await readSurvey(this.#reader, turns, (survey) => this.#tell({ kind: 'survey', survey }));
+    await this.#turns.run('survey', (turn) =>
+      readSurvey(
+        this.#reader,
+        turn,
+        () => this.#turns.nowMs(),
+        (survey) => this.#tell({ kind: 'survey', survey }),
+      ),
+    );
     await this.#tellClocks();
   }
 
@@ -77,18 +87,13 @@ export class RecordingDesk {
 
   async handle(command: DeskCommand): Promise<void> {
     switch (command.kind) {
-      case 'tiles': {
-        const { request } = command;
-        const asked = (this.#tilesAsked.get(request.viewer) ?? 0) + 1;
-        this.#tilesAsked.set(request.viewer, asked);
-        const isWanted = (): boolean => asked === this.#tilesAsked.get(request.viewer);
-        return readTiles(this.#reader, request, isWanted, (topic, index, tile) =>
-          this.#tell({ kind: 'tile', topic, level: request.level, index, tile }),
-        );
-      }
+      case 'tiles':
+        return this.#readTiles(command.request);
       case 'frame': {
         const { topic, timeMs } = command;
-        const picture = await readFrame(this.#reader, topic, timeMs);
+        const picture = await this.#turns.run('frame', () =>
+          readFrame(this.#reader, topic, timeMs),
+        );
         this.#tell({ kind: 'frame', topic, timeMs, picture }, picture ? [picture] : []);
         return;
       }
@@ -105,12 +110,30 @@ export class RecordingDesk {
         );
       }
       case 'seek':
-        return this.#playback.seek(this.#base.toNs(command.timeMs));
+        return this.#first(() => this.#playback.seek(this.#base.toNs(command.timeMs)));
       case 'stepRecord':
-        return this.#playback.stepRecord(command.topic, command.direction);
+        return this.#first(() => this.#playback.stepRecord(command.topic, command.direction));
       case 'stepTime':
-        return this.#playback.stepTime(command.deltaMs);
+        return this.#first(() => this.#playback.stepTime(command.deltaMs));
     }
+  }
+
+  /** Moves the playhead before anything else is read. */
+  #first(move: () => Promise<void>): Promise<void> {
+    return this.#turns.run('seek', move);
+  }
+
+  /** A request takes the place of the last one of the same view. */
+  #readTiles(request: TileRequest): Promise<void> {
+    const { viewer, level } = request;
+    const asked = (this.#tilesAsked.get(viewer) ?? 0) + 1;
+    this.#tilesAsked.set(viewer, asked);
+    const isWanted = (): boolean => asked === this.#tilesAsked.get(viewer);
+    return this.#turns.run('tile', (turn) =>
+      readTiles(this.#reader, request, { turn, isWanted }, (topic, index, tile) =>
+        this.#tell({ kind: 'tile', topic, level, index, tile }),
+      ),
+    );
   }
 
   #tellOpened(): void {

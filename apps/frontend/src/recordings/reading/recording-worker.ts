@@ -2,6 +2,7 @@ import { RecordingReader } from '@ubii/recording';
 import { systemClock } from '@ubii/timing/system';
 import { openSource } from '../files/open-source.ts';
 import type { ReadableFile } from '../files/readable-file.ts';
+import { ReadTurns } from './read-turns.ts';
 import { RecordingDesk, sentenceOf, type Tell } from './recording-desk.ts';
 import type { RecordingCommand } from './recording-messages.ts';
 
@@ -9,21 +10,21 @@ import type { RecordingCommand } from './recording-messages.ts';
 const tell: Tell = (report, transfer = []) => self.postMessage(report, { transfer });
 let desk: RecordingDesk | undefined;
 
-const turns = {
-  nowMs: () => performance.now(),
-  pause: () => new Promise<void>((resolve) => void setTimeout(resolve)),
-};
+const pause = (ms = 0): Promise<void> =>
+  new Promise<void>((resolve) => void setTimeout(resolve, ms));
+const turns = new ReadTurns({ nowMs: () => performance.now(), pause, wait: pause });
 
 let source: ReadableFile = new Blob();
 
 async function openDesk(): Promise<RecordingDesk> {
-  return new RecordingDesk(await RecordingReader.open(openSource(source)), systemClock, tell);
+  const reader = await RecordingReader.open(openSource(source));
+  return new RecordingDesk(reader, systemClock, turns, tell);
 }
 
 async function open(from: ReadableFile): Promise<void> {
   source = from;
   desk = await openDesk();
-  await desk.begin(turns);
+  await desk.begin();
 }
 
 async function reopen(): Promise<void> {

@@ -3,23 +3,16 @@ import { trackKind } from '../timeline/track-entry.ts';
 import { SurveyBuilder, type Survey } from '../timeline/survey.ts';
 import { formatLook } from '../../formats/families.ts';
 import { decodeRecorded } from './decode-recorded.ts';
+import type { ReadTurn } from './read-turns.ts';
 import { TimeBase } from './recording-time-base.ts';
 
 /** After how much reading the first part is shown, milliseconds; later parts take longer and longer. */
 const FIRST_PART_MS = 250;
-/** Without a pause no longer than this: seeking and tiles are answered in between, milliseconds. */
-const TURN_MS = 12;
-
-/** How a long read gives way to others, and what time it is. */
-export interface Turns {
-  nowMs(): number;
-  pause(): Promise<void>;
-}
-
 /** Reads a whole recording, and shows it while that takes. */
 export async function readSurvey(
   reader: RecordsReader,
-  turns: Turns,
+  turn: ReadTurn,
+  nowMs: () => number,
   show: (survey: Survey) => void,
 ): Promise<void> {
   const { startNs, endNs, topics } = reader.summary;
@@ -32,9 +25,8 @@ export async function readSurvey(
     ),
   );
   let partMs = FIRST_PART_MS;
-  let shownMs = turns.nowMs();
-  let turnMs = shownMs;
-  for await (const { topic, record, logTimeNs } of reader.records()) {
+  let shownMs = nowMs();
+  for await (const { topic, record, logTimeNs } of reader.records({ isOnce: true })) {
     const isRaw = undecoded.get(topic);
     if (isRaw === false) builder.addFrame(topic, base.toMs(logTimeNs));
     else
@@ -43,15 +35,13 @@ export async function readSurvey(
         base.toMs(logTimeNs),
         isRaw === true ? undefined : decodeRecorded(topic, record),
       );
-    const nowMs = turns.nowMs();
-    if (nowMs - shownMs > partMs) {
-      show(builder.survey(false));
-      partMs *= 2;
-      shownMs = turns.nowMs();
-    }
-    if (nowMs - turnMs < TURN_MS) continue;
-    await turns.pause();
-    turnMs = turns.nowMs();
+    const giveWay = turn.next();
+    if (giveWay === undefined) continue;
+    await giveWay;
+    if (nowMs() - shownMs <= partMs) continue;
+    show(builder.survey(false));
+    partMs *= 2;
+    shownMs = nowMs();
   }
   show(builder.survey(true));
 }

@@ -3,6 +3,7 @@ import { entryOf, type TrackEntry } from '../timeline/track-entry.ts';
 import type { TileRequest } from '../timeline/tile-store.ts';
 import { TileBuilder, tileGrid, type Tile } from '../timeline/tile.ts';
 import { decodeRecorded } from './decode-recorded.ts';
+import type { ReadTurn } from './read-turns.ts';
 import { TimeBase } from './recording-time-base.ts';
 
 const NOTHING: Pick<TrackEntry, 'numbers'> = { numbers: [] };
@@ -15,7 +16,7 @@ const NOTHING: Pick<TrackEntry, 'numbers'> = { numbers: [] };
 export async function readTiles(
   reader: RecordsReader,
   { topics, level, first, last }: TileRequest,
-  isWanted: () => boolean,
+  { turn, isWanted }: { readonly turn: ReadTurn; readonly isWanted: () => boolean },
   onTile: (topic: string, index: number, tile: Tile) => void,
 ): Promise<void> {
   const base = new TimeBase(reader.summary.startNs);
@@ -28,6 +29,8 @@ export async function readTiles(
       untilNs: base.toNs(grid.fromMs + grid.bucketMs * grid.buckets),
     };
     for await (const { topic, record, logTimeNs } of reader.records(query)) {
+      const giveWay = turn.next();
+      if (giveWay !== undefined) await giveWay;
       if (!isWanted()) return;
       const decoded = decodeRecorded(topic, record);
       builders.get(topic)?.add(base.toMs(logTimeNs), decoded ? entryOf(decoded) : NOTHING);
