@@ -60,18 +60,21 @@ export class ChunkAhead {
     if (this.#planned >= chunks.length) return undefined;
     const limits = { maxBytes: this.#maxBytes, maxGapBytes: MAX_GAP_BYTES };
     const end = this.#planned + countNeighbours(chunks, this.#planned, limits);
-    const window = this.#open(chunks.slice(this.#planned, end));
+    const window = this.#open(chunks.slice(this.#planned, end), chunks[end]);
     this.#planned = end;
     this.#maxBytes = Math.min(Math.max(2 * this.#maxBytes, SECOND_READ_BYTES), MAX_READ_BYTES);
     this.#windows.push(window);
     return window;
   }
 
-  #open(chunks: readonly ChunkIndex[]): Window {
+  /** @param next read after these: what is between is taken along */
+  #open(chunks: readonly ChunkIndex[], next?: ChunkIndex): Window {
     const span = spanOf(chunks);
-    const bytes = this.#options.read(span);
+    const gap = next === undefined ? 0n : next.chunkStartOffset - span.until;
+    const until = gap > 0n && gap <= MAX_GAP_BYTES ? span.until + gap : span.until;
+    const bytes = this.#options.read({ from: span.from, until });
     // A window that was read ahead may fail before it is asked for.
     bytes.catch(() => undefined);
-    return { ...span, bytes };
+    return { from: span.from, until, bytes };
   }
 }

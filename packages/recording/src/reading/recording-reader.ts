@@ -7,7 +7,6 @@ import {
   EVENT_TOPICS,
   type EventKind,
   type EventValue,
-  type Marker,
   type RecordedSession,
   type RecordingEvent,
 } from '../records/recording-event.ts';
