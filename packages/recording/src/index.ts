@@ -25,6 +25,11 @@ export {
   type RecordsReader,
 } from './reading/recording-reader.ts';
 export { devicesInSpan } from './reading/devices-in-span.ts';
+export {
+  OutlineReader,
+  type RecordingOutline,
+  type TopicOutline,
+} from './reading/outline-reader.ts';
 export { changeRecording, type RecordingChange } from './repair/change-recording.ts';
 export { repairRecording, type Repair } from './repair/repair-recording.ts';
 export { FlightRing, type FlightRingContent, type FlightRingLimits } from './flight/flight-ring.ts';
