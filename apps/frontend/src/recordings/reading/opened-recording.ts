@@ -4,7 +4,10 @@ import type { OpenedRecording } from './recording-messages.ts';
 import { TimeBase } from './recording-time-base.ts';
 
 /** Files of nodes have clients that publish nothing, and those of other programs have publishers only. */
-function clientNamesOf({ topics, clients }: RecordingSummary): Map<string, string> {
+export function clientNamesOf({
+  topics,
+  clients,
+}: Pick<RecordingSummary, 'topics' | 'clients'>): Map<string, string> {
   const names = [
     ...topics.map(({ clientId, clientName }) => [clientId, clientName] as const),
     ...clients.map(({ id, name }) => [id, name] as const),
@@ -43,7 +46,10 @@ export function openedRecording(summary: RecordingSummary): OpenedRecording {
   };
 }
 
-function labelsOf({ personalData = '{}' }: RecordingSummary): readonly PersonalLabel[] {
+/** Labels of personal data in a header; none when they cannot be read. */
+export function labelsOf({
+  personalData = '{}',
+}: Pick<RecordingSummary, 'personalData'>): readonly PersonalLabel[] {
   try {
     return fromJson('ubii.extension.PersonalData', JSON.parse(personalData)).labels;
   } catch {

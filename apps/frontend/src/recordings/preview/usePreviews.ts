@@ -1,0 +1,78 @@
+import { useIntersectionObserver } from '@vueuse/core';
+import {
+  computed,
+  inject,
+  onBeforeUnmount,
+  provide,
+  shallowRef,
+  watch,
+  type ComputedRef,
+  type InjectionKey,
+  type ShallowRef,
+} from 'vue';
+import type { PreviewReport, PreviewRequest } from './preview-messages.ts';
+import { PreviewStore, type PreviewPort, type PreviewState } from './preview-store.ts';
+
+const PREVIEWS: InjectionKey<PreviewStore> = Symbol('previews');
+
+function openPreviewWorker(): PreviewPort {
+  const worker = new Worker(new URL('./preview-worker.ts', import.meta.url), { type: 'module' });
+  const asked = new Set<string>();
+  return {
+    send(request) {
+      asked.add(request.key);
+      worker.postMessage(request);
+    },
+    onReport(handle) {
+      worker.onmessage = ({ data }: MessageEvent<PreviewReport>) => {
+        if (!(data.kind === 'preview' && data.preview.hasPicture)) asked.delete(data.key);
+        handle(data);
+      };
+      worker.onerror = () => {
+        const message = 'This browser cannot read recordings.';
+        for (const key of asked) handle({ kind: 'failed', key, message });
+      };
+    },
+    close: () => worker.terminate(),
+  };
+}
+
+/** Keeps previews as long as the page is open. */
+export function providePreviews(open: () => PreviewPort = openPreviewWorker): PreviewStore {
+  const store = new PreviewStore(open);
+  provide(PREVIEWS, store);
+  onBeforeUnmount(() => store.close());
+  return store;
+}
+
+export function usePreviews(): PreviewStore {
+  const store = inject(PREVIEWS);
+  if (!store) throw new Error('This part needs the page of recordings above it.');
+  return store;
+}
+
+/** The preview of a recording, which is read while its element is on screen. @param request undefined for none */
+export function usePreview(
+  element: Readonly<ShallowRef<HTMLElement | null>>,
+  request: () => PreviewRequest | undefined,
+): ComputedRef<PreviewState | undefined> {
+  const store = usePreviews();
+  const isShown = shallowRef(false);
+  useIntersectionObserver(element, (entries) => {
+    isShown.value = entries.at(-1)?.isIntersecting === true;
+  });
+  watch(
+    [isShown, () => request()?.key],
+    ([shown], _before, onCleanup) => {
+      const wanted = request();
+      if (!shown || wanted === undefined) return;
+      store.show(wanted);
+      onCleanup(() => store.hide(wanted.key));
+    },
+    { immediate: true },
+  );
+  return computed(() => {
+    const wanted = request();
+    return wanted && store.get(wanted.key);
+  });
+}
