@@ -27,9 +27,14 @@ it.each([
   const options = { format: 'mcap', topics: [], from: 0, until: Infinity, out: folder } as const;
   let written = '';
   const signal = AbortSignal.timeout(60_000);
-  await exportRecording([path], { ...options, personal, key: '', help: false }, signal, (text) => {
-    written += text;
-  });
+  await exportRecording(
+    [path],
+    { ...options, personal, key: '', help: false, version: false },
+    signal,
+    (text) => {
+      written += text;
+    },
+  );
   const [target = '', ...more] = written.split(/(?<=\n)/);
   expect(more.join('')).toBe(words);
   const file = await DiskFile.open(target.trim());

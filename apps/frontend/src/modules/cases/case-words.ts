@@ -43,8 +43,7 @@ function textOf(record: TopicRecord | undefined, path: string): string {
   let member: unknown = record?.value;
   for (const name of path === '' ? [] : path.split('.'))
     member = (member as Readonly<Record<string, unknown>> | undefined)?.[name];
-  const isBytes = ArrayBuffer.isView(member);
-  if (isBytes) return counted(member.byteLength, 'byte');
+  if (ArrayBuffer.isView(member)) return counted(member.byteLength, 'byte');
   return (
     JSON.stringify(member, (_, value: unknown) => (ArrayBuffer.isView(value) ? '…' : value)) ??
     'nothing'
