@@ -30,12 +30,13 @@ describe('a recording', () => {
       const id = await start(master, selection);
       ada.publish(`/${ada.id}/page_state`, 'string', '{"visible":true}');
       ada.publish(`/${ada.id}/graph_editor/presence`, 'string', '{"session":""}');
+      ada.publish(`/${ada.id}/preflight`, 'string', '{"address":"http://10.0.0.7"}');
       ada.publish('/lab/page_state', 'double', 1);
       return topicsOf(master, id);
     };
     expect(await record({})).toEqual(['/lab/page_state']);
     expect(await record({ patterns: ['/*/page_state'] })).toHaveLength(2);
-    expect(await record({ clients: ['ada'] })).toHaveLength(3);
+    expect(await record({ clients: ['ada'] })).toHaveLength(4);
   });
 
   it('[RC-50] takes records in batches of 50 ms, and none while nothing is recorded', async () => {

@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { RecordingKind, type Recording } from '@ubii/proto';
-import { mount, type VueWrapper } from '@vue/test-utils';
+import { mount } from '@vue/test-utils';
 import { afterEach, describe, expect, it } from 'vitest';
 import { computed, type App } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
@@ -8,7 +8,7 @@ import { CONNECTION } from '../../connection/connection.ts';
 import { createToasts, provideToasts } from '../../ui/toasts/toasts.ts';
 import RecordingStrip from './RecordingStrip.vue';
 
-const wrappers: VueWrapper[] = [];
+const wrappers: { unmount(): void }[] = [];
 afterEach(() => wrappers.splice(0).forEach((wrapper) => wrapper.unmount()));
 
 async function open(path: string, running: readonly Partial<Recording>[]): Promise<string> {
