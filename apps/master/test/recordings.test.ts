@@ -46,7 +46,9 @@ describe('a recording', () => {
     const ada = await master.legacy('ada');
     ada.publish('/lab/x', 'double', 1);
     await master.pass(100);
+    expect(add).not.toHaveBeenCalled();
     const id = await start(master);
+    add.mockClear(); // The value at the start. [RC-9]
     for (const value of [2, 3, 4]) ada.publish('/lab/x', 'double', value);
     await master.pass(49);
     expect(add).not.toHaveBeenCalled();
