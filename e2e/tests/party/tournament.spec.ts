@@ -1,13 +1,20 @@
-import { GAMES, type Game, type GameId, type Seat } from '@ubii/party/sim';
+import { GAMES, type DuelState, type Game, type GameId, type Seat } from '@ubii/party/sim';
 import { stateTopic, type RoomView } from '@ubii/party/net';
 import type { RoundState } from '@ubii/party/modules';
 import { expect, test } from '../../fixtures/test.ts';
 import { PartyPhonePage, PartyScreenPage } from '../../pages/party-pages.ts';
 
+/** Taken out and in again, games come last: in the end, Marble Dash, King of the Hill, Quick Draw. */
 const CHOICE = [
-  ...['Quick Draw', 'Photo Hunt', 'Marble Dash', 'King of the Hill'],
-  ...['King of the Hill', 'Marble Dash', 'Tilt Quiz'],
+  ...['Photo Hunt', 'Marble Dash', 'Marble Dash'],
+  ...['King of the Hill', 'King of the Hill', 'Quick Draw'],
 ];
+
+interface Standing {
+  readonly seat: Seat;
+  readonly position: { readonly x: number; readonly y: number };
+  readonly outAt?: number;
+}
 
 test('four phones play a tournament by touch: one reloads, one leaves, one comes late', async ({
   room,
@@ -15,26 +22,32 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
   test.setTimeout(600_000);
   const screen = new PartyScreenPage((await room.atDesk('Big screen')).page);
   await screen.open();
-  const phones: PartyPhonePage[] = [];
-  for (const name of ['Mara', 'Theo', 'Ines', 'Jo']) {
+  const join = async (name: string): Promise<PartyPhonePage> => {
     const phone = new PartyPhonePage((await room.withPhone()).page, name);
     await phone.join();
-    phones.push(phone);
-  }
-  const [mara, theo, ines, jo] = phones as [
-    PartyPhonePage,
-    PartyPhonePage,
-    PartyPhonePage,
-    PartyPhonePage,
-  ];
+    return phone;
+  };
+  const [mara, theo, ines, jo] = await Promise.all([
+    join('Mara'),
+    join('Theo'),
+    join('Ines'),
+    join('Jo'),
+  ]);
   await screen.expectPlayers(4);
 
-  // State that the players see: seats, and the newest state of each game.
+  // State that the players see: seats, the newest state of each game, and who pressed in the duel.
   const eyes = await room.program('eyes');
   const seen = new Map<GameId, RoundState>();
+  const drew = new Set<Seat>();
   for (const game of Object.keys(GAMES) as GameId[]) {
     const states = eyes.subscribe(stateTopic(game), { format: 'string' });
-    states.onRecord(({ value }) => seen.set(game, JSON.parse(value) as RoundState));
+    states.onRecord(({ value }) => {
+      const state = JSON.parse(value) as RoundState;
+      seen.set(game, state);
+      if (game !== 'duel') return;
+      const { presses } = (state.state as DuelState).bout;
+      for (const seat of Object.keys(presses)) drew.add(Number(seat));
+    });
     await states.ready;
   }
   let view: RoomView | undefined;
@@ -72,30 +85,45 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
     await screen.expectPhase('podium');
   };
 
-  await test.step('Quick Draw', async () => {
-    // Quick Draw in, Photo Hunt out; taken out and in again, games come last
-    for (const game of CHOICE) {
-      await screen.page.getByRole('button', { name: game }).click();
-    }
-    await screen.start();
-    await playOn(phones);
-    await playOut('duel', phones);
-    expect(view!.room.results[0]!.places.flat().sort()).toEqual([0, 1, 2, 3]);
-  });
+  /** Moves a slider of the game in the host's menu. */
+  const setSlider = async (value: string): Promise<void> => {
+    await screen.page.keyboard.press('h');
+    await screen.page.getByRole('slider').first().fill(value);
+    await screen.page.keyboard.press('Escape');
+  };
+
+  const lin =
+    await test.step('Marble Dash, faster while it runs; one comes late and waits', async () => {
+      const four = [mara, theo, ines, jo];
+      for (const game of CHOICE) {
+        await screen.page.getByRole('button', { name: game }).click();
+      }
+      await screen.start();
+      await playOn(four);
+      const late = await join('Lin');
+      await expect
+        .poll(() => view!.room.players.find(({ name }) => name === 'Lin')?.isWaiting)
+        .toBe(true);
+      await setSlider('2');
+      await playOut('race', four);
+      const [result] = view!.room.results;
+      expect(result!.game).toBe('race');
+      expect(result!.places.flat().sort()).toEqual(four.map(seatOf).sort());
+      return late;
+    });
 
   await test.step('King of the Hill: a phone reloads in the middle, and has its seat', async () => {
-    await playOn(phones);
+    const walkers = [theo, ines, jo, lin];
+    await playOn([mara, ...walkers]);
     const seat = seatOf(theo);
     await theo.page.reload();
     await expect(theo.page.getByText('Theo').first()).toBeVisible();
     await expect.poll(() => view!.room.players[seat]?.awaySinceMs ?? 'here').toBe('here');
     expect(seatOf(theo)).toBe(seat);
-    // Three walk over the edge, who stays wins
+    // Four walk over the edge, who stays wins
     while (view?.room.phase === 'play') {
-      for (const phone of [theo, ines, jo]) {
-        const state = seen.get('hill')?.state as
-          | { pieces: { seat: number; position: { x: number; y: number }; outAt?: number }[] }
-          | undefined;
+      for (const phone of walkers) {
+        const state = seen.get('hill')?.state as { pieces: readonly Standing[] } | undefined;
         const piece = state?.pieces.find((one) => one.seat === seatOf(phone));
         if (!piece || piece.outAt !== undefined) continue;
         const { x, y } = piece.position;
@@ -104,39 +132,21 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
       }
       await screen.page.waitForTimeout(50);
     }
-    for (const phone of [theo, ines, jo]) await phone.release();
+    for (const phone of walkers) await phone.release();
     await screen.expectPhase('podium');
     expect(view!.room.results[1]!.places[0]).toEqual([seatOf(mara)]);
   });
 
-  let lin: PartyPhonePage | undefined;
-  await test.step('one leaves, one comes late and waits', async () => {
+  const stayed = [mara, theo, ines, lin];
+  await test.step('Quick Draw with short waits: one has left, who came late plays', async () => {
     await jo.page.close();
-    await playOn([mara, theo, ines]);
-    lin = new PartyPhonePage((await room.withPhone()).page, 'Lin');
-    await lin.join();
-    await expect
-      .poll(() => view!.room.players.find(({ name }) => name === 'Lin')?.isWaiting)
-      .toBe(true);
-  });
-
-  await test.step('Marble Dash, faster while it runs: everybody feels it', async () => {
-    await screen.page.keyboard.press('h');
-    const speed = screen.page.getByRole('slider').first();
-    await speed.fill('2');
-    await screen.page.keyboard.press('Escape');
-    await playOut('race', [mara, theo, ines]);
-    expect(view!.room.results[2]!.game).toBe('race');
-  });
-
-  await test.step('Tilt Quiz, with who came late', async () => {
-    const all = [mara, theo, ines, lin!];
-    await playOn(all);
-    await playOut('quiz', all);
-    const { answerers } = seen.get('quiz')!.state as { answerers: { seat: Seat; score: number }[] };
-    for (const phone of all) {
-      expect(answerers.find(({ seat }) => seat === seatOf(phone))!.score).toBeGreaterThan(0);
-    }
+    for (const phone of stayed) await phone.ready();
+    await expect.poll(() => view!.room.phase).toBe('explanation');
+    await setSlider('0');
+    await playOn(stayed);
+    await playOut('duel', stayed);
+    expect(view!.room.results[2]!.game).toBe('duel');
+    expect([...drew].sort()).toEqual(stayed.map(seatOf).sort());
   });
 
   await test.step('the table is the sum of all rounds, and the tournament ends', async () => {
@@ -147,7 +157,7 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
     const best = [...players].sort((a, b) => b.points - a.points || a.seat - b.seat);
     // After the replay of the decisive moment
     await expect.poll(() => screen.table()).toEqual(best.map(({ name }) => name));
-    // The podium ends by itself
+    for (const phone of stayed) await phone.ready();
     await screen.expectPhase('end');
     await expect(screen.page.getByRole('heading', { level: 1 })).toHaveText(/tournament$/);
   });
