@@ -236,7 +236,7 @@ export class NodeRecorder {
   /** The file is at the master. [RC-63] */
   async #handleSent(id: string): Promise<void> {
     await this.#context.recorder.delete(id);
-    this.#context.log('info', `The recording ${id} is at the master`);
+    this.#context.log('info', `The recording ${id} is on the master`);
   }
 
   #describe(recording: Recording): Recording {

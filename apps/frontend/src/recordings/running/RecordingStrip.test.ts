@@ -32,7 +32,7 @@ async function open(path: string, running: readonly Partial<Recording>[]): Promi
 }
 
 describe('the strip about recordings', () => {
-  const lesson = { id: 'a', name: 'Lesson', durationMs: 1000, kind: 0 };
+  const lesson = { id: 'a', name: 'Lesson', durationMs: 1000 };
   const run = { id: 'b', name: 'Run', durationMs: 1000 };
   const comparison = { ...run, kind: RecordingKind.RECORDING_KIND_COMPARISON };
 
