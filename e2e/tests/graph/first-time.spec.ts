@@ -98,7 +98,8 @@ test('with fingers on a tablet, a pointer is smoothed onto a second topic', asyn
 
   await test.step('a topic is dragged from the palette', async () => {
     const row = pointerOf(graph);
-    await row.scrollIntoViewIfNeeded();
+    // The palette draws its rows again while topics of the phone appear.
+    await expect(() => row.scrollIntoViewIfNeeded()).toPass();
     await fingers.drag(await middleOf(row), await graph.spot(0.2, 0.3));
     await expect(graph.canvas.getByRole('group', { name: /^Topic / })).toBeVisible();
   });
