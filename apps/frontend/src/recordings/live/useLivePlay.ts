@@ -1,5 +1,4 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ReplayAction, ServiceError, type Recording, type Replay } from '@ubii/proto';
+import { ReplayAction, type Recording, type Replay } from '@ubii/proto';
 import {
   computed,
   inject,
@@ -11,6 +10,7 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
+import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useReplays } from '../../connection/useReplays.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
@@ -63,7 +63,7 @@ export function provideLivePlay(
   const { client } = useConnection();
   const replays = useReplays();
   const mayReplay = useMayRecord();
-  const problem = shallowRef<string>();
+  const { problem, attempt } = useAttempt();
   const publishers = shallowRef<readonly string[]>([]);
   const leftId = shallowRef<string>();
   /** The reply to the start comes before the news of it. */
@@ -74,16 +74,6 @@ export function provideLivePlay(
     return all.find((one) => isReplayOf(one, recording.value?.id) && one.id !== leftId.value);
   });
 
-  async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
-    problem.value = undefined;
-    try {
-      return await work();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      problem.value = cause.message;
-      return undefined;
-    }
-  }
   const control = new ReplayControl((change) =>
     attempt(() => client.call('replayChange', { ...change, id: replay.value?.id ?? '' })),
   );
