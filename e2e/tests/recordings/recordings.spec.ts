@@ -167,4 +167,7 @@ test('a phone that joined with an invitation makes a recording, scrubs it and do
   const download = ben.page.waitForEvent('download');
   await ben.page.getByRole('link', { name: 'Download' }).tap();
   expect((await download).suggestedFilename()).toBe('Walk.mcap');
+  await ben.page.goto('/recordings');
+  await ben.page.getByRole('button', { name: 'Preview of Walk' }).tap();
+  await expect(ben.page.getByRole('list', { name: 'Busiest topics' })).toContainText('2 records');
 });

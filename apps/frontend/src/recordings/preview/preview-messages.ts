@@ -1,4 +1,5 @@
 import type { DataFormatFamily } from '@ubii/proto';
+import type { ReadableFile } from '../files/readable-file.ts';
 
 /** Bars of a strip. */
 export const PREVIEW_PARTS = 96;
@@ -36,7 +37,7 @@ export interface RecordingPreview {
 /** What the page asks of the worker that reads previews. */
 export interface PreviewRequest {
   readonly key: string;
-  readonly source: Blob | string;
+  readonly source: ReadableFile;
 }
 
 /** What the worker says. */

@@ -21,7 +21,7 @@ function setUp() {
       close: () => undefined,
     };
   });
-  const show = (key: string): void => store.show({ key, source: `/${key}` });
+  const show = (key: string): void => store.show({ key, source: new Blob() });
   return {
     asked,
     store,

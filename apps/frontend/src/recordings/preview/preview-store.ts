@@ -1,4 +1,5 @@
 import { shallowReactive } from 'vue';
+import type { ReadableFile } from '../files/readable-file.ts';
 import type { PreviewReport, PreviewRequest, RecordingPreview } from './preview-messages.ts';
 
 /** What is known of a recording in a list. */
@@ -26,7 +27,7 @@ export class PreviewStore {
   readonly #open: () => PreviewPort;
   #port: PreviewPort | undefined;
   readonly #states = shallowReactive(new Map<string, PreviewState>());
-  readonly #wishes = new Map<string, Blob | string>();
+  readonly #wishes = new Map<string, ReadableFile>();
   readonly #running = new Set<string>();
 
   /** @param open starts the worker, when the first preview is asked for */

@@ -1,7 +1,7 @@
 import { OutlineReader } from '@ubii/recording';
-import { BlobSource, RangeSource } from '@ubii/recording/browser';
 import { imageOf } from '../../graph/preview/image-of.ts';
 import { thumbnail } from '../../graph/preview/thumbnail.ts';
+import { openSource } from '../files/open-source.ts';
 import type { PreviewReport, PreviewRequest } from './preview-messages.ts';
 import { readPreview, type ReadPreview } from './read-preview.ts';
 
@@ -10,8 +10,7 @@ const tell = (report: PreviewReport, transfer: Transferable[] = []): void =>
   self.postMessage(report, { transfer });
 
 async function answer({ key, source }: PreviewRequest): Promise<void> {
-  const from = typeof source === 'string' ? new RangeSource(source) : new BlobSource(source);
-  const read = await readPreview(await OutlineReader.open(from));
+  const read = await readPreview(await OutlineReader.open(openSource(source)));
   tell({ kind: 'preview', key, preview: read.preview });
   if (!read.preview.hasPicture) return;
   const picture = await pictureOf(read).catch(() => undefined);
