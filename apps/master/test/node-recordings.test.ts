@@ -161,7 +161,7 @@ describe('a recording at a node', () => {
     const waiting = start();
     await master.pass(5_000);
     expect((await waiting).error?.message).toMatch(/"kitchen" did not answer within 5 s/);
-    // It may have begun: it is told to delete it.
+    // The node may have begun: the master orders it to delete the recording.
     expect(node.takeOrders().some(({ remove }) => remove !== undefined)).toBe(true);
     expect(await listOf(master)).toEqual([]);
   });
@@ -197,7 +197,7 @@ describe('a recording at a node', () => {
     expect((await listOf(master)).map((one) => [one.id, one.recordCount])).toEqual([[id, 0]]);
   });
 
-  it('[RC-63] becomes a recording of the master when its node brings the file, and nobody else', async () => {
+  it('[RC-63] becomes a recording of the master when its node brings the file, and no other client', async () => {
     const master = new TestMaster();
     const node = await RecorderNode.join(master, 'kitchen');
     const other = await RecorderNode.join(master, 'other');

@@ -81,7 +81,7 @@ export const OPTIONS = {
   recordDir: pathOption(
     '<folder>',
     'off',
-    'Record for the master into this folder, when somebody asks for it. Recordings are uploaded to the master when they end; the node joins as a participant or an admin for that.',
+    'Record for the master into this folder, when a client starts a recording there. Recordings are uploaded to the master when they end; the node joins as a participant or an admin for that.',
   ),
   recordSpace: option({
     placeholder: '<MiB>',

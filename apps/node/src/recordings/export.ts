@@ -195,7 +195,7 @@ function chosenTopics(
   throw new ConfigError('The recording has none of these topics. "npm run info" lists its topics.');
 }
 
-/** How many of the chosen topics are not shared because nobody can search them for names. [PD-14] */
+/** How many of the chosen topics are not shared because they cannot be searched for names. [PD-14] */
 function leftOutTopics(
   { summary }: EventsReader,
   topics: readonly string[],

@@ -7,7 +7,7 @@ export const MAX_READ_BYTES = 4 * 1024 * 1024;
 export interface NeighbourLimits {
   /** Most bytes of a group, from its first byte to its last. A single chunk may be larger. */
   readonly maxBytes: number;
-  /** Most bytes that nobody asked for between two chunks of a group, such as message indexes. */
+  /** Most bytes between two chunks of a group, such as message indexes. */
   readonly maxGapBytes: number;
 }
 

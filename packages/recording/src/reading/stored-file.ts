@@ -99,7 +99,7 @@ export class StoredFile {
     return this.#along.find(chunkStartOffset) ?? this.#source.read(chunkStartOffset, chunkLength);
   }
 
-  /** Reads bytes, and keeps small chunks that nobody asked for yet: those of events lie between others. */
+  /** Reads bytes, and keeps small chunks that were not asked for yet: those of events lie between others. */
   async #readSpan(span: ByteSpan): Promise<Uint8Array> {
     const bytes = await this.#source.read(span.from, span.until - span.from);
     for (const chunk of this.#smallChunksIn(span)) {

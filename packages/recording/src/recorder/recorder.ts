@@ -130,7 +130,7 @@ export interface MarkerJob {
 export interface Recorder {
   /** Bytes of records that were added and are not taken in yet. */
   readonly waitingBytes: number;
-  /** Records a batch, which nobody else uses any more. Never throws, and never waits. */
+  /** Records a batch, whose memory now belongs to the recorder. Never throws, and never waits. */
   add(batch: RecordingBatch): void;
   /** Tells the flight recorder of topics that have no value any more, after the records before. Never throws. */
   endTopics(topics: readonly string[]): void;

@@ -83,7 +83,7 @@ describe('previews', () => {
   });
 });
 
-it('a preview is told in words', () => {
+it('a preview has a description in words', () => {
   const track = { topic: '/a', label: '/a', family: 'number', records: 2 } as const;
   const tracks = [{ ...track, activity: Float32Array.of(2) }];
   const markers = [{ timeMs: 1, text: 'here' }];

@@ -26,7 +26,7 @@ export interface CollectorContext {
   readonly tap: RecordTap;
 }
 
-/** A recording of a node: it is told who publishes what it records. [RC-61] */
+/** A recording of a node: the master sends it the publishers of what it records. [RC-61] */
 export interface RemoteRecording {
   readonly selection: CompiledSelection;
   /** Called for each publisher on each topic, as often as it is looked up. */
