@@ -1,7 +1,8 @@
 import type { UbiiClient } from '@ubii/client-web/node';
 import type { EncodedRecord } from '@ubii/client-web/node';
 import { describeRecord, type RecordedRecord, type RecordingWriter } from '@ubii/recording';
-import { clientEvent, nsOf, sessionEvent } from '@ubii/recording/recorder';
+import { nsOf } from '@ubii/recording/recorder';
+import { followFacts, presentFacts } from '../recorder/recorded-facts.ts';
 
 /** What is collected is written after this time: an end without warning loses no more. Milliseconds. */
 const FLUSH_MS = 1000;
@@ -25,9 +26,6 @@ export class ClientRecorder {
   readonly #client: UbiiClient;
   readonly #writer: RecordingWriter;
   readonly #choice: RecorderChoice;
-  readonly #knownClients = new Set<string>();
-  /** Publishers that were looked up: those that are no clients, such as the master's modules, are looked up once. */
-  readonly #lookedUp = new Set<string>();
   readonly #abort = new AbortController();
   #startNs: bigint | undefined;
   #lastNs = 0n;
@@ -50,8 +48,7 @@ export class ClientRecorder {
    * @throws the error of the file
    */
   async run(signal: AbortSignal): Promise<string> {
-    await this.#writeClients();
-    await this.#writeSessions();
+    for (const event of await presentFacts(this.#client)) this.#writer.addEvent(event);
     const { patterns, maxMs } = this.#choice;
     const ends = patterns.map((glob) =>
       this.#client.subscribeEncoded(
@@ -59,6 +56,7 @@ export class ClientRecorder {
         { onRecord: (record) => this.#take(record), onGone: () => undefined },
       ),
     );
+    ends.push(followFacts(this.#client, (event) => this.#writer.addEvent(event)));
     const timer = setInterval(() => void this.#flush(), FLUSH_MS);
     const limit = Number.isFinite(maxMs)
       ? setTimeout(() => this.#abort.abort('The time is over'), maxMs)
@@ -79,7 +77,6 @@ export class ClientRecorder {
     if (this.#abort.signal.aborted || !this.#choice.isChosen(topic)) return;
     const { format, timestampMs } = describeRecord(bytes);
     if (!this.#choice.withImages && (format === 'image2D' || format === 'image2DList')) return;
-    this.#lookUp(publisherId);
     const logTimeNs = this.#nowNs();
     this.#startNs ??= logTimeNs;
     this.#lastNs = logTimeNs;
@@ -109,33 +106,6 @@ export class ClientRecorder {
 
   #fail(error: unknown): void {
     this.#abort.abort(error instanceof Error ? error : new Error(String(error)));
-  }
-
-  /** Writes the name of a publisher that came later. A recording is complete without it, so a failed request is none of its errors. */
-  #lookUp(publisherId: string): void {
-    if (publisherId === '' || this.#knownClients.has(publisherId)) return;
-    if (this.#lookedUp.has(publisherId)) return;
-    this.#lookedUp.add(publisherId);
-    this.#writeClients().catch(() => undefined);
-  }
-
-  /** Names of the clients, also of those that came meanwhile. */
-  async #writeClients(): Promise<void> {
-    const { elements } = await this.#client.call('clientGetList');
-    if (this.#abort.signal.aborted) return;
-    for (const client of elements) {
-      if (this.#knownClients.has(client.id)) continue;
-      this.#knownClients.add(client.id);
-      this.#writer.addEvent(clientEvent(client, this.#client.masterTime.nowMs()));
-    }
-  }
-
-  /** The sessions with their modules, as they are now. */
-  async #writeSessions(): Promise<void> {
-    const { elements } = await this.#client.call('sessionRuntimeGetList');
-    for (const session of elements) {
-      this.#writer.addEvent(sessionEvent(session, this.#client.masterTime.nowMs()));
-    }
   }
 
   #nowNs(): bigint {
