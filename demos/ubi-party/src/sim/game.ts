@@ -86,8 +86,10 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   /** In addresses and topics: lower case, letters and dashes. */
   readonly id: string;
   readonly title: string;
-  /** Goal and controls of the game, shown for the 20 seconds before it. */
+  /** Goal and controls of the game, shown before it until all players are ready or the time is over. */
   readonly explanation: readonly string[];
+  /** Longest time of the explanation at the normal pace, milliseconds; without it, `EXPLANATION_MS`. */
+  readonly explanationMs?: number;
   /** The input elements of the game. */
   readonly controller: Controller;
   /** Settings that can be changed during the game, with their defaults. */

@@ -4,6 +4,7 @@ import { GAMES, gameOf, type Controller, type Room } from '../../sim/index.ts';
 export interface GameTexts {
   readonly title: string;
   readonly explanation: readonly string[];
+  readonly explanationMs?: number;
   readonly controller: Controller;
 }
 

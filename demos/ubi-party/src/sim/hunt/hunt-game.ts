@@ -17,6 +17,8 @@ export const huntGame: Game<HuntState, HuntSettings> = {
     'The first gets 3 points, the second 2, others 1, and the best photo 1 more.',
     'Your phone checks the photo. Nobody sees it unless you show it.',
   ],
+  // Phones load the detector meanwhile, megabytes over the Wi-Fi of the room.
+  explanationMs: 60_000,
   controller: { steering: 'camera', button: 'Take a photo', isHeld: false },
   settings: FIRST_SETTINGS,
   switches: Object.fromEntries(Object.entries(THINGS).map(([id, { name }]) => [id, name])),

@@ -124,6 +124,17 @@ describe('a tournament', () => {
     expect(nextRoom(explained, { type: 'time' }, 21_000).phase).toBe('countdown');
   });
 
+  it('gives phones the time to load the detector of a hunt, at every pace', () => {
+    const hunt: Room = { ...pair, games: ['hunt'] };
+    expect(nextRoom(hunt, proceed, 1000).endsAtMs).toBe(61_000);
+    const relaxed = nextRoom(
+      nextRoom(hunt, proceed, 1000),
+      { type: 'set-pace', by: 'host', pace: 'relaxed' },
+      9000,
+    );
+    expect(relaxed.endsAtMs).toBe(91_000);
+  });
+
   it('does not wait for those who are away', () => {
     const explained = after(pair, proceed, { type: 'away', key: 'bob' });
     expect(after(explained, { type: 'ready', key: 'ada', isReady: true }).phase).toBe('countdown');

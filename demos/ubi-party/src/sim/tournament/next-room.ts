@@ -1,4 +1,5 @@
 import type { Places } from '../game.ts';
+import { GAMES, type GameId } from '../games.ts';
 import { pointsOf } from './points.ts';
 import { COUNTDOWN_MS, isPace, readingMs, type Pace } from './pace.ts';
 import { gameOf, playersOf, type Phase, type Room } from './room.ts';
@@ -126,7 +127,8 @@ function enter(room: Room, phase: Phase, endsAtMs?: number): Room {
 
 /** A phase that ends when its reading time is over. */
 function read(room: Room, phase: 'explanation' | 'podium', nowMs: number): Room {
-  return enter(room, phase, nowMs + readingMs(phase, room.pace)!);
+  const next = enter(room, phase);
+  return { ...next, endsAtMs: nowMs + readingMs(phase, room.pace, rulesOf(next))! };
 }
 
 /** Changes the pace; the end of a current reading phase moves with it. */
@@ -135,9 +137,16 @@ function setPace(room: Room, pace: Pace): Room {
   if (room.phase === 'countdown' || room.phase === 'play')
     throw new RoomRefusal('The pace can be changed between rounds only.');
   const { phase, endsAtMs } = room;
-  const before = readingMs(phase, room.pace);
+  const game = rulesOf(room);
+  const before = readingMs(phase, room.pace, game);
   if (before === undefined || endsAtMs === undefined) return { ...room, pace };
-  return { ...room, pace, endsAtMs: endsAtMs - before + readingMs(phase, pace)! };
+  return { ...room, pace, endsAtMs: endsAtMs - before + readingMs(phase, pace, game)! };
+}
+
+/** Undefined in the lobby. */
+function rulesOf(room: Room): (typeof GAMES)[GameId] | undefined {
+  const id = gameOf(room);
+  return id === undefined ? undefined : GAMES[id as GameId];
 }
 
 function everybodyPlays(room: Room): Room {
