@@ -76,8 +76,9 @@ test('two phones hunt a cup: one shows the photo until the host takes it down, o
     await chooseHunt(host);
     await host.page.getByRole('button', { name: 'Start', exact: true }).click();
     await mara.page.getByRole('switch', { name: /^Show my photos/ }).tap();
-    for (const { page } of [mara, theo]) {
+    for (const { page } of [mara, theo])
       await expect(page.getByText('The detector is ready')).toBeVisible();
+    for (const { page } of [mara, theo]) {
       await page.getByRole('button', { name: 'Ready', exact: true }).tap();
     }
     await expect(host.page.getByRole('heading', { name: `Find ${THING}` })).toBeVisible();

@@ -1,5 +1,11 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Page } from '@playwright/test';
+import type { Object2DList } from '@ubii/proto';
 import { expect, test } from '../../fixtures/test.ts';
+import { SessionPage } from '../../pages/session-page.ts';
+
+const PHOTO = join(import.meta.dirname, '../../../packages/vision/photos/camera.jpg');
 
 /** Runs code before that of each worker for trusted modules. */
 async function beforeWorkers(page: Page, code: string): Promise<void> {
@@ -80,4 +86,67 @@ test('a backend that is lost while it computes is replaced, and the page says wh
   );
   await expect(output('backend')).toContainText('wasm');
   await expect(page.locator('[data-shape="cup"]').first()).toBeAttached();
+});
+
+test('WebGL in the worker of a tab finds the keypoints that wasm finds [PM-90]', async ({
+  room,
+}) => {
+  // MoveNet, because software WebGL takes minutes to compile the programs of the detectors.
+  test.slow();
+  const robot = await room.program('Robot');
+  const anna = await room.atDesk('Anna');
+  const name = 'body-pose';
+  const { id } = await robot.call('sessionRuntimeStart', {
+    name: 'Gymnastics',
+    processingModules: [{ name }],
+    ioMappings: [
+      {
+        processingModuleName: name,
+        inputMappings: [
+          { inputName: 'image', topic: '/gym/image' },
+          { inputName: 'backend', topic: '/gym/wanted' },
+        ],
+        outputMappings: [
+          { outputName: 'keypoints', topic: '/gym/keypoints' },
+          { outputName: 'backend', topic: '/gym/backend' },
+        ],
+      },
+    ],
+  });
+  let backend = '';
+  robot.subscribe('/gym/backend', { format: 'string' }).onRecord(({ value }) => {
+    backend = value;
+  });
+  let keypoints: Object2DList | undefined;
+  robot.subscribe('/gym/keypoints', { format: 'object2DList' }).onRecord(({ value }) => {
+    keypoints = value;
+  });
+  const data = new Uint8Array(readFileSync(PHOTO));
+  const publishing = setInterval(() => {
+    robot.publish('/gym/image', 'image2D', { width: 0, height: 0, dataFormat: 0, data });
+  }, 200);
+  const found = async (): Promise<Map<string, { x: number; y: number }>> => {
+    keypoints = undefined;
+    await expect.poll(() => keypoints?.elements.length ?? 0).toBeGreaterThan(4);
+    return new Map(
+      keypoints!.elements.map(({ id: keypoint, pose }) => [keypoint, pose!.position!]),
+    );
+  };
+
+  try {
+    await anna.page.goto(`/sessions/${id}`);
+    await new SessionPage(anna).place(name, /^This tab/);
+    await expect.poll(() => backend).toBe('wasm');
+    const wasm = await found();
+    robot.publish('/gym/wanted', 'string', 'webgl');
+    await expect.poll(() => backend, { timeout: 120_000 }).toBe('webgl');
+    const webgl = await found();
+    expect([...webgl.keys()]).toEqual([...wasm.keys()]);
+    for (const [keypoint, { x, y }] of webgl) {
+      expect(x, `x of ${keypoint}`).toBeCloseTo(wasm.get(keypoint)!.x, 1);
+      expect(y, `y of ${keypoint}`).toBeCloseTo(wasm.get(keypoint)!.y, 1);
+    }
+  } finally {
+    clearInterval(publishing);
+  }
 });
