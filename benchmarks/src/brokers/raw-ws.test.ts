@@ -1,5 +1,5 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { createRecordRing } from '../load/record-ring.ts';
+import { createPictureRing, createRecordRing } from '../load/record-ring.ts';
 import { measureFanOut } from '../workloads/fan-out.ts';
 import { measureRoundTrip } from '../workloads/round-trip.ts';
 import { startRawWs } from './raw-ws.ts';
@@ -23,7 +23,16 @@ describe('the raw-ws broker', () => {
 
   it.each([1, 64])('passes everything on in a fan-out with window %i', async (window) => {
     const ring = createRecordRing('fan-out', 100);
-    const { faults, deliveries } = await measureFanOut(window, broker.targets[0]!, ring, OPTIONS);
+    const fan = { subscribers: 100, window };
+    const { faults, deliveries } = await measureFanOut(fan, broker.targets[0]!, ring, OPTIONS);
+    expect(faults).toEqual([]);
+    expect(deliveries).toBeGreaterThan(0);
+  });
+
+  it('passes pictures on', async () => {
+    const ring = createPictureRing('pictures', 100_000, 16);
+    const fan = { subscribers: 3, window: 4 };
+    const { faults, deliveries } = await measureFanOut(fan, broker.targets[0]!, ring, OPTIONS);
     expect(faults).toEqual([]);
     expect(deliveries).toBeGreaterThan(0);
   });

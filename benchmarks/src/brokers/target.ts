@@ -11,6 +11,8 @@ export interface ClientRole {
   readonly publishes: boolean;
   /** Topics it receives; raw-ws knows none and sends everything. */
   readonly topics: readonly string[];
+  /** Regular expressions of topics that it subscribes to as well; raw-ws knows none. */
+  readonly patterns?: readonly string[];
 }
 
 /** One client of a broker, connected and, if it wants to be, subscribed. */

@@ -20,7 +20,7 @@ export async function startUbii(master: string, profileDir: string | undefined):
 /** Registers a client, connects it and subscribes it to its topics. */
 export async function joinMaster(
   master: MasterProcess,
-  { topics }: ClientRole,
+  { topics, patterns = [] }: ClientRole,
   receiver: StreamReceiver,
   takesLists: boolean,
 ): Promise<BrokerClient> {
@@ -36,10 +36,14 @@ export async function joinMaster(
   const token = client.extension?.resumeToken;
   const identity = `${token ? `token=${encodeURIComponent(token)}&` : ''}clientID=${client.id}`;
   const connection = await LoadConnection.open(`${master.topicData}?${identity}`, receiver);
-  if (topics.length > 0) {
+  if (topics.length + patterns.length > 0) {
     await master.call({
       topic: SERVICES.topicSubscription.topic,
-      topicSubscription: { clientId: client.id, subscribeTopics: [...topics] },
+      topicSubscription: {
+        clientId: client.id,
+        subscribeTopics: [...topics],
+        subscribeTopicRegexp: [...patterns],
+      },
     });
   }
   const leave = async (): Promise<void> => {

@@ -65,8 +65,10 @@ export interface RecordRing {
 }
 
 function delimited(tag: number, bytes: Uint8Array): Buffer {
-  if (bytes.length > 0x7f) throw new RangeError(`Expected at most 127 bytes, got ${bytes.length}.`);
-  return Buffer.concat([Buffer.from([tag, bytes.length]), bytes]);
+  const head = [tag];
+  let length = bytes.length;
+  for (; length > 0x7f; length >>>= 7) head.push((length & 0x7f) | 0x80);
+  return Buffer.concat([Buffer.from([...head, length]), bytes]);
 }
 
 /**
@@ -86,11 +88,33 @@ export function createRecordRing(name: string, recordBytes = 100, size = RING_RE
   const padding = recordBytes - encode(stem, 0).length;
   if (padding < 0) throw new RangeError(`Expected room for the topic ${stem} in ${recordBytes} B.`);
   const topic = stem + 'x'.repeat(padding);
-  const records = Array.from({ length: size }, (_, sequence) => encode(topic, sequence));
+  return ringOf(
+    topic,
+    Array.from({ length: size }, (_, sequence) => encode(topic, sequence)),
+  );
+}
+
+/**
+ * Compressed pictures of `pictureBytes` bytes, each different. @param size at least twice as many as are under way at
+ * once
+ */
+export function createPictureRing(name: string, pictureBytes: number, size: number): RecordRing {
+  const topic = `/benchmark/${name}`;
+  const pictures = Array.from({ length: size }, (_, sequence) => {
+    const data = new Uint8Array(pictureBytes);
+    for (let at = 0; at < pictureBytes; at += 1) data[at] = (at * 31 + sequence * 7) & 0xff;
+    const value = { data };
+    return encodeRecord({ topic, format: 'image2D', value, timestampMs: TIMESTAMP_MS });
+  });
+  return ringOf(topic, pictures);
+}
+
+/** @param records all of one length */
+function ringOf(topic: string, records: readonly Uint8Array[]): RecordRing {
   const messages = records.map((record) => delimited(TOPIC_DATA_RECORD_TAG, record));
   return {
     topic,
-    recordBytes,
+    recordBytes: records[0]!.length,
     published: new Tape(messages.map((message) => clientFrame(OPCODE.binary, message))),
     frames: new Tape(messages.map(serverFrame)),
     elements: new Tape(records.map((record) => delimited(LIST_ELEMENT_TAG, record))),

@@ -3,7 +3,7 @@ import { brokerSubjects } from '../brokers/open-brokers.ts';
 import { REFERENCE, type BrokerClient, type Target } from '../brokers/target.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { FlowWindow } from '../load/flow-window.ts';
-import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
+import { createPictureRing, createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
@@ -15,41 +15,66 @@ import {
 
 const RECORD_BYTES = 100;
 const SUBSCRIBERS = 100;
+/** A frame of a phone's camera. */
+const PICTURE_BYTES = 100_000;
+const PICTURE_SUBSCRIBERS = 10;
+const PICTURES_UNDER_WAY = 4;
 /** Clients that register and connect at the same time. */
 const JOIN_AT_ONCE = 10;
 /** No record got to all subscribers for so long: what is missing is lost. */
 const STALL_MS = 2_000;
 
-/**
- * One client publishes, 100 others receive. A record is done when all of them have it; at most
- * `window` records are not done.
- */
+interface FanOut {
+  readonly name: string;
+  readonly title: string;
+  readonly subscribers: number;
+  /** Records that at most are not with all subscribers. */
+  readonly window: number;
+  createRing(): RecordRing;
+}
+
+/** One client publishes, 100 others receive small records. */
 export function fanOut(window: number, goals: FigureInfo['goals']): Workload {
-  return {
+  const fan = {
     name: `fan-out-window-${window}`,
-    group: 'fan-out',
     title: `Fan-out 1 -> ${SUBSCRIBERS}, ${RECORD_BYTES} B record, window ${window}`,
+    subscribers: SUBSCRIBERS,
+    window,
+    createRing: () => createRecordRing('fan-out', RECORD_BYTES),
+  };
+  return workload(fan, goals);
+}
+
+/** One client publishes compressed pictures, 10 others receive them. */
+export const fanOutPictures: Workload = workload(
+  {
+    name: 'fan-out-pictures',
+    title: `Fan-out 1 -> ${PICTURE_SUBSCRIBERS}, picture of ${PICTURE_BYTES / 1000} kB, window ${PICTURES_UNDER_WAY}`,
+    subscribers: PICTURE_SUBSCRIBERS,
+    window: PICTURES_UNDER_WAY,
+    createRing: () => createPictureRing('pictures', PICTURE_BYTES, 4 * PICTURES_UNDER_WAY),
+  },
+  { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 },
+);
+
+/**
+ * A record is done when all subscribers have it; at most `window` records are not done.
+ * @param goals of the deliveries a second
+ */
+function workload(fan: FanOut, goals: FigureInfo['goals']): Workload {
+  return {
+    name: fan.name,
+    group: 'fan-out',
+    title: fan.title,
     figures: [
+      { key: 'deliveriesPerS', label: 'deliveries', unit: '1/s', isHigherBetter: true, goals },
       {
-        key: 'deliveriesPerS',
-        label: 'deliveries',
-        unit: '1/s',
-        isHigherBetter: true,
-        goals,
+        ...{ key: 'cpuUs', label: 'broker CPU a delivery', unit: 'µs' },
+        ...{ isHigherBetter: false, goals: {} },
       },
       {
-        key: 'cpuUs',
-        label: 'broker CPU a delivery',
-        unit: 'µs',
-        isHigherBetter: false,
-        goals: {},
-      },
-      {
-        key: 'loadCpu',
-        label: 'load generator CPU',
-        unit: 'cores',
-        isHigherBetter: false,
-        goals: {},
+        ...{ key: 'loadCpu', label: 'load generator CPU', unit: 'cores' },
+        ...{ isHigherBetter: false, goals: {} },
       },
     ],
     // As it would be with clients on other machines: the broker has a core to itself.
@@ -57,9 +82,9 @@ export function fanOut(window: number, goals: FigureInfo['goals']): Workload {
     reference: REFERENCE,
     roundShare: 1,
     open: (setting) => {
-      const ring = createRecordRing('fan-out', RECORD_BYTES);
+      const ring = fan.createRing();
       return brokerSubjects(setting, (target, options) =>
-        measureFanOut(window, target, ring, options),
+        measureFanOut(fan, target, ring, options),
       );
     },
   };
@@ -67,25 +92,25 @@ export function fanOut(window: number, goals: FigureInfo['goals']): Workload {
 
 /** One measurement. */
 export async function measureFanOut(
-  window: number,
+  { subscribers: count, window }: Pick<FanOut, 'subscribers' | 'window'>,
   target: Target,
   ring: RecordRing,
   { warmUpMs, measureMs }: MeasureOptions,
 ): Promise<Measurement> {
-  const subscribers = await joinAll(target, ring);
+  const subscribers = await joinAll(target, count, ring);
   const published = new DeliveryVerifier(ring);
   const publisher = await target.join({ publishes: true, topics: [] }, published);
-  const flow = new FlowWindow(SUBSCRIBERS, window);
+  const flow = new FlowWindow(count, window);
   let delivered = 0;
   let sent = 0;
   let isRunning = true;
   let onIdle: () => void = () => {};
 
   const publish = (): void => {
-    const count = window - (sent - flow.slowest);
-    if (count <= 0) return;
-    const frames = ring.published.slice(sent, count);
-    sent += count;
+    const free = window - (sent - flow.slowest);
+    if (free <= 0) return;
+    const frames = ring.published.slice(sent, free);
+    sent += free;
     publisher.connection.send(frames);
   };
   for (const { verifier } of subscribers) {
@@ -134,11 +159,11 @@ export async function measureFanOut(
 
 type Subscriber = BrokerClient & { readonly verifier: DeliveryVerifier };
 
-async function joinAll(target: Target, ring: RecordRing): Promise<Subscriber[]> {
+async function joinAll(target: Target, count: number, ring: RecordRing): Promise<Subscriber[]> {
   const clients: Subscriber[] = [];
-  while (clients.length < SUBSCRIBERS) {
-    const count = Math.min(JOIN_AT_ONCE, SUBSCRIBERS - clients.length);
-    const joined = Array.from({ length: count }, async () => {
+  while (clients.length < count) {
+    const next = Math.min(JOIN_AT_ONCE, count - clients.length);
+    const joined = Array.from({ length: next }, async () => {
       const verifier = new DeliveryVerifier(ring);
       const client = await target.join({ publishes: false, topics: [ring.topic] }, verifier);
       return { ...client, verifier };

@@ -1,6 +1,8 @@
 import { clientsPage } from './clients-page.ts';
+import { connecting, idleConnections } from './connections.ts';
 import { detection } from './detection.ts';
-import { fanOut } from './fan-out.ts';
+import { fanOut, fanOutPictures } from './fan-out.ts';
+import { firstPublish } from './first-publish.ts';
 import { graphEditor, graphEditorOpen } from './graph-editor.ts';
 import { hostileBodies } from './hostile-bodies.ts';
 import { markers } from './markers.ts';
@@ -25,6 +27,10 @@ export const WORKLOADS: readonly Workload[] = [
   roundTrip,
   fanOut(64, { 'ubii-extension': 0.85, 'ubii-legacy': 0.7 }),
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
+  fanOutPictures,
+  connecting,
+  idleConnections,
+  firstPublish,
   ...MODULE_CALLS,
   ...MODULE_CALLS_IN_BROWSER,
   detection,

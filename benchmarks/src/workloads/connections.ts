@@ -1,0 +1,154 @@
+import { setTimeout as sleep } from 'node:timers/promises';
+import { brokerSubjects } from '../brokers/open-brokers.ts';
+import { startRawWs } from '../brokers/raw-ws.ts';
+import { REFERENCE, type Broker, type BrokerClient, type Target } from '../brokers/target.ts';
+import { startUbii } from '../brokers/ubii.ts';
+import { DeliveryVerifier } from '../load/delivery-verifier.ts';
+import { createRecordRing } from '../load/record-ring.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import {
+  describeFaults,
+  type Measurement,
+  type MeasureOptions,
+  type Workload,
+} from '../measuring/workload.ts';
+import { residentBytes } from '../memory.ts';
+
+const UBII = 'ubii-extension';
+/** Connections before memory is read, so that compiled code and buffers of the broker are not counted. */
+const FIRST_CONNECTIONS = 200;
+const IDLE_CONNECTIONS = 1000;
+const JOIN_AT_ONCE = 10;
+/** Until what belongs to joining is over. */
+const SETTLE_MS = 2000;
+/** Nothing is published: the ring only says what would be expected. */
+const ring = createRecordRing('connections', 100, 1);
+
+/** Clients that come, subscribe to a topic and leave, ten at a time. */
+export const connecting: Workload = {
+  name: 'connecting',
+  group: 'connections',
+  title: 'Connecting and subscribing, and leaving again',
+  figures: [
+    {
+      ...{ key: 'cpuMs', label: 'broker CPU a client', unit: 'ms', isHigherBetter: false },
+      goals: { [UBII]: 1.4 },
+    },
+    { key: 'clientsPerS', label: 'clients', unit: '1/s', isHigherBetter: true, goals: {} },
+  ],
+  placement: 'core-each',
+  reference: REFERENCE,
+  roundShare: 1 / 3,
+  open: (setting) => brokerSubjects(setting, measureConnecting),
+};
+
+async function measureConnecting(
+  target: Target,
+  { warmUpMs, measureMs }: MeasureOptions,
+): Promise<Measurement> {
+  const verifiers: DeliveryVerifier[] = [];
+  const joinAndLeaveFor = async (ms: number): Promise<number> => {
+    const endMs = performance.now() + ms;
+    let clients = 0;
+    while (performance.now() < endMs) {
+      const joined = await joinMany(target, JOIN_AT_ONCE, verifiers);
+      await Promise.all(joined.map((client) => client.leave()));
+      clients += joined.length;
+    }
+    return clients;
+  };
+  await joinAndLeaveFor(warmUpMs);
+  const stopLap = startLap([target.pid]);
+  const clients = await joinAndLeaveFor(measureMs);
+  const lap = stopLap();
+  return {
+    figures: {
+      cpuMs: lap.cpuUs / 1000 / clients,
+      clientsPerS: clients / (lap.wallUs / 1e6),
+    },
+    otherCpuShare: lap.otherCpuShare,
+    deliveries: clients,
+    faults: describeFaults(verifiers.map((verifier) => verifier.faults)),
+  };
+}
+
+/** Subscribed clients to whom nothing is sent. Each measurement has a broker of its own, whose memory is fresh. */
+export const idleConnections: Workload = {
+  name: 'idle-connections',
+  group: 'connections',
+  title: `${IDLE_CONNECTIONS} subscribed connections without records`,
+  figures: [
+    {
+      ...{ key: 'kilobytes', label: 'memory a connection', unit: 'kB', isHigherBetter: false },
+      ...{ goals: {}, bounds: { [UBII]: 20 } },
+    },
+    {
+      ...{ key: 'cpuPercent', label: 'broker CPU', unit: '% of a core', isHigherBetter: false },
+      ...{ goals: {}, bounds: { [UBII]: 0.5 } },
+    },
+  ],
+  placement: 'anywhere',
+  reference: REFERENCE,
+  roundShare: 1 / 3,
+  open: ({ master, profileDir }) => {
+    const subject = (name: string, start: () => Promise<Broker>) => ({
+      name,
+      pids: [],
+      measure: (options: MeasureOptions) => measureIdle(start, options),
+    });
+    return Promise.resolve([
+      subject(REFERENCE, () => startRawWs(profileDir)),
+      subject(UBII, () => startUbii(master, profileDir)),
+    ]);
+  },
+};
+
+async function measureIdle(
+  start: () => Promise<Broker>,
+  { measureMs }: MeasureOptions,
+): Promise<Measurement> {
+  const broker = await start();
+  try {
+    const target = broker.targets[0]!;
+    const verifiers: DeliveryVerifier[] = [];
+    const first = await joinMany(target, FIRST_CONNECTIONS, verifiers);
+    await sleep(SETTLE_MS);
+    const bytesBefore = residentBytes(target.pid);
+    const clients = await joinMany(target, IDLE_CONNECTIONS, verifiers);
+    await sleep(SETTLE_MS);
+    const stopLap = startLap([target.pid]);
+    await sleep(2 * measureMs);
+    const lap = stopLap();
+    const bytes = residentBytes(target.pid) - bytesBefore;
+    await Promise.all([...first, ...clients].map(({ connection }) => connection.close()));
+    return {
+      figures: {
+        kilobytes: bytes / 1000 / IDLE_CONNECTIONS,
+        cpuPercent: (100 * lap.cpuUs) / lap.wallUs,
+      },
+      otherCpuShare: lap.otherCpuShare,
+      deliveries: IDLE_CONNECTIONS,
+      faults: describeFaults(verifiers.map((verifier) => verifier.faults)),
+    };
+  } finally {
+    await broker.stop();
+  }
+}
+
+async function joinMany(
+  target: Target,
+  count: number,
+  verifiers: DeliveryVerifier[],
+): Promise<BrokerClient[]> {
+  const clients: BrokerClient[] = [];
+  while (clients.length < count) {
+    const next = Math.min(JOIN_AT_ONCE, count - clients.length);
+    const joined = Array.from({ length: next }, () => {
+      const verifier = new DeliveryVerifier(ring);
+      verifiers.push(verifier);
+      return target.join({ publishes: false, topics: [ring.topic] }, verifier);
+    });
+    clients.push(...(await Promise.all(joined)));
+  }
+  return clients;
+}
