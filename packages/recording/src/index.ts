@@ -21,6 +21,7 @@ export { RecordingWriter, type WriterStatistics } from './writing/recording-writ
 export {
   RecordingReader,
   type EventsReader,
+  type RecordingActivity,
   type RecordsQuery,
   type RecordsReader,
 } from './reading/recording-reader.ts';

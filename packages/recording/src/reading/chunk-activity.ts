@@ -5,9 +5,12 @@ const INDEX_HEAD_BYTES = 15n;
 const INDEX_ENTRY_BYTES = 16n;
 
 /** Messages of each channel in a chunk, as the places of its message indexes tell; empty where there are none. */
-export function countsOf(chunk: ChunkIndex): Map<number, number> {
+function countsOf(chunk: ChunkIndex): Map<number, number> {
   const { chunkStartOffset, chunkLength, messageIndexLength, messageIndexOffsets } = chunk;
-  const places = [...messageIndexOffsets].sort(([, a], [, b]) => (a < b ? -1 : 1));
+  const places = [...messageIndexOffsets];
+  // Usually they are in order, and a long recording has a million of them.
+  if (places.some(([, offset], i) => i > 0 && offset < places[i - 1]![1]))
+    places.sort(([, a], [, b]) => (a < b ? -1 : 1));
   const end = chunkStartOffset + chunkLength + messageIndexLength;
   return new Map(
     places.map(([channelId, offset], i) => {
@@ -19,7 +22,40 @@ export function countsOf(chunk: ChunkIndex): Map<number, number> {
 }
 
 /** How much there is over the length of a recording, in parts of equal length. */
-export class ActivityBuilder {
+export interface ChannelActivity {
+  /** Messages, or bytes in files whose chunks have no message indexes. */
+  readonly all: Float32Array;
+  /** Messages of each channel. */
+  readonly byChannel: ReadonlyMap<number, Float32Array>;
+}
+
+/** Counts messages of channels over time from the index alone: those of a chunk are spread evenly over it. */
+export function activityOf(
+  chunks: readonly ChunkIndex[],
+  channelIds: Iterable<number>,
+  span: { readonly startNs: bigint; readonly endNs: bigint },
+  parts: number,
+): ChannelActivity {
+  const builderOf = (): ActivityBuilder => new ActivityBuilder(span.startNs, span.endNs, parts);
+  const all = builderOf();
+  const each = new Map(Array.from(channelIds, (id) => [id, builderOf()]));
+  for (const chunk of chunks) {
+    const { messageStartTime: from, messageEndTime: until, uncompressedSize } = chunk;
+    const counts = countsOf(chunk);
+    if (counts.size === 0) all.add(from, until, Number(uncompressedSize));
+    for (const [channelId, count] of counts) {
+      const one = each.get(channelId);
+      one?.add(from, until, count);
+      if (one !== undefined) all.add(from, until, count);
+    }
+  }
+  return {
+    all: all.activity,
+    byChannel: new Map(Array.from(each, ([id, { activity }]) => [id, activity])),
+  };
+}
+
+class ActivityBuilder {
   readonly #startNs: bigint;
   readonly #lengthNs: number;
   readonly activity: Float32Array;

@@ -4,6 +4,7 @@ import { MemoryFile } from '../testing/memory-file.ts';
 import { recorded } from '../testing/recorded.ts';
 import { SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
 import { OutlineReader } from './outline-reader.ts';
+import { RecordingReader } from './recording-reader.ts';
 
 const START_MS = Number(SAMPLE_START_NS / 1_000_000n);
 
@@ -37,6 +38,21 @@ it('counts the records of each topic over time from the index alone', async () =
   expect(sum(b!)).toBeCloseTo(50, -1);
   // Header and the chunk of the markers.
   expect(file.readBytes).toBeLessThan(2000);
+});
+
+it('is what the reader of the whole recording tells, where the publishers of a topic are counted together', async () => {
+  const records = Array.from({ length: 100 }, (_, i) => ({
+    ...sampleRecord(i % 4 === 0 ? '/b' : '/a', i * 100),
+    clientId: i % 2 === 0 ? 'ada' : 'bob',
+  }));
+  const file = await recorded(records);
+  const reader = await RecordingReader.open(file);
+  file.readBytes = 0;
+  const { all, topics } = reader.activity(4);
+  expect(file.readBytes).toBe(0);
+  expect(all).toEqual((await (await OutlineReader.open(file)).outline(4)).activity);
+  expect(sum(topics.get('/a')!)).toBeCloseTo(75, 2);
+  expect(sum(topics.get('/b')!)).toBeCloseTo(25, 2);
 });
 
 it('has the markers that are not removed', async () => {

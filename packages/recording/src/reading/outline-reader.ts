@@ -9,7 +9,7 @@ import { headerFromMetadata, PROFILE, type RecordingHeader } from '../records/re
 import type { RecordedTopic } from '../records/recording-summary.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { ChannelChunks } from './channel-chunks.ts';
-import { ActivityBuilder, countsOf } from './chunk-activity.ts';
+import { activityOf } from './chunk-activity.ts';
 import { markersOf, readEvents } from './recorded-events.ts';
 import { withMarkers } from './recorded-times.ts';
 import { StoredFile } from './stored-file.ts';
@@ -80,24 +80,13 @@ export class OutlineReader {
     const markers = await this.#markers();
     const times = timesOf(this.#recordChunks());
     const { startNs, endNs } = withMarkers(times, markers);
-    const builderOf = (): ActivityBuilder => new ActivityBuilder(startNs, endNs, parts);
-    const all = builderOf();
     const { records, topics } = this.#channels;
-    const each = new Map(Array.from(records.keys(), (id) => [id, builderOf()]));
-    for (const chunk of this.#recordChunks()) {
-      const { messageStartTime: from, messageEndTime: until, uncompressedSize } = chunk;
-      const counts = countsOf(chunk);
-      if (counts.size === 0) all.add(from, until, Number(uncompressedSize));
-      for (const [channelId, count] of counts) {
-        const one = each.get(channelId);
-        one?.add(from, until, count);
-        if (one !== undefined) all.add(from, until, count);
-      }
-    }
-    const activities = [...each.values()].map(({ activity }) => activity);
+    const span = { startNs, endNs };
+    const { all, byChannel } = activityOf(this.#recordChunks(), records.keys(), span, parts);
+    const activities = [...byChannel.values()];
     return {
       ...{ header, startNs, endNs, markers },
-      activity: all.activity,
+      activity: all,
       topics: topics.map((topic, i) => ({ ...topic, activity: activities[i]! })),
     };
   }

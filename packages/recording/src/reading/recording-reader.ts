@@ -14,6 +14,7 @@ import { headerFromMetadata, PROFILE } from '../records/recording-header.ts';
 import type { RecordingSummary } from '../records/recording-summary.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { ChannelChunks } from './channel-chunks.ts';
+import { activityOf } from './chunk-activity.ts';
 import { findLatest } from './find-latest.ts';
 import { messagesInOrder } from './messages-in-order.ts';
 import { markersOf, readEvents } from './recorded-events.ts';
@@ -52,6 +53,14 @@ export interface EventsReader extends RecordsReader {
   clocks(): Promise<RecordingEvent<'clock'>[]>;
   /** Finds the last record of each topic and publisher at a moment, the moment included. @param topics all by default */
   latestOfEachAt(timeNs: bigint, topics?: readonly string[]): Promise<RecordedRecord[]>;
+}
+
+/** How many records came when, in parts of equal length. */
+export interface RecordingActivity {
+  /** Records of all topics, or bytes in files whose chunks have no message indexes. */
+  readonly all: Float32Array;
+  /** Records of each topic, of all its publishers. */
+  readonly topics: ReadonlyMap<string, Float32Array>;
 }
 
 /** Reads a recording by its indexes; files of other programs as well. Files without their end are opened up to the last whole chunk. */
@@ -120,6 +129,21 @@ export class RecordingReader implements EventsReader {
   async latestOfEachAt(timeNs: bigint, topics?: readonly string[]): Promise<RecordedRecord[]> {
     const found = await findLatest(this.#file, this.#chunks, this.#idsOf(topics), timeNs);
     return Array.from(found.values(), (message) => this.#toRecord(message));
+  }
+
+  /** Counts the records over time from the index alone. @param parts of equal length into which the recording is divided */
+  activity(parts: number): RecordingActivity {
+    const { records } = this.#channels;
+    const chunks = this.#chunks.ofAny(new Set(records.keys()));
+    const { all, byChannel } = activityOf(chunks, records.keys(), this.summary, parts);
+    const topics = new Map<string, Float32Array>();
+    for (const [id, activity] of byChannel) {
+      const { topic } = records.get(id)!;
+      const sum = topics.get(topic);
+      if (sum === undefined) topics.set(topic, activity);
+      else for (const [part, count] of activity.entries()) sum[part]! += count;
+    }
+    return { all, topics };
   }
 
   events(): Promise<RecordingEvent[]> {

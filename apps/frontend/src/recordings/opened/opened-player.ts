@@ -1,3 +1,4 @@
+import type { RecordingActivity } from '@ubii/recording';
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { perFrame } from '../../connection/per-frame.ts';
 import type { ReadableFile } from '../files/readable-file.ts';
@@ -20,6 +21,8 @@ export interface OpenedPlayer {
   readonly recording: Readonly<ShallowRef<OpenedRecording | undefined>>;
   /** Why it cannot be read. */
   readonly failure: Readonly<ShallowRef<string | undefined>>;
+  /** How many records came when. */
+  readonly activity: Readonly<ShallowRef<RecordingActivity | undefined>>;
   readonly survey: Readonly<ShallowRef<Survey | undefined>>;
   /** The largest error of a clock in it, milliseconds; undefined until it is known, and when no clock was measured. */
   readonly clockErrorMs: Readonly<ShallowRef<number | undefined>>;
@@ -69,6 +72,7 @@ export function createOpenedPlayer(
 ): OpenedPlayer {
   const recording = shallowRef<OpenedRecording>();
   const failure = shallowRef<string>();
+  const activity = shallowRef<RecordingActivity>();
   const survey = shallowRef<Survey>();
   const clockErrorMs = shallowRef<number>();
   const player = shallowRef(AT_START);
@@ -96,6 +100,9 @@ export function createOpenedPlayer(
         return;
       case 'failed':
         failure.value = report.message;
+        return;
+      case 'activity':
+        activity.value = report.activity;
         return;
       case 'survey':
         survey.value = report.survey;
@@ -131,7 +138,8 @@ export function createOpenedPlayer(
     Math.min(Math.max(0, timeMs), recording.value?.durationMs ?? 0);
 
   return {
-    ...{ recording, failure, survey, clockErrorMs, player, values, sessions, tiles, frames, drawn },
+    ...{ recording, failure, activity, survey, clockErrorMs, player, values, sessions, tiles },
+    ...{ frames, drawn },
     timeMs: computed(() => wishedMs.value ?? player.value.timeMs),
     reopen: () => port.send({ kind: 'reopen' }),
     togglePlay: () => port.send({ kind: player.value.status === 'playing' ? 'pause' : 'play' }),

@@ -71,6 +71,15 @@ async function setUp() {
 }
 
 describe('the worker that reads a recording', () => {
+  it('says how many records came when before it has read any', async () => {
+    const { reports, last } = await setUp();
+    const { all, topics } = last('activity').activity;
+    expect([...topics.keys()]).toEqual(['/a', '/b']);
+    expect(all.reduce((sum, count) => sum + count, 0)).toBeCloseTo(222, 1);
+    const kinds = reports.map(({ kind }) => kind);
+    expect(kinds.indexOf('activity')).toBeLessThan(kinds.indexOf('survey'));
+  });
+
   it('says what is in it, in milliseconds since its beginning', async () => {
     const { last } = await setUp();
     expect(last('opened').recording).toMatchObject({

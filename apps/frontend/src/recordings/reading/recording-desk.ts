@@ -22,6 +22,9 @@ export type Tell = (report: RecordingReport, transfer?: Transferable[]) => void;
 /** Everything but opening. */
 export type DeskCommand = Exclude<RecordingCommand, { kind: 'open' | 'reopen' }>;
 
+/** Parts of the recording whose records are counted: each has some pixels on a wide screen. */
+const ACTIVITY_PARTS = 512;
+
 /** Answers what a page asks of one recording. */
 export class RecordingDesk {
   readonly #reader: RecordingReader;
@@ -60,6 +63,7 @@ export class RecordingDesk {
     this.#sessions = await this.#reader.sessions();
     this.#tellState(this.#playback.state);
     await this.#playback.seek(this.#reader.summary.startNs);
+    this.#tell({ kind: 'activity', activity: this.#reader.activity(ACTIVITY_PARTS) });
     await this.#turns.run('survey', (turn) =>
       readSurvey(
         this.#reader,

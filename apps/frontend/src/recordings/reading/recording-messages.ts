@@ -1,4 +1,5 @@
 import type { PersonalLabel } from '@ubii/proto';
+import type { RecordingActivity } from '@ubii/recording';
 import type { ReadableFile } from '../files/readable-file.ts';
 import type { Span } from '../timeline/span.ts';
 import type { Survey } from '../timeline/survey.ts';
@@ -88,6 +89,8 @@ export type RecordingCommand =
 export type RecordingReport =
   | { readonly kind: 'opened'; readonly recording: OpenedRecording }
   | { readonly kind: 'failed'; readonly message: string }
+  /** How many records came when, before any is read. */
+  | { readonly kind: 'activity'; readonly activity: RecordingActivity }
   | { readonly kind: 'survey'; readonly survey: Survey }
   /** The largest error of a clock in it, milliseconds. */
   | { readonly kind: 'clocks'; readonly errorMs: number }

@@ -6,7 +6,7 @@ const aRecord = (format: string, value: unknown): TopicRecord =>
   ({ topic: '/a', format, value }) as unknown as TopicRecord;
 
 describe('the survey of a recording', () => {
-  it('has every track over all of the time, and how many records came when', () => {
+  it('has every track over all of the time', () => {
     const builder = new SurveyBuilder(10_000);
     for (let timeMs = 0; timeMs <= 10_000; timeMs += 10)
       builder.add('/a', timeMs, aRecord('double', Math.sin(timeMs / 500)));
@@ -14,7 +14,7 @@ describe('the survey of a recording', () => {
     builder.add('/b', 5000, aRecord('string', 'swipe'));
     builder.addFrame('/c', 4000);
     builder.add('/d', 4000, undefined);
-    const { tracks, density, isWhole } = builder.survey(true);
+    const { tracks, isWhole } = builder.survey(true);
     const [a, b, c, d] = tracks;
     expect(a!.tile.counts.reduce((sum, one) => sum + one, 0)).toBe(1001);
     expect(b!.runs.map(({ label, untilMs }) => [label, untilMs])).toEqual([
@@ -23,7 +23,6 @@ describe('the survey of a recording', () => {
     ]);
     expect([...c!.frames]).toEqual([4000]);
     expect(d!.tile.lines).toEqual([]);
-    expect(density.reduce((sum, one) => sum + one, 0)).toBe(1005);
     expect(isWhole).toBe(true);
   });
 

@@ -26,8 +26,6 @@ export interface SurveyedTrack {
 /** A recording as far as it was read. */
 export interface Survey {
   readonly tracks: readonly SurveyedTrack[];
-  /** Records of all topics over time. */
-  readonly density: Uint32Array;
   /** How far it was read, milliseconds. */
   readonly readMs: number;
   readonly isWhole: boolean;
@@ -43,7 +41,6 @@ interface OpenTrack {
 export class SurveyBuilder {
   readonly #durationMs: number;
   readonly #tracks = new Map<string, OpenTrack>();
-  readonly #density = new Uint32Array(SURVEY_BUCKETS);
   #readMs = 0;
 
   constructor(durationMs: number) {
@@ -52,7 +49,7 @@ export class SurveyBuilder {
 
   /** @param record undefined when it cannot be decoded: it only counts */
   add(topic: string, timeMs: number, record: TopicRecord | undefined): void {
-    this.#count(timeMs);
+    this.#readMs = Math.max(this.#readMs, timeMs);
     const track = this.#trackOf(topic, trackKind(record?.format));
     const { numbers, states } = record ? entryOf(record) : { numbers: [], states: undefined };
     track.builder.add(timeMs, { numbers });
@@ -61,8 +58,8 @@ export class SurveyBuilder {
 
   /** Adds a picture, which is only counted. */
   addFrame(topic: string, timeMs: number): void {
+    this.#readMs = Math.max(this.#readMs, timeMs);
     const track = this.#trackOf(topic, 'frames');
-    this.#count(timeMs);
     track.builder.add(timeMs, { numbers: [] });
     if (track.frames && track.frames.length < MAX_FRAMES) track.frames.push(timeMs);
   }
@@ -75,13 +72,7 @@ export class SurveyBuilder {
       runs: runs?.runs(readMs) ?? [],
       frames: Float64Array.from(frames ?? []),
     }));
-    return { tracks, density: this.#density.slice(), readMs, isWhole };
-  }
-
-  #count(timeMs: number): void {
-    this.#readMs = Math.max(this.#readMs, timeMs);
-    const bucket = Math.floor((timeMs / this.#durationMs) * SURVEY_BUCKETS);
-    this.#density[Math.min(Math.max(bucket, 0), SURVEY_BUCKETS - 1)]! += 1;
+    return { tracks, readMs, isWhole };
   }
 
   #trackOf(topic: string, kind: TrackKind): OpenTrack {

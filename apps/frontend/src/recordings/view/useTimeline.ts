@@ -10,6 +10,7 @@ import {
 } from 'vue';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { PlacedGap, PlacedMarker } from '../reading/recording-messages.ts';
+import type { UnreadActivity } from '../timeline/draw/draw-activity.ts';
 import type { SurveyedTrack } from '../timeline/survey.ts';
 import {
   lengthOf,
@@ -35,6 +36,8 @@ export interface Timeline {
   readonly markers: Readonly<Ref<readonly PlacedMarker[]>>;
   readonly loop: ComputedRef<Span | undefined>;
   surveyed(topic: string): SurveyedTrack | undefined;
+  /** Undefined when the records of a topic were read. */
+  unread(topic: string): UnreadActivity | undefined;
   /** Where records of a topic are missing; undefined: of all topics. */
   gapsOf(topic: string | undefined): readonly PlacedGap[];
   select(topic: string): void;
@@ -97,6 +100,11 @@ export function provideTimeline(
   const timeline: Timeline = {
     ...{ opened, durationMs, span, tracks, shown, hidden, selected, markers, loop, setLoop },
     surveyed: (topic) => surveyed.value.get(topic),
+    unread(topic) {
+      const counts = opened.activity.value?.topics.get(topic);
+      const { isWhole = false, readMs = 0 } = opened.survey.value ?? {};
+      return counts && !isWhole ? { counts, durationMs: durationMs.value, readMs } : undefined;
+    },
     gapsOf: (topic) => (opened.recording.value?.gaps ?? []).filter((gap) => gap.topic === topic),
     select: (topic) => (chosen.value = topic),
     fit: () => (span.value = whole()),

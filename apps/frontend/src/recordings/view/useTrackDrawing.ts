@@ -54,7 +54,10 @@ export function useTrackDrawing(
   useDrawing(
     canvas,
     probe,
-    () => [view(), track(), drawn.value, timeline.opened.survey.value],
+    () => [
+      ...[view(), track(), drawn.value],
+      ...[timeline.opened.survey.value, timeline.opened.activity.value],
+    ],
     (element, ink) => {
       const now = view();
       const pen = penOf(element, now.widthPx, now.heightPx);
@@ -62,7 +65,8 @@ export function useTrackDrawing(
       const { topic } = track();
       const pieces = tiles.pieces(topic, now.span, msPerPx(now));
       const surveyed = timeline.surveyed(topic);
-      drawTrack(pen, { track: track(), surveyed, pieces, frames }, now, ink);
+      const unread = timeline.unread(topic);
+      drawTrack(pen, { track: track(), surveyed, unread, pieces, frames }, now, ink);
     },
   );
 }

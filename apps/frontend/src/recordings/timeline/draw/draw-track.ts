@@ -3,6 +3,7 @@ import type { FrameCache } from '../frame-cache.ts';
 import type { SurveyedTrack } from '../survey.ts';
 import type { TilePiece } from '../tile-store.ts';
 import type { Track } from '../track.ts';
+import { drawActivity, type UnreadActivity } from './draw-activity.ts';
 import { columnsOf, drawEnvelope, drawLine, rangeOf } from './draw-lines.ts';
 import { drawRuns, quietLabels } from './draw-runs.ts';
 import { drawHeld, drawTicks } from './draw-ticks.ts';
@@ -13,6 +14,8 @@ import { msPerPx, type Pen, type TrackInk, type TrackView } from './track-canvas
 export interface TrackSource {
   readonly track: Track;
   readonly surveyed: SurveyedTrack | undefined;
+  /** Undefined when all of it was read. */
+  readonly unread: UnreadActivity | undefined;
   readonly pieces: readonly TilePiece[];
   readonly frames: FrameCache<ImageBitmap>;
 }
@@ -26,7 +29,11 @@ const USUAL_ASPECT = 16 / 9;
 
 /** Draws one track into its place. */
 export function drawTrack(pen: Pen, source: TrackSource, view: TrackView, ink: TrackInk): void {
-  const { track, surveyed, pieces } = source;
+  const { track, surveyed, unread, pieces } = source;
+  if (unread) {
+    pen.fillStyle = ink.color(`var(--family-${track.family}-tint)`);
+    drawActivity(pen, unread, pieces, view);
+  }
   const color = ink.color(`var(--family-${track.family})`);
   pen.fillStyle = color;
   switch (track.kind) {

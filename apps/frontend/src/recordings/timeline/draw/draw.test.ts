@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { TileBuilder } from '../tile.ts';
 import type { Run } from '../run-log.ts';
+import type { TilePiece } from '../tile-store.ts';
+import { drawActivity } from './draw-activity.ts';
 import { columnsOf, drawLine, rangeOf, yOf } from './draw-lines.ts';
 import { quietLabels } from './draw-runs.ts';
 import { tickColumns } from './draw-ticks.ts';
@@ -74,6 +76,31 @@ describe('lines of a track', () => {
 it('ticks that are closer than can be seen are one', () => {
   const tile = aTile([10, 11, 12, 13, 50].map((timeMs) => [timeMs, 0]));
   expect([...tickColumns(piecesOf(tile), view)]).toEqual([10.5, 13.5, 50.5]);
+});
+
+describe('what was not read', () => {
+  const drawn = (counts: Float32Array, pieces: readonly TilePiece[] = []) => {
+    const bars: [number, number][] = [];
+    const pen = { fillRect: (x: number, _y: number, _w: number, h: number) => bars.push([x, h]) };
+    drawActivity(pen as unknown as Pen, { counts, durationMs: 100, readMs: 40 }, pieces, view);
+    return bars;
+  };
+  const counts = Float32Array.from({ length: 10 }, (_, part) => (part < 5 ? 100 : 25));
+  counts[6] = 0;
+
+  it('is drawn from where the reading is, the more records the higher', () => {
+    const bars = drawn(counts);
+    expect(bars[0]).toEqual([40, 70]);
+    expect(bars.filter(([x]) => x >= 60 && x < 70)).toEqual([]);
+    expect(bars.filter(([x]) => x >= 70).every(([, height]) => height === 35)).toBe(true);
+    expect(bars.at(-1)![0]).toBe(98);
+  });
+
+  it('leaves out stretches that were read before the rest, and parts that are too wide', () => {
+    const piece = { tile: aTile([[81, 1]]), fromMs: 80, untilMs: 100 };
+    expect(drawn(counts, [piece]).at(-1)![0]).toBe(78);
+    expect(drawn(Float32Array.of(1, 1))).toEqual([]);
+  });
 });
 
 describe('the film strip', () => {
