@@ -24,7 +24,7 @@ export interface CompareOptions extends Abortable {
   readonly toleranceMs: number;
   /** Numbers are the same when they differ by at most this share of the larger one. */
   readonly relativeTolerance: number;
-  /** How many differences of each topic are listed. @default 20 */
+  /** How many differences of each topic and kind are listed. @default 20 */
   readonly maxDifferences?: number;
   /** Called now and then with the number of outputs compared so far. */
   readonly onProgress?: (outputs: number) => void;

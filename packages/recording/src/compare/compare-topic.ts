@@ -25,14 +25,14 @@ export interface TopicComparison {
   readonly additional: number;
   /** How many of the missing and additional ones come before the first pair or after the last one. */
   readonly atEdges: number;
-  /** The first ones, in the order of time. */
+  /** The first ones of each kind, in the order of time. */
   readonly differences: readonly OutputDifference[];
 }
 
 /** The outputs of a topic, and how they are compared. */
 export interface TopicOptions extends AlignOptions {
   readonly topic: string;
-  /** How many differences are listed. @default 20 */
+  /** How many differences of each kind are listed. @default 20 */
   readonly maxDifferences?: number | undefined;
   /** Called for each pair; false leaves it out. */
   readonly onPair?: (pair: OutputPair) => boolean;
@@ -63,7 +63,7 @@ export async function compareTopic(
       if (hadPair) sincePair += 1;
       else atEdges += 1;
     } else sincePair = 0;
-    if (kind !== 'same' && differences.length < maxDifferences)
+    if (kind !== 'same' && counts[kind] <= maxDifferences)
       differences.push(differenceOf(kind, pair));
   }
   return { topic, ...counts, atEdges: atEdges + sincePair, differences };

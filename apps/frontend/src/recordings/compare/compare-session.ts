@@ -19,6 +19,8 @@ import type {
 const TOLERANCE_MS = 100;
 /** Numbers that differ by less are the same on another processor as well. */
 const RELATIVE_TOLERANCE = 1e-6;
+/** Differences of each topic and kind that the page can list and jump to. */
+const MAX_LISTED = 300;
 
 /** Compares the recorded outputs of a session with those of a run of today's modules. */
 export async function compareSession(
@@ -39,6 +41,7 @@ export async function compareSession(
     mapInput: (topic) => inputPrefix + topic,
     ...(span && { span: { fromNs: base.toNs(span.fromMs), untilNs: base.toNs(span.untilMs) } }),
     ...{ toleranceMs: TOLERANCE_MS, relativeTolerance: RELATIVE_TOLERANCE, onProgress },
+    maxDifferences: MAX_LISTED,
   });
   return {
     topics: results.map(countsOf).sort((a, b) => differing(b) - differing(a)),

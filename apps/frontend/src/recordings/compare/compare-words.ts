@@ -15,8 +15,24 @@ export function resultSentence({ topics }: SessionComparison): string {
   if (all === 0) return 'The session wrote no outputs, neither then nor today.';
   if (differences === 0) return `All ${counted(all, 'output')} are the same as recorded.`;
   const verb = plural(differences, 'differs', 'differ');
-  return `${formatNumber(differences)} of ${counted(all, 'output')} ${verb} from the recording.`;
+  return `${formatNumber(differences)} of ${counted(all, 'output')} ${verb} from the recording${kindsOf(topics)}.`;
 }
+
+/** How they differ, unless all have another value: an output that is missing says less of a module than another value. */
+function kindsOf(topics: readonly ComparedTopic[]): string {
+  const sum = (kind: ListedDifference['kind']): number =>
+    topics.reduce((total, topic) => total + topic[kind], 0);
+  const parts = (['different', 'missing', 'additional'] as const)
+    .filter((kind) => sum(kind) > 0)
+    .map((kind) => `${formatNumber(sum(kind))} ${PARTS[kind]}`);
+  return sum('missing') + sum('additional') === 0 ? '' : `: ${parts.join(', ')}`;
+}
+
+const PARTS: Readonly<Record<ListedDifference['kind'], string>> = {
+  different: 'with another value',
+  missing: 'missing today',
+  additional: 'additional today',
+};
 
 /** Modules that ran with their recorded code; empty when all have code in the library. */
 export function recordedCodeSentence(names: readonly string[]): string {

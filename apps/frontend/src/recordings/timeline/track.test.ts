@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { rowsIn, rowsOf, tracksOf } from './track.ts';
+import { rowsIn, rowsOf, scrollShowing, tracksOf } from './track.ts';
 
 const topics = Array.from({ length: 200 }, (_, index) => ({
   topic: `/phone ${index}/acceleration`,
@@ -42,6 +42,24 @@ describe('tracks of a recording', () => {
     expect(unnamed).toMatchObject({ label: 'level · Client 729eaeb0' });
   });
 
+  it('of a publisher without a name are called by the module that writes them', () => {
+    const id = '729eaeb0-49d7-451a-8ad1-e61fb4e201c2';
+    const topic = (name: string, clientId: string) => {
+      return { topic: name, clientId, format: 'double', records: 1 };
+    };
+    const writers = new Map([
+      ['/energy', 'Classifier'],
+      ['/angle', 'Classifier'],
+    ]);
+    const tracks = tracksOf(
+      [topic('/angle', 'robot'), topic('/energy', id), topic('/other', id)],
+      1,
+      new Map([['robot', 'Robot']]),
+      writers,
+    );
+    expect(tracks.map(({ owner }) => owner)).toEqual(['Robot', 'Classifier', 'Client 729eaeb0']);
+  });
+
   it('of an unknown format are shown as bytes', () => {
     const [track] = tracksOf([{ topic: '/x', clientId: 'c', format: 'foo.Bar', records: 1 }], 1);
     expect(track).toMatchObject({ kind: 'bytes', family: 'system', formatText: 'foo.Bar' });
@@ -52,5 +70,13 @@ describe('tracks of a recording', () => {
     const seen = rowsIn(rows, heightPx / 2, 340);
     expect(seen.length).toBeLessThan(10);
     expect(seen[0]!.topPx).toBeLessThanOrEqual(heightPx / 2);
+  });
+
+  it('are scrolled to only as far as they need', () => {
+    const { rows } = rowsOf(tracksOf(topics, 60_000));
+    const row = rows[10]!;
+    expect(scrollShowing(row, row.topPx - 100, 340)).toBe(row.topPx - 100);
+    expect(scrollShowing(row, row.topPx + 20, 340)).toBe(row.topPx);
+    expect(scrollShowing(row, 0, 340)).toBe(row.topPx + row.track.heightPx - 340);
   });
 });

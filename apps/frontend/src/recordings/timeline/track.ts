@@ -47,11 +47,16 @@ const HEIGHTS: Readonly<Record<TrackKind, number>> = {
 const TALL_PX = 68;
 const TALL: ReadonlySet<string> = new Set(['vector2', 'vector3']);
 
-/** The tracks of a recording, one for each topic, those of one family and publisher together. */
+/**
+ * The tracks of a recording, one for each topic, those of one family and publisher together.
+ *
+ * @param writers modules that write a topic, for publishers without a name: modules on the master
+ */
 export function tracksOf(
   topics: readonly RecordedTopic[],
   durationMs: number,
   clientNames: ReadonlyMap<string, string> = new Map(),
+  writers: ReadonlyMap<string, string> = new Map(),
 ): Track[] {
   const nameOf = (id: string): string | undefined =>
     clientNames.get(id) ?? (isClientId(id) ? unnamedClient(id) : undefined);
@@ -59,7 +64,13 @@ export function tracksOf(
   for (const one of topics) byTopic.set(one.topic, [...(byTopic.get(one.topic) ?? []), one]);
   const labels = topicLabels([...byTopic.keys()], nameOf);
   const tracks = [...byTopic].map(([topic, parts]) => ({
-    ...trackOf(topic, parts, durationMs, nameOf),
+    ...trackOf(topic, parts, durationMs),
+    owner: ownerOf(
+      topic,
+      parts,
+      nameOf,
+      (id) => clientNames.get(id) ?? writers.get(topic) ?? nameOf(id),
+    ),
     label: labels.get(topic) ?? topic,
   }));
   return tracks.sort(
@@ -76,15 +87,13 @@ function trackOf(
   topic: string,
   parts: readonly RecordedTopic[],
   durationMs: number,
-  nameOf: NameOf,
-): Omit<Track, 'label'> {
+): Omit<Track, 'label' | 'owner'> {
   const records = parts.reduce((sum, one) => sum + one.records, 0);
   const { format, family, text } = formatLook(parts[0]?.format ?? '');
   const kind = trackKind(format);
   return {
     topic,
     name: topic.split('/').findLast((level) => level !== '') ?? topic,
-    owner: ownerOf(topic, parts, nameOf),
     ...{ format, family, kind, records },
     formatText: text,
     hz: durationMs > 0 ? (records / durationMs) * 1000 : 0,
@@ -93,10 +102,15 @@ function trackOf(
 }
 
 /** Who published it, or whose id it begins with; where that is not known, where the topic stands. Of a run, whose input or output it is. */
-function ownerOf(topic: string, parts: readonly RecordedTopic[], nameOf: NameOf): string {
+function ownerOf(
+  topic: string,
+  parts: readonly RecordedTopic[],
+  nameOf: NameOf,
+  publisherOf: NameOf,
+): string {
   const { owner, isOfRun } = topicLabel(topic, nameOf);
   if (isOfRun) return owner;
-  const names = new Set(parts.map(({ clientId }) => nameOf(clientId)).filter(Boolean));
+  const names = new Set(parts.map(({ clientId }) => publisherOf(clientId)).filter(Boolean));
   if (names.size > 0) return [...names].join(', ');
   if (owner !== '') return owner;
   return topic.slice(0, Math.max(0, topic.lastIndexOf('/')));
@@ -128,4 +142,14 @@ export function rowsIn(rows: readonly TrackRow[], topPx: number, heightPx: numbe
       row.topPx + 2 * row.track.heightPx > topPx &&
       row.topPx - row.track.heightPx < topPx + heightPx,
   );
+}
+
+/** Where a list of rows has to be scrolled to, so that all of a row is in view. */
+export function scrollShowing(
+  { track, topPx }: TrackRow,
+  scrolledPx: number,
+  heightPx: number,
+): number {
+  const endPx = topPx + track.heightPx;
+  return Math.min(topPx, Math.max(scrolledPx, endPx - heightPx));
 }

@@ -20,6 +20,7 @@ import {
   zoomSpan,
   type Span,
 } from '../timeline/span.ts';
+import { moduleWriters } from '../timeline/module-writers.ts';
 import { tracksOf, type Track } from '../timeline/track.ts';
 
 /** A recording on the timeline: what of it is in view and what is selected. */
@@ -41,6 +42,8 @@ export interface Timeline {
   /** Where records of a topic are missing; undefined: of all topics. */
   gapsOf(topic: string | undefined): readonly PlacedGap[];
   select(topic: string): void;
+  /** Selects a track, also one that is hidden. */
+  reveal(topic: string): void;
   fit(): void;
   show(span: Span): void;
   zoom(factor: number, aroundMs: number): void;
@@ -70,9 +73,10 @@ export function provideTimeline(
   const span = shallowRef<Span>(whole());
   const hidden = shallowRef<ReadonlySet<string>>(new Set());
   const chosen = shallowRef<string>();
+  const writers = computed(() => moduleWriters(opened.sessions.value));
   const tracks = computed(() => {
     const { topics = [], clientNames } = opened.recording.value ?? {};
-    return tracksOf(topics, durationMs.value, clientNames);
+    return tracksOf(topics, durationMs.value, clientNames, writers.value);
   });
   const shown = computed(() => tracks.value.filter(({ topic }) => !hidden.value.has(topic)));
   const selected = computed(
@@ -107,6 +111,10 @@ export function provideTimeline(
     },
     gapsOf: (topic) => (opened.recording.value?.gaps ?? []).filter((gap) => gap.topic === topic),
     select: (topic) => (chosen.value = topic),
+    reveal(topic) {
+      hidden.value = new Set([...hidden.value].filter((one) => one !== topic));
+      chosen.value = topic;
+    },
     fit: () => (span.value = whole()),
     show: (next) => (span.value = panSpan(next, 0, durationMs.value)),
     zoom(factor, aroundMs) {
