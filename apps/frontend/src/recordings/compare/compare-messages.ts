@@ -35,9 +35,9 @@ export interface ListedDifference {
 
 /** Result of a comparison. */
 export interface SessionComparison {
-  /** Those with most differences first. */
+  /** Those with most other values first. */
   readonly topics: readonly ComparedTopic[];
-  /** The first ones of each topic, by time. */
+  /** The first ones of each topic and kind, by time. */
   readonly differences: readonly ListedDifference[];
 }
 

@@ -38,16 +38,21 @@ it('compares the outputs of a session and those that only the run wrote, with ti
       [2251, 1],
       [2501, 4],
     ],
-    '/replays/1/out/debug': [[2001, 7]],
+    '/replays/1/out/debug': [
+      [2001, 7],
+      [2002, 8],
+    ],
   });
   const { topics, differences } = await compareSession(before, today, REQUEST, () => undefined);
   const none = { same: 0, different: 0, missing: 0, additional: 0 };
+  // Another value says more of a module than outputs that only one side has.
   expect(topics).toEqual([
     { ...none, topic: '/sum', same: 2, different: 1 },
-    { ...none, topic: '/debug', additional: 1 },
+    { ...none, topic: '/debug', additional: 2 },
   ]);
   expect(differences).toEqual([
     ...[{ kind: 'additional', topic: '/debug', path: '', timeMs: 1, today: '7.00' }],
+    { kind: 'additional', topic: '/debug', path: '', timeMs: 2, today: '8.00' },
     { kind: 'different', topic: '/sum', path: '', timeMs: 1001, recorded: '3.00', today: '4.00' },
   ]);
 });

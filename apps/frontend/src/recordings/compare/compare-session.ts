@@ -44,12 +44,16 @@ export async function compareSession(
     maxDifferences: MAX_LISTED,
   });
   return {
-    topics: results.map(countsOf).sort((a, b) => differing(b) - differing(a)),
+    topics: results.map(countsOf).sort(byDifferences),
     differences: results
       .flatMap(({ topic, differences }) => differences.map((one) => listed(topic, one, base)))
       .sort((a, b) => a.timeMs - b.timeMs),
   };
 }
+
+/** Other values first: a run on a busy master has missing outputs in all topics. */
+const byDifferences = (a: ComparedTopic, b: ComparedTopic): number =>
+  b.different - a.different || differing(b) - differing(a);
 
 /** Recorded topics that a run has below a prefix. */
 function topicsBelow({ summary }: RecordsReader, prefix: string): string[] {

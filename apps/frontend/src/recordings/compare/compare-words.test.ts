@@ -16,10 +16,10 @@ const result = (counts: Partial<ComparedTopic>) => ({
 describe('words of a comparison', () => {
   it('say how many outputs differ', () => {
     expect(resultSentence(result({ same: 38, different: 2, missing: 1 }))).toBe(
-      '3 of 41 outputs differ from the recording: 2 with another value, 1 missing today.',
+      '3 of 41 outputs differ from the recording: 2 in value, 1 missing.',
     );
     expect(resultSentence(result({ same: 1, additional: 1 }))).toBe(
-      '1 of 2 outputs differs from the recording: 1 additional today.',
+      '1 of 2 outputs differs from the recording: 1 additional.',
     );
     expect(resultSentence(result({ same: 1, different: 1 }))).toBe(
       '1 of 2 outputs differs from the recording.',

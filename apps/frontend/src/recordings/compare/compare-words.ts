@@ -29,9 +29,9 @@ function kindsOf(topics: readonly ComparedTopic[]): string {
 }
 
 const PARTS: Readonly<Record<ListedDifference['kind'], string>> = {
-  different: 'with another value',
-  missing: 'missing today',
-  additional: 'additional today',
+  different: 'in value',
+  missing: 'missing',
+  additional: 'additional',
 };
 
 /** Modules that ran with their recorded code; empty when all have code in the library. */

@@ -36,6 +36,12 @@ export const EXPORT_FORMATS: readonly {
   },
 ];
 
+/** What a format is for. @param isTreated personal data is replaced, so that not every bit is as recorded */
+export function formatHint(format: ExportFormat, isTreated: boolean): string {
+  const { hint } = EXPORT_FORMATS.find(({ value }) => value === format)!;
+  return isTreated ? hint.replace(', bit for bit', '') : hint;
+}
+
 /** Topics that can be exported in a format. Messages of other programs have no values: only MCAP has them. */
 export function exportableTopics(
   topics: readonly RecordedTopic[],

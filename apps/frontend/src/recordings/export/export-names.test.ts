@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { exportableTopics, formatRefusal, topicOption } from './export-choice.ts';
+import { exportableTopics, formatHint, formatRefusal, topicOption } from './export-choice.ts';
 import { exportName, topicFileNames } from './export-names.ts';
 import { evenSize } from './video-format.ts';
 
@@ -22,6 +22,13 @@ describe('what is exported', () => {
     expect(topicFileNames(['/a/b', '/a-b', '/A/B', '/'], 'csv')).toEqual([
       ...['a-b.csv', 'a-b 2.csv', 'A-B 3.csv', 'topic.csv'],
     ]);
+  });
+
+  it('is bit for bit as recorded only where no personal data is replaced', () => {
+    expect(formatHint('mcap', false)).toMatch('bit for bit');
+    expect(formatHint('mcap', true)).toBe(
+      'A recording of its own, with sessions, clocks and markers.',
+    );
   });
 
   it('has messages of other programs as MCAP only, and as video only topics with images', () => {

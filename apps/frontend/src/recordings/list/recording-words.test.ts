@@ -6,6 +6,7 @@ import {
   formatWhen,
   placeSentence,
   recordingLook,
+  sortRecordings,
 } from './recording-words.ts';
 
 const aRecording = (changes: Partial<Recording>): Recording =>
@@ -69,6 +70,24 @@ it('an estimate says rate, size and how long the disk lasts', () => {
   expect(estimateSentence(1842, 2e6, 7.2e9)).toBe(
     '1842 records and 2.0 MB per second before compression. The disk has room for at least 1:00:00.',
   );
+  // The free space is that of the master, and a node writes to its own disk.
+  expect(estimateSentence(1842, 2e6, 7.2e9, 'Lab PC')).toBe(
+    '1842 records and 2.0 MB per second before compression. The recording stops before the disk of Lab PC is full.',
+  );
   expect(estimateSentence(0, 0, 1e9)).toMatch(/^Nothing that was selected/);
   expect(estimateSentence(1, 10, 1e12)).toMatch(/more than two days\.$/);
+});
+
+it('the list is sorted by name with its numbers, by length and by size', () => {
+  const all = [
+    aRecording({ name: 'P10', durationMs: 1, sizeBytes: 20 }),
+    aRecording({ name: 'P9', durationMs: 3, sizeBytes: 10 }),
+    aRecording({ name: 'P7', durationMs: 2, sizeBytes: 30 }),
+  ];
+  const names = (order: Parameters<typeof sortRecordings>[1]) =>
+    sortRecordings(all, order).map(({ name }) => name);
+  expect(names('newest')).toEqual(['P10', 'P9', 'P7']);
+  expect(names('name')).toEqual(['P7', 'P9', 'P10']);
+  expect(names('longest')).toEqual(['P9', 'P7', 'P10']);
+  expect(names('largest')).toEqual(['P7', 'P10', 'P9']);
 });

@@ -90,15 +90,53 @@ export function findRecordings(all: readonly Recording[], search: string): reado
   });
 }
 
-/** What the master estimates, in one sentence. */
+/** In which order the list is. */
+export type RecordingOrder = 'newest' | 'name' | 'longest' | 'largest';
+
+export const RECORDING_ORDERS: readonly {
+  readonly value: RecordingOrder;
+  readonly text: string;
+}[] = [
+  { value: 'newest', text: 'Newest first' },
+  { value: 'name', text: 'By name' },
+  { value: 'longest', text: 'Longest first' },
+  { value: 'largest', text: 'Largest first' },
+];
+
+/** @param all the newest first */
+export function sortRecordings(
+  all: readonly Recording[],
+  order: RecordingOrder,
+): readonly Recording[] {
+  switch (order) {
+    case 'newest':
+      return all;
+    case 'name':
+      return all.toSorted((a, b) => a.name.localeCompare(b.name, undefined, { numeric: true }));
+    case 'longest':
+      return all.toSorted((a, b) => b.durationMs - a.durationMs);
+    case 'largest':
+      return all.toSorted((a, b) => b.sizeBytes - a.sizeBytes);
+  }
+}
+
+/**
+ * What the master estimates, in one or two sentences.
+ *
+ * @param freeBytes of the disk of the master
+ * @param nodeName of the node that records; undefined: the master does
+ */
 export function estimateSentence(
   recordsPerSecond: number,
   bytesPerSecond: number,
   freeBytes: number,
+  nodeName?: string,
 ): string {
   if (recordsPerSecond === 0)
     return 'Nothing that was selected is published now. Topics that appear later are recorded.';
   const rate = `${counted(Math.round(recordsPerSecond), 'record')} and ${sizeText(bytesPerSecond)} per second before compression.`;
+  if (nodeName !== undefined)
+    return `${rate} The recording stops before the disk of ${nodeName} is full.`;
   if (freeBytes <= 0 || bytesPerSecond <= 0) return rate;
   const hours = freeBytes / bytesPerSecond / 3600;
   const room = hours >= 48 ? 'more than two days' : formatLength(hours * 3_600_000);

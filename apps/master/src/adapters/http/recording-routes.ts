@@ -5,6 +5,7 @@ import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
 import { RecordingState, ServiceError, toJson } from '@ubii/proto';
 
 import type { Limits } from '../../core/limits/index.ts';
+import { quote } from '../../core/texts/quote.ts';
 import type { Master } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { recordingPath } from '@ubii/recording/node';
@@ -36,11 +37,17 @@ async function sendFile(
   { master, recordingsFolder }: RecordingRoutesOptions,
 ): Promise<FastifyReply> {
   const { id } = params as { readonly id: string };
-  const { name, state } = (await master.recordings.get(id)).recording;
+  const { name, state, nodeName } = (await master.recordings.get(id)).recording;
   if (state === RecordingState.RECORDING_STATE_RECORDING) {
     throw new ServiceError(
       'failed_precondition',
       'This recording is running. Stop it before you download its file.',
+    );
+  }
+  if (state === RecordingState.RECORDING_STATE_AT_NODE) {
+    throw new ServiceError(
+      'failed_precondition',
+      `The file of this recording is still on the node ${quote(nodeName)}. It can be downloaded when it is uploaded.`,
     );
   }
   const path = recordingPath(recordingsFolder, id);
