@@ -6,9 +6,10 @@ import {
   type Recording,
   type RecordingSelection,
   type RecordingStudy,
+  type RecordingTopic,
 } from '@ubii/proto';
 import type { RecordingHeader } from '../records/recording-header.ts';
-import type { RecordingSummary } from '../records/recording-summary.ts';
+import type { RecordedTopic, RecordingSummary } from '../records/recording-summary.ts';
 import type { RecordingJob } from './recorder.ts';
 import { msOf } from './nanoseconds.ts';
 
@@ -162,4 +163,18 @@ function selectionOf(value: Readonly<Record<string, unknown>>): RecordingSelecti
     excludedPatterns: texts('excludedPatterns'),
     withoutImages: value['withoutImages'] === true,
   };
+}
+
+/** A topic of a file, as it is told. */
+export function describeTopic({
+  topic,
+  clientId,
+  clientName,
+  format,
+  records,
+}: Pick<
+  RecordedTopic,
+  'topic' | 'clientId' | 'clientName' | 'format' | 'records'
+>): RecordingTopic {
+  return { topic, clientId, clientName, dataFormat: format, recordCount: records };
 }

@@ -4,7 +4,7 @@ import { RecordingError } from '../records/recording-error.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import { repairRecording } from '../repair/repair-recording.ts';
 import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from './recorder.ts';
-import { describeFile, factsOf, formatHeader, parseFacts } from './file-facts.ts';
+import { describeFile, describeTopic, factsOf, formatHeader, parseFacts } from './file-facts.ts';
 import type { FileFacts } from './file-facts.ts';
 import { describeMarker, MarkerList } from './marker-list.ts';
 import { msOf } from './nanoseconds.ts';
@@ -80,9 +80,7 @@ export class FileList {
     const file = await this.#context.folder.open(id);
     try {
       const { summary } = await RecordingReader.open(file);
-      const topics = summary.topics.map(({ topic, clientId, clientName, format, records }) => ({
-        ...{ topic, clientId, clientName, dataFormat: format, recordCount: records },
-      }));
+      const topics = summary.topics.map(describeTopic);
       const markers = summary.markers.map((marker) => describeMarker(id, marker));
       return { recording: { ...recording, topics, markers }, makerId: facts.makerId };
     } finally {

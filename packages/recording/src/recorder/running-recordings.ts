@@ -49,7 +49,7 @@ export class RunningRecordings {
     const running = this.#running.get(id);
     if (running === undefined) return undefined;
     const markers = running.markers.values().map((marker) => describeMarker(id, marker));
-    const recording = { ...running.toMessage(this.#nowMs()), markers };
+    const recording = { ...running.toMessage(this.#nowMs()), topics: running.topics(), markers };
     return { recording, makerId: running.job.makerId };
   }
 

@@ -5,6 +5,7 @@ import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
 import { describeRecord } from '../records/describe-record.ts';
 import { eventSchema } from '../records/event-schemas.ts';
 import type { ForeignChannel, RecordedRecord } from '../records/recorded-record.ts';
+import type { RecordedTopic } from '../records/recording-summary.ts';
 import { EVENT_TOPICS, type EventKind } from '../records/recording-event.ts';
 
 /** Ids of channels have 16 bits; those of events come first. */
@@ -14,6 +15,12 @@ const EVENT_CHANNELS = Object.keys(EVENT_TOPICS).length;
 
 /** Channels with this id have no schema. */
 const NO_SCHEMA = 0;
+
+/** A topic and publisher of a file that is being written. */
+export type WrittenTopic = Pick<
+  RecordedTopic,
+  'topic' | 'clientId' | 'clientName' | 'format' | 'records'
+>;
 
 /** The channels of a file: one for each topic and publisher, and one for each kind of events. */
 export class Channels {
@@ -40,6 +47,19 @@ export class Channels {
     let count = this.#foreign.size;
     for (const byClient of this.#records.values()) count += byClient.size;
     return count;
+  }
+
+  /** What was written of each topic and publisher so far. */
+  get recordTopics(): WrittenTopic[] {
+    return [...this.#records.values()].flatMap((byClient) =>
+      [...byClient.values()].map(({ id, topic, metadata }) => ({
+        topic,
+        clientId: metadata.get('clientId') ?? '',
+        clientName: metadata.get('clientName') ?? '',
+        format: metadata.get('format') ?? '',
+        records: Number(this.#file.messages.get(id) ?? 0n),
+      })),
+    );
   }
 
   /** Names the channels that a client publishes on from now on. */

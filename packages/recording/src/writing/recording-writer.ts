@@ -7,7 +7,7 @@ import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { Marker, RecordingEvent } from '../records/recording-event.ts';
 import { headerToMetadata, PROFILE, type RecordingHeader } from '../records/recording-header.ts';
 import type { RecordingSink } from '../storage/recording-storage.ts';
-import { Channels } from './channels.ts';
+import { Channels, type WrittenTopic } from './channels.ts';
 import { LastValues } from './last-values.ts';
 
 /** A chunk ends with this many bytes before compression … */
@@ -87,6 +87,11 @@ export class RecordingWriter {
       refusedRecords: this.#refusedRecords,
       bytes: Number(this.#position),
     };
+  }
+
+  /** What was written so far; topics with messages of other programs are left out. */
+  get topics(): readonly WrittenTopic[] {
+    return this.#channels.recordTopics;
   }
 
   /** Writes another header, which replaces those before it. @throws the error of the sink */

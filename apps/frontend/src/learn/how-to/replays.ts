@@ -62,7 +62,7 @@ export const REPLAY_HOW_TOS: readonly HowTo[] = [
         steps: [
           'Change a module in the module editor and save it to the library.',
           'Open a recording that has a session with this module. In **Graph**, choose **Run today’s modules**.',
-          'Wait until the run is over. The sentence below says how many outputs differ; **Go to the next one** moves the playhead to the next difference.',
+          'Wait until the run is over. The sentence below says how many outputs differ. Choose an output or a kind of difference; **Go to the next one** moves the playhead to the next one and selects its track, which marks all of them.',
         ],
       },
       { kind: 'link', text: 'Recordings', to: '/recordings' },

@@ -1,6 +1,6 @@
 import { toJson, type Init, type Session } from '@ubii/proto';
 import { expect, it } from 'vitest';
-import { moduleWriters } from './module-writers.ts';
+import { moduleWriters, parseSession } from './module-writers.ts';
 
 const recorded = (session: Init<Session>) => ({
   session: JSON.stringify(toJson('ubii.sessions.Session', session)),
@@ -11,11 +11,12 @@ const module = (id: string, name: string, topic: string): Init<Session> => ({
 });
 
 it('names the modules that write a topic, of all sessions that can be read', () => {
-  const writers = moduleWriters([
+  const sessions = [
     recorded(module('1', 'Classifier', '/label')),
     recorded(module('2', 'Smoother', '/label')),
     { session: 'no JSON' },
     recorded({ ioMappings: [{ processingModuleId: '3', outputMappings: [{ topic: '/gone' }] }] }),
-  ]);
+  ];
+  const writers = moduleWriters(sessions.flatMap(parseSession));
   expect([...writers]).toEqual([['/label', 'Classifier, Smoother']]);
 });

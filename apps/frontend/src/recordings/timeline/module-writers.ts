@@ -1,11 +1,11 @@
 import { fromJson, type Session } from '@ubii/proto';
 
-/** Names of the modules that write each topic in recorded sessions, by topic. @param sessions as JSON */
+/** Names of the modules that write each topic in sessions, by topic. */
 export function moduleWriters(
-  sessions: readonly { readonly session: string }[],
+  sessions: readonly Pick<Session, 'ioMappings' | 'processingModules'>[],
 ): ReadonlyMap<string, string> {
   const writers = new Map<string, Set<string>>();
-  for (const { ioMappings, processingModules } of sessions.flatMap(parsed)) {
+  for (const { ioMappings, processingModules } of sessions) {
     const names = new Map(processingModules.map(({ id, name }) => [id, name]));
     for (const { processingModuleId, outputMappings } of ioMappings) {
       const name = names.get(processingModuleId);
@@ -18,8 +18,8 @@ export function moduleWriters(
   return new Map([...writers].map(([topic, names]) => [topic, [...names].join(', ')]));
 }
 
-/** None when a session cannot be read. */
-function parsed({ session }: { readonly session: string }): Session[] {
+/** A recorded session; none when it cannot be read. @param session as JSON */
+export function parseSession({ session }: { readonly session: string }): Session[] {
   try {
     return [fromJson('ubii.sessions.Session', JSON.parse(session))];
   } catch {

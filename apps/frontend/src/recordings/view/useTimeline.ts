@@ -20,7 +20,7 @@ import {
   zoomSpan,
   type Span,
 } from '../timeline/span.ts';
-import { moduleWriters } from '../timeline/module-writers.ts';
+import { moduleWriters, parseSession } from '../timeline/module-writers.ts';
 import { tracksOf, type Track } from '../timeline/track.ts';
 
 /** A recording on the timeline: what of it is in view and what is selected. */
@@ -73,7 +73,7 @@ export function provideTimeline(
   const span = shallowRef<Span>(whole());
   const hidden = shallowRef<ReadonlySet<string>>(new Set());
   const chosen = shallowRef<string>();
-  const writers = computed(() => moduleWriters(opened.sessions.value));
+  const writers = computed(() => moduleWriters(opened.sessions.value.flatMap(parseSession)));
   const tracks = computed(() => {
     const { topics = [], clientNames } = opened.recording.value ?? {};
     return tracksOf(topics, durationMs.value, clientNames, writers.value);

@@ -131,6 +131,21 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       await next.close();
     });
 
+    it('[RC-3] tells what is recorded of each topic while it runs', async () => {
+      const { recorder } = open();
+      await recorder.start(runningJob('a'));
+      recorder.add(batchOf([...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]));
+      const counts = async (): Promise<(string | number)[][]> => {
+        const { topics } = (await recorder.get('a')).recording;
+        return topics.map(({ topic, clientId, recordCount }) => [topic, clientId, recordCount]);
+      };
+      await expect.poll(counts).toEqual([
+        ['/lab/x', 'ada-id', 3],
+        ['/lab/y', 'ada-id', 1],
+      ]);
+      await recorder.close();
+    });
+
     it('[RC-6] changes name and notes of running and finished recordings', async () => {
       const { recorder, reopen } = open();
       await recorder.start(runningJob('a'));
