@@ -55,7 +55,7 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
   robot.publish('/lab/done', 'bool', true, { immediate: true });
   await anna.expectRecords(7);
   await anna.page.keyboard.press('m');
-  await expect(anna.page.getByText('Marker added')).toBeVisible();
+  await expect(anna.page.getByText('Moment marked')).toBeVisible();
   await anna.button('Stop recording').click();
 
   const angle = anna.track('/lab/angle');

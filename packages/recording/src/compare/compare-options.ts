@@ -24,8 +24,8 @@ export interface CompareOptions extends Abortable {
   readonly toleranceMs: number;
   /** Numbers are the same when they differ by at most this share of the larger one. */
   readonly relativeTolerance: number;
-  /** How many differences of each topic and kind are listed. @default 20 */
-  readonly maxDifferences?: number;
+  /** How many differences of each kind are listed of an output topic, with their values. @default 20 */
+  readonly maxDifferences?: ((topic: string) => number) | undefined;
   /** Called now and then with the number of outputs compared so far. */
   readonly onProgress?: (outputs: number) => void;
 }

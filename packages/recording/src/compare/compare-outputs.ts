@@ -42,7 +42,7 @@ export async function compareOutputs(
       ...{ topic, onPair, isSampled: true, absoluteTolerance: SMALLEST },
       toleranceNs: BigInt(Math.round(options.toleranceMs * NS_PER_MS)),
       relativeTolerance: options.relativeTolerance,
-      maxDifferences: options.maxDifferences,
+      maxDifferences: options.maxDifferences?.(topic),
     });
     comparisons.push(comparison);
   }

@@ -19,8 +19,9 @@ import type {
 const TOLERANCE_MS = 100;
 /** Numbers that differ by less are the same on another processor as well. */
 const RELATIVE_TOLERANCE = 1e-6;
-/** Differences of each topic and kind that the page can list and jump to. */
-const MAX_LISTED = 300;
+/** Differences of each topic and kind that are marked and that one can go to. Pictures are held in memory for that. */
+const MAX_LISTED = { usual: 2000, images: 20 };
+const IMAGES: ReadonlySet<string> = new Set(['image2D', 'image2DList']);
 
 /** Compares the recorded outputs of a session with those of a run of today's modules. */
 export async function compareSession(
@@ -32,8 +33,9 @@ export async function compareSession(
   const { inputPrefix, outputPrefix, span } = request;
   const base = new TimeBase(recorded.summary.startNs);
   const written = topicsBelow(rerun, outputPrefix);
-  const known = new Set(recorded.summary.topics.map(({ topic }) => topic));
-  const outputs = request.outputs.filter((topic) => known.has(topic));
+  const formats = new Map(recorded.summary.topics.map(({ topic, format }) => [topic, format]));
+  const outputs = request.outputs.filter((topic) => formats.has(topic));
+  const isImage = (topic: string): boolean => IMAGES.has(formats.get(topic) ?? '');
   const results = await compareOutputs(recorded, rerun, {
     topics: [...new Set([...outputs, ...written])],
     mapTopic: (topic) => outputPrefix + topic,
@@ -41,7 +43,7 @@ export async function compareSession(
     mapInput: (topic) => inputPrefix + topic,
     ...(span && { span: { fromNs: base.toNs(span.fromMs), untilNs: base.toNs(span.untilMs) } }),
     ...{ toleranceMs: TOLERANCE_MS, relativeTolerance: RELATIVE_TOLERANCE, onProgress },
-    maxDifferences: MAX_LISTED,
+    maxDifferences: (topic) => (isImage(topic) ? MAX_LISTED.images : MAX_LISTED.usual),
   });
   return {
     topics: results.map(countsOf).sort(byDifferences),

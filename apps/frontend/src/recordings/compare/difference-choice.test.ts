@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { ListedDifference } from './compare-messages.ts';
-import { filterDifferences, kindOptions, nextDifference } from './difference-choice.ts';
+import { filterDifferences, kindOptions, nextDifference, rowsAround } from './difference-choice.ts';
 
 const COUNTS = { topic: '/a', same: 0, different: 0, missing: 0, additional: 0 };
 
@@ -29,5 +29,17 @@ describe('the page of a comparison', () => {
     expect(nextDifference(ALL, ALL[3], 9)).toBe(ALL[0]);
     expect(nextDifference(ALL, ALL[1], 7)).toBe(ALL[3]);
     expect(nextDifference([], undefined, 7)).toBeUndefined();
+  });
+
+  it('shows a part of a long list around the difference that was gone to', () => {
+    const many = Array.from({ length: 1000 }, (_, index) => listed('/a', index));
+    const partAt = (current: ListedDifference | undefined) => {
+      const { before, rows, after } = rowsAround(many, current);
+      return [before, rows.length, after];
+    };
+    expect(partAt(undefined)).toEqual([0, 200, 800]);
+    expect(partAt(many[500])).toEqual([400, 200, 400]);
+    expect(partAt(many[999])).toEqual([800, 200, 0]);
+    expect(rowsAround(ALL, ALL[3])).toEqual({ before: 0, rows: ALL, after: 0 });
   });
 });

@@ -45,3 +45,21 @@ export function nextDifference(
     return listed[place + 1] ?? listed[0];
   return listed.find((one) => one.timeMs > timeMs + 0.5) ?? listed[0];
 }
+
+/** Rows that a list has at once. */
+const MAX_ROWS = 200;
+
+/** The rows of a list, around the one that was gone to, and how many there are before and after. */
+export function rowsAround(
+  listed: readonly ListedDifference[],
+  current: ListedDifference | undefined,
+): {
+  readonly before: number;
+  readonly rows: readonly ListedDifference[];
+  readonly after: number;
+} {
+  const place = current === undefined ? 0 : Math.max(0, listed.indexOf(current));
+  const before = Math.max(0, Math.min(place - MAX_ROWS / 2, listed.length - MAX_ROWS));
+  const rows = listed.slice(before, before + MAX_ROWS);
+  return { before, rows, after: listed.length - before - rows.length };
+}
