@@ -2,7 +2,10 @@ import Fastify from 'fastify';
 import { RecordingState, type Recording } from '@ubii/proto';
 import { temporaryFolder } from '@ubii/program/testing';
 import { expect, it } from 'vitest';
-import { addRecordings, type RecordingRoutesOptions } from '../../src/adapters/http/recording-routes.ts';
+import {
+  addRecordings,
+  type RecordingRoutesOptions,
+} from '../../src/adapters/http/recording-routes.ts';
 
 it('[RC-40] refuses the file of a recording that is still on its node, and says where it is', async () => {
   const recording = {
