@@ -35,6 +35,7 @@ export {
   type RecordInit,
   type TopicRecord,
 } from './records.ts';
+export { matchesProfile, selectByProfiles, type Profiled } from './profiles.ts';
 export { timestampFromMs, timestampToMs } from './timestamp.ts';
 export {
   SERVICES,

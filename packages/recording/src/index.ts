@@ -25,7 +25,8 @@ export {
   type RecordsQuery,
   type RecordsReader,
 } from './reading/recording-reader.ts';
-export { devicesInSpan } from './reading/devices-in-span.ts';
+export { devicesInSpan, isRecordedDevice } from './reading/devices-in-span.ts';
+export { devicesByTopic, topicsOfProfile } from './reading/recorded-components.ts';
 export {
   OutlineReader,
   type RecordingOutline,

@@ -7,6 +7,7 @@ import {
   decodeTopicData,
   encode,
   encodeRecord,
+  matchesProfile,
 } from '@ubii/proto';
 import type {
   Client,
@@ -21,7 +22,6 @@ import type {
   TopicSubscription,
 } from '@ubii/proto';
 import { encodeRecordListFrame } from '@ubii/proto/wire';
-import { matchesProfile } from '../core/subscriptions/component-profile.ts';
 import type { TopicDataQuery } from '../core/ports/topic-data-transport.ts';
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '../transports/memory.ts';
 
@@ -295,9 +295,7 @@ export class FakeMaster implements MemoryMaster {
   #countMatches({ topics, regexes, profiles }: FakeClient, topic: string): number {
     const components = this.#components().filter((component) => component.topic === topic);
     const isSelected = (profile: Component): boolean =>
-      components.some((component) =>
-        matchesProfile({ ...profile, format: profile.messageFormat }, component),
-      );
+      components.some((component) => matchesProfile(component, profile));
     return (
       (topics.has(topic) ? 1 : 0) +
       [...regexes].filter((source) => PATTERNS.compile(source).test(topic)).length +

@@ -23,7 +23,7 @@ export function devicesInSpan(
   const found = new Map<string, RecordedDevice>();
   const known = new Map<string, RecordedDevice>();
   for (const { timeNs, value } of events) {
-    if (!isDevice(value) || timeNs > untilNs) continue;
+    if (!isRecordedDevice(value) || timeNs > untilNs) continue;
     const before = known.get(value.id);
     // The one before ends here, within the span.
     if (before !== undefined && timeNs > fromNs) found.set(JSON.stringify(before), before);
@@ -34,9 +34,9 @@ export function devicesInSpan(
   return [...found.values()];
 }
 
-/** Files of other programs may hold anything. */
-function isDevice(value: Partial<RecordedDevice> | null): value is RecordedDevice {
-  if (value === null) return false;
+/** Tells whether a value from a file, which may hold anything, is a device. */
+export function isRecordedDevice(value: unknown): value is RecordedDevice {
+  if (!isObject<RecordedDevice>(value)) return false;
   const { id, clientId, name, tags, state, components } = value;
   return (
     [id, clientId, name, state].every(isText) &&
@@ -46,12 +46,14 @@ function isDevice(value: Partial<RecordedDevice> | null): value is RecordedDevic
   );
 }
 
-function isComponent(value: Partial<RecordedComponent> | null): value is RecordedComponent {
-  if (value === null) return false;
+function isComponent(value: unknown): value is RecordedComponent {
+  if (!isObject<RecordedComponent>(value)) return false;
   const { id, name, topic, format, direction, tags } = value;
   return [id, name, topic, format, direction].every(isText) && isTexts(tags);
 }
 
+const isObject = <T>(value: unknown): value is Partial<T> =>
+  typeof value === 'object' && value !== null;
 const isText = (value: unknown): value is string => typeof value === 'string';
 const isTexts = (value: unknown): value is readonly string[] =>
   Array.isArray(value) && value.every(isText);

@@ -41,6 +41,7 @@ const aCase = (module: ProcessingModule, change: Partial<ModuleCase> = {}): Modu
     inputMappings: [{ inputName: 'value', topic: '/in' }],
     outputMappings: [{ outputName: 'out', topic: '/out' }],
   }),
+  devices: [],
   before: [{ atMs: 0, topic: '/in', publisherId: 'mara', record: { double: 50 } }],
   inputs: records('/in', [1, 2, 3]),
   outputs: records('/out', [2, 4, 6]),
@@ -101,6 +102,10 @@ describe('a test case of a module', () => {
     expect(readCase(caseText(theCase))).toEqual(theCase);
     expect(() => readCase('{}')).toThrow('not a test case');
     expect(() => readCase('no')).toThrow('not JSON');
+    const earlier = JSON.stringify({ ...JSON.parse(caseText(theCase)), devices: undefined });
+    expect(readCase(earlier)).toEqual(theCase);
+    const strange = JSON.stringify({ ...JSON.parse(caseText(theCase)), devices: [{ id: 1 }] });
+    expect(() => readCase(strange)).toThrow('"devices"');
     const broken = JSON.stringify({ ...JSON.parse(caseText(theCase)), inputs: [1] });
     expect(() => readCase(broken)).toThrow('"inputs"');
   });

@@ -9,6 +9,7 @@ import {
   type JsonValue,
   type ProcessingModule,
 } from '@ubii/proto';
+import { isRecordedDevice, type RecordedDevice } from '@ubii/recording';
 
 /** A record of a case. */
 export interface CaseRecord {
@@ -32,6 +33,8 @@ export interface ModuleCase {
   /** The module as it was recorded, and its connections. */
   readonly module: ProcessingModule;
   readonly mapping: IOMapping;
+  /** Devices with the components that inputs select, as they were recorded. */
+  readonly devices: readonly RecordedDevice[];
   /** Values that the inputs had at the beginning. */
   readonly before: readonly CaseRecord[];
   /** In the order of time, as the outputs. */
@@ -75,6 +78,7 @@ export function readCase(text: string): ModuleCase {
     tolerance: number('tolerance'),
     module: fromJson('ubii.processing.ProcessingModule', file['module']),
     mapping: fromJson('ubii.sessions.IOMapping', file['mapping']),
+    devices: devicesIn(file['devices']),
     before: recordsIn(file['before'], 'before'),
     inputs: recordsIn(file['inputs'], 'inputs'),
     outputs: recordsIn(file['outputs'], 'outputs'),
@@ -84,6 +88,13 @@ export function readCase(text: string): ModuleCase {
 function recordsIn(list: unknown, key: string): CaseRecord[] {
   if (!Array.isArray(list) || !list.every(isRecord))
     throw new Error(`The file has no list of records "${key}".`);
+  return list;
+}
+
+/** Files of earlier versions have none. */
+function devicesIn(list: unknown = []): RecordedDevice[] {
+  if (!Array.isArray(list) || !list.every(isRecordedDevice))
+    throw new Error('The file has no list of devices "devices".');
   return list;
 }
 

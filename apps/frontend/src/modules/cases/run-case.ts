@@ -1,6 +1,7 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import { createModuleRuntime, type SandboxFactory } from '@ubii/pm-sandbox';
 import { decodeRecord, ModuleEventKind, type ProcessingModule } from '@ubii/proto';
+import { devicesByTopic, topicsOfProfile } from '@ubii/recording';
 import { decodedOutput, type TopicComparison } from '@ubii/recording/compare';
 import { TryTopics } from './try-topics.ts';
 import { caseTimeNs, compareCaseOutputs, isSame, type CaseOutput } from './compare-outputs.ts';
@@ -85,7 +86,12 @@ export async function runCase(
   };
   /** Passes do not publish; their records are complete. */
   const takePassed = (bytes: Uint8Array): void => take(decodeRecord(bytes).topic, bytes);
-  const topics = new TryTopics(patterns, take);
+  const deviceIds = devicesByTopic(theCase.devices);
+  const topics = new TryTopics(patterns, {
+    onOutput: take,
+    topicsOf: (profile) => topicsOfProfile(profile, theCase.devices),
+    deviceOf: (topic) => deviceIds.get(topic),
+  });
   const runtime = createModuleRuntime({
     nodeId: 'this-page',
     clock,

@@ -1,4 +1,5 @@
 import { compileGlob, type PatternCompiler } from '@ubii/patterns';
+import type { Component } from '@ubii/proto';
 import { recordValueField } from '@ubii/proto/wire';
 import type { EncodedRecord, TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
 import type { Cancel } from '@ubii/timing';
@@ -8,7 +9,21 @@ interface Subscription {
   readonly listener: TopicListener;
 }
 
-function matcher(selector: TopicSelector, patterns: PatternCompiler): (topic: string) => boolean {
+/** What is known about the topics of a try-out. */
+export interface TryTopicsOptions {
+  /** Gets what the module publishes; without it that is observed at the sandbox. */
+  readonly onOutput?: (topic: string, bytes: Uint8Array) => void;
+  /** Topics of the components that match a profile. @default there are no components */
+  readonly topicsOf?: (profile: Component) => readonly string[];
+  /** Id of the device that has the component of a topic. */
+  readonly deviceOf?: (topic: string) => string | undefined;
+}
+
+function matcher(
+  selector: TopicSelector,
+  patterns: PatternCompiler,
+  topicsOf: TryTopicsOptions['topicsOf'],
+): (topic: string) => boolean {
   switch (selector.kind) {
     case 'topic':
       return (topic) => topic === selector.topic;
@@ -16,8 +31,10 @@ function matcher(selector: TopicSelector, patterns: PatternCompiler): (topic: st
       return compileGlob(selector.glob);
     case 'regex':
       return patterns.compile(selector.source).test;
-    case 'component':
-      return () => false;
+    case 'component': {
+      const topics = new Set(topicsOf?.(selector.profile));
+      return (topic) => topics.has(topic);
+    }
   }
 }
 
@@ -26,19 +43,16 @@ export class TryTopics implements TopicPort {
   readonly #records = new Map<string, EncodedRecord>();
   readonly #subscriptions = new Set<Subscription>();
   readonly #patterns: PatternCompiler;
-  readonly #onOutput: (topic: string, bytes: Uint8Array) => void;
+  readonly #options: TryTopicsOptions;
 
-  /** @param onOutput gets what the module publishes; without it that is observed at the sandbox */
-  constructor(
-    patterns: PatternCompiler,
-    onOutput: (topic: string, bytes: Uint8Array) => void = () => undefined,
-  ) {
+  constructor(patterns: PatternCompiler, options: TryTopicsOptions = {}) {
     this.#patterns = patterns;
-    this.#onOutput = onOutput;
+    this.#options = options;
   }
 
   subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
-    const subscription = { selects: matcher(selector, this.#patterns), listener };
+    const selects = matcher(selector, this.#patterns, this.#options.topicsOf);
+    const subscription = { selects, listener };
     this.#subscriptions.add(subscription);
     for (const [topic, record] of this.#records) {
       if (subscription.selects(topic)) listener.onRecord(record);
@@ -47,11 +61,12 @@ export class TryTopics implements TopicPort {
   }
 
   publish(topic: string, bytes: Uint8Array): undefined {
-    this.#onOutput(topic, bytes);
+    this.#options.onOutput?.(topic, bytes);
   }
 
   put(topic: string, bytes: Uint8Array, publisherId: string): void {
-    const record = { topic, bytes, publisherId, valueField: recordValueField(bytes) };
+    const deviceId = this.#options.deviceOf?.(topic) ?? '';
+    const record = { topic, bytes, publisherId, deviceId, valueField: recordValueField(bytes) };
     this.#records.set(topic, record);
     for (const { selects, listener } of [...this.#subscriptions]) {
       if (selects(topic)) listener.onRecord(record);

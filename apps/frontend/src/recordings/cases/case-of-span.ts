@@ -1,6 +1,19 @@
 import type { PatternCompiler } from '@ubii/patterns';
-import { fromJson, type JsonValue, type ProcessingModule, type Session } from '@ubii/proto';
-import type { RecordedRecord, RecordsReader } from '@ubii/recording';
+import {
+  fromJson,
+  type Component,
+  type JsonValue,
+  type ProcessingModule,
+  type Session,
+} from '@ubii/proto';
+import {
+  devicesInSpan,
+  topicsOfProfile,
+  type RecordedDevice,
+  type RecordedRecord,
+  type RecordingReader,
+  type RecordsReader,
+} from '@ubii/recording';
 import { muxPreview } from '../../graph/model/live/mux-preview.ts';
 import { recordJson, type CaseRecord, type ModuleCase } from '../../modules/cases/module-case.ts';
 import { TimeBase } from '../reading/recording-time-base.ts';
@@ -11,39 +24,69 @@ const MAX_RECORDS = 20_000;
 /** Share of the larger number, for numbers that were computed elsewhere. */
 const TOLERANCE = 1e-6;
 
+/** What inputs and outputs select from. */
+export interface RecordedParts {
+  readonly topics: RecordsReader['summary']['topics'];
+  /** Devices that were registered in the span. */
+  readonly devices: readonly RecordedDevice[];
+}
+
 /** The topics of the inputs and outputs of a module in a session. */
 export interface ModuleTopics {
   readonly inputs: readonly { readonly name: string; readonly topics: readonly string[] }[];
   readonly outputs: readonly { readonly name: string; readonly topics: readonly string[] }[];
+  /** Devices of the components that inputs select, with these components alone. */
+  readonly devices: readonly RecordedDevice[];
+}
+
+/** Devices that were registered at any time in the span. */
+export async function devicesOfSpan(
+  reader: RecordingReader,
+  { fromMs, untilMs }: Span,
+): Promise<RecordedDevice[]> {
+  const base = new TimeBase(reader.summary.startNs);
+  const span = { fromNs: base.toNs(fromMs), untilNs: base.toNs(untilMs) };
+  return devicesInSpan(await reader.devices(), span);
 }
 
 /** Outputs through demultiplexers have no topics: which they write depends on the values. */
 export function moduleTopics(
   { ioMappings }: Session,
   moduleId: string,
-  recorded: RecordsReader['summary']['topics'],
+  { topics: recorded, devices }: RecordedParts,
   patterns: PatternCompiler,
 ): ModuleTopics {
   const mapping = ioMappings.find(({ processingModuleId }) => processingModuleId === moduleId);
   const existing = new Set(recorded.map(({ topic }) => topic));
+  const ofComponents = new Set<string>();
+  const topicsOf = (profile: Component): ReadonlySet<string> => {
+    const selected = topicsOfProfile(profile, devices);
+    for (const topic of selected) ofComponents.add(topic);
+    return new Set(selected);
+  };
   const known = recorded.map(({ topic, format, clientId }) => ({
     ...{ topic, format },
     publisherId: clientId,
   }));
   const here = (topic: string | undefined): string[] =>
     topic !== undefined && existing.has(topic) ? [topic] : [];
+  const inputs = (mapping?.inputMappings ?? []).map(({ inputName, topic, topicMux }) => {
+    if (topicMux === undefined) return { name: inputName, topics: here(topic) };
+    const preview = muxPreview(topicMux, known, patterns, topicsOf);
+    const matches = preview.kind === 'matches' ? preview.matches : [];
+    const topics = matches.filter(({ fits }) => fits).map((match) => match.topic);
+    return { name: inputName, topics: [...new Set(topics)] };
+  });
   return {
-    inputs: (mapping?.inputMappings ?? []).map(({ inputName, topic, topicMux }) => {
-      if (topicMux === undefined) return { name: inputName, topics: here(topic) };
-      const preview = muxPreview(topicMux, known, patterns);
-      const matches = preview.kind === 'matches' ? preview.matches : [];
-      const topics = matches.filter(({ fits }) => fits).map((match) => match.topic);
-      return { name: inputName, topics: [...new Set(topics)] };
-    }),
+    inputs,
     outputs: (mapping?.outputMappings ?? []).map(({ outputName, topic }) => ({
       name: outputName,
       topics: here(topic),
     })),
+    devices: devices.flatMap((device) => {
+      const components = device.components.filter(({ topic }) => ofComponents.has(topic));
+      return components.length === 0 ? [] : [{ ...device, components }];
+    }),
   };
 }
 
@@ -87,6 +130,7 @@ export async function caseOfSpan(
     tolerance: TOLERANCE,
     module,
     mapping: mappingOf(session, module.id),
+    devices: topics.devices,
     before: [...before.values()].flatMap(toCase).map((one) => ({ ...one, atMs: 0 })),
     inputs,
     outputs,

@@ -1,11 +1,10 @@
 import { compileGlob } from '@ubii/patterns';
 import type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
-import { DATA_FORMATS, type Component, type RecordingSelection } from '@ubii/proto';
+import { DATA_FORMATS, matchesProfile, type Component, type RecordingSelection } from '@ubii/proto';
 import { isInternalTopic } from '@ubii/recording/recorder';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { Session } from '../sessions/session.ts';
-import { matchesProfile } from '../topics/profiles.ts';
 
 /** The selection that has all topics. [RC-10] */
 export const EVERYTHING: RecordingSelection = {

@@ -8,9 +8,8 @@ import {
   type Session,
   type TopicMux,
 } from '@ubii/proto';
-import type { RecordedDevice } from '@ubii/recording';
+import { topicsOfProfile, type RecordedDevice } from '@ubii/recording';
 import { prefixedPattern } from './prefixed-pattern.ts';
-import { topicsOfProfile } from './recorded-components.ts';
 import type { SelectedTopics } from './rerun-inputs.ts';
 
 /** Where a session that runs again reads and writes, and what it is made of. */

@@ -6,7 +6,7 @@ import {
   type RecordingSelection,
   type ReplayedSession,
 } from '@ubii/proto';
-import type { RecordedDevice, Span } from '@ubii/recording';
+import { devicesByTopic, type RecordedDevice, type Span } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import type { ReplayFile } from '../ports/replay-files.ts';
@@ -15,7 +15,6 @@ import type { Session } from '../sessions/session.ts';
 import type { Sessions } from '../sessions/sessions.ts';
 import { quote } from '../texts/quote.ts';
 import type { RecordedSource } from '../topics/recorded-sources.ts';
-import { devicesByTopic } from './recorded-components.ts';
 import { RerunInputs, type RerunInputsContext } from './rerun-inputs.ts';
 import { rerunSession, type RerunSession } from './rerun-session.ts';
 

@@ -1,5 +1,5 @@
+import { selectByProfiles } from '@ubii/proto';
 import { JOINED, READERS } from '../access/roles.ts';
-import { selectByProfiles } from '../topics/profiles.ts';
 import { definer, success } from './define-service.ts';
 import { requireProfiles } from './list-limits.ts';
 import { clientRegistration } from './registration.ts';

@@ -1,6 +1,5 @@
-import { ServiceError } from '@ubii/proto';
+import { selectByProfiles, ServiceError } from '@ubii/proto';
 import { PUBLISHERS, READERS } from '../access/roles.ts';
-import { selectByProfiles } from '../topics/profiles.ts';
 import { quote } from '../texts/quote.ts';
 import { definer, success } from './define-service.ts';
 import { requireProfiles } from './list-limits.ts';

@@ -1,5 +1,4 @@
-import type { Component } from '@ubii/proto';
-import { matchesProfile } from './profiles.ts';
+import { matchesProfile, type Component } from '@ubii/proto';
 import type { Account } from '../shares/account.ts';
 import type { SharedSelection, Subscriber, TopicEntry } from './topic-entry.ts';
 

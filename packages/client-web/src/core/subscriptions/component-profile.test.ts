@@ -1,7 +1,7 @@
 import { decode } from '@ubii/proto';
 import type { Component } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { matchesProfile, profileToMessage } from './component-profile.ts';
+import { selectsComponent, profileToMessage } from './component-profile.ts';
 
 const touch: Component = {
   ...decode('ubii.devices.Component', new Uint8Array()),
@@ -12,7 +12,7 @@ const touch: Component = {
   tags: ['smart device', 'touch'],
 };
 
-describe('matchesProfile() [CL-20]', () => {
+describe('selectsComponent() [CL-20]', () => {
   it.each([
     {},
     { id: 'c1' },
@@ -24,7 +24,7 @@ describe('matchesProfile() [CL-20]', () => {
     { tags: ['touch', 'smart device'], name: 'touch' },
     { name: '', tags: [] },
   ])('selects by %o', (profile) => {
-    expect(matchesProfile(profile, touch)).toBe(true);
+    expect(selectsComponent(profile, touch)).toBe(true);
   });
 
   it.each([
@@ -35,7 +35,7 @@ describe('matchesProfile() [CL-20]', () => {
     { tags: ['touch', 'mouse'] },
     { name: 'touch', id: 'c2' },
   ])('does not select by %o', (profile) => {
-    expect(matchesProfile(profile, touch)).toBe(false);
+    expect(selectsComponent(profile, touch)).toBe(false);
   });
 });
 

@@ -1,5 +1,5 @@
-import { DATA_FORMATS } from '@ubii/proto';
-import type { Component, DataFormat, Init } from '@ubii/proto';
+import { DATA_FORMATS, matchesProfile } from '@ubii/proto';
+import type { Component, DataFormat } from '@ubii/proto';
 
 /** Describes components by what they have in common. A component matches when every member given matches. */
 export interface ComponentProfile {
@@ -18,7 +18,7 @@ export function messageFormatOf(format: string): string {
 }
 
 /** The profile as the master takes it. [CL-20] */
-export function profileToMessage(profile: ComponentProfile): Init<Component> {
+export function profileToMessage(profile: ComponentProfile): Partial<Component> {
   return {
     ...(profile.id ? { id: profile.id } : {}),
     ...(profile.name ? { name: profile.name } : {}),
@@ -29,15 +29,8 @@ export function profileToMessage(profile: ComponentProfile): Init<Component> {
 }
 
 /** Whether the master would select the component by this profile. [CL-20] */
-export function matchesProfile(profile: ComponentProfile, component: Component): boolean {
-  const { id, name, format, deviceId, tags } = profile;
-  return (
-    (!id || id === component.id) &&
-    (!name || name === component.name) &&
-    (!format || messageFormatOf(format) === component.messageFormat) &&
-    (!deviceId || deviceId === component.deviceId) &&
-    (!tags || tags.every((tag) => component.tags.includes(tag)))
-  );
+export function selectsComponent(profile: ComponentProfile, component: Component): boolean {
+  return matchesProfile(component, profileToMessage(profile));
 }
 
 function isDataFormat(format: string): format is DataFormat {

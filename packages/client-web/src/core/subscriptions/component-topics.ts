@@ -1,6 +1,6 @@
 import type { Component, Device } from '@ubii/proto';
 import { ComponentIOType, isMasterTopic } from '@ubii/proto';
-import { matchesProfile } from './component-profile.ts';
+import { selectsComponent } from './component-profile.ts';
 import type { ComponentProfile } from './component-profile.ts';
 import type { ReceivedRecord } from './received-record.ts';
 
@@ -131,7 +131,7 @@ export class ComponentTopics {
     for (const component of components) {
       if (component.ioType !== ComponentIOType.PUBLISHER || component.topic === '') continue;
       for (const { profile, topics } of this.#profiles.values()) {
-        if (topics.has(component.topic) || !matchesProfile(profile, component)) continue;
+        if (topics.has(component.topic) || !selectsComponent(profile, component)) continue;
         topics.add(component.topic);
         this.#foreignTopics.delete(component.topic);
         hasChanged = true;

@@ -1,4 +1,4 @@
-import { ComponentIOType } from '@ubii/proto';
+import { ComponentIOType } from './generated/messages.ts';
 
 /** Properties of clients, devices, components and modules that profiles can match. */
 export interface Profiled {

@@ -1,6 +1,5 @@
-import { ComponentIOType, type Component } from '@ubii/proto';
-import type { RecordedComponent, RecordedDevice } from '@ubii/recording';
-import { matchesProfile } from '../topics/profiles.ts';
+import { ComponentIOType, matchesProfile, type Component } from '@ubii/proto';
+import type { RecordedComponent, RecordedDevice } from '../records/recording-event.ts';
 
 /** Returns the topics of the recorded components that a profile selects, as it would select live ones. [PM-41] */
 export function topicsOfProfile(profile: Component, devices: readonly RecordedDevice[]): string[] {
