@@ -8,7 +8,7 @@ import { readMetrics } from '../monitoring/metrics.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
-import type { NodeUpload, Upload } from '../recordings/recordings.ts';
+import type { NodeUpload, Upload } from '../recordings/recording-uploads.ts';
 import { openAudit, writeResult } from '../services/audit.ts';
 import { watchGrants } from '../services/grant-work.ts';
 import { IncomingRequest } from '../services/incoming-request.ts';

@@ -28,15 +28,21 @@ import type { TopicTable } from '../topics/topic-table.ts';
 import type { NodeRecordings } from './node-recordings.ts';
 import { budgetOf } from './budget.ts';
 import { estimate } from './estimate.ts';
-import { FlightSettings } from './flight-settings.ts';
-import { MarkerTopics } from './marker-topics.ts';
+import { FlightOrders } from './flight-orders.ts';
 import { presentEvents } from './present-facts.ts';
 import type { RecordCollector } from './record-collector.ts';
 import { RecordedClocks } from './recorded-clocks.ts';
 import { idleState, publishStatus } from './recording-news.ts';
+import { RecordingMarks } from './recording-marks.ts';
+import { RecordingRoom } from './recording-room.ts';
 import { RecordingTargets } from './recording-targets.ts';
+import {
+  RecordingUploads,
+  type NodeUpload,
+  type Upload,
+  type UploadWish,
+} from './recording-uploads.ts';
 import { CompiledSelection, type SelectionContext } from './selection.ts';
-import { UploadSpace } from './upload-space.ts';
 
 /** What recordings work with. */
 export interface RecordingsContext extends SelectionContext {
@@ -81,28 +87,13 @@ export interface RecordingPlan {
   readonly nodeId?: string;
 }
 
-/** A file that is uploaded. */
-export interface Upload {
-  /** Of the recording that it becomes. */
-  readonly id: string;
-  /** Size that it claims, bytes; 0 when it is unknown. */
-  readonly declaredBytes: number;
-  /** Stores it; calls `take` for each part before, which rejects when there is no space. Nothing is kept when it fails. */
-  readonly receive: (take: (bytes: number) => Promise<void>) => Promise<void>;
-}
-
-/** The file of a recording that a node made. [RC-63] */
-export interface NodeUpload extends Omit<Upload, 'id'> {
-  readonly recordingId: string;
-  /** Id of the client that brings it, as it says. */
-  readonly clientId: string;
-}
-
 /** All that can be done with recordings and the flight recorder. */
 export class Recordings {
   readonly #context: RecordingsContext;
-  readonly #flight: FlightSettings;
-  readonly #uploads: UploadSpace;
+  readonly #flight: FlightOrders;
+  readonly #marks: RecordingMarks;
+  readonly #room: RecordingRoom;
+  readonly #uploads: RecordingUploads;
   readonly #targets: RecordingTargets;
   readonly #clocks: RecordedClocks;
   /** Called before a recording is deleted. */
@@ -115,24 +106,18 @@ export class Recordings {
 
   constructor(context: RecordingsContext) {
     this.#context = context;
-    const { recorder, collector, flight } = context;
-    this.#targets = new RecordingTargets(context.limits);
+    const { recorder, limits } = context;
+    this.#targets = new RecordingTargets(limits);
     this.#clocks = new RecordedClocks(context);
-    recorder.onState((state) => this.#handleState(state));
-    this.#flight = new FlightSettings(flight, context.limits);
-    const roomBeyond = (bytes: number): Promise<number> => this.#requireRoom(bytes);
-    this.#uploads = new UploadSpace({ limits: context.limits, roomBeyond });
-    collector.onFirstOfFlight.add(() => this.#tellFlight());
-    const markerTopics = new MarkerTopics(context);
-    collector.onMarker.add((record) => {
-      const marker = markerTopics.read(record);
-      if (marker === undefined) return;
-      // A recording that has all its markers keeps the text as a record.
-      const job = { marker, kind: 'topic', mayChangeAll: false } as const;
-      void recorder.mark(job).catch(() => undefined);
-      void context.atNodes.mark(job);
+    this.#room = new RecordingRoom(recorder, limits);
+    this.#flight = new FlightOrders({ ...context, present: () => this.#present() });
+    this.#marks = new RecordingMarks({ ...context, flight: this.#flight });
+    this.#uploads = new RecordingUploads({
+      ...context,
+      room: this.#room,
+      jobOf: (wish) => this.#jobOf(wish),
     });
-    collector.setFlight(flight.isOn, flight.withImages);
+    recorder.onState((state) => this.#handleState(state));
     context.atNodes.onChange.add((isListChanged) => {
       if (isListChanged) this.#nodeRevision++;
       this.#publish(isListChanged);
@@ -158,7 +143,7 @@ export class Recordings {
     const { recorder, collector, limits, topics, atNodes } = this.#context;
     const { selection, nodeId = '' } = plan;
     const budget = budgetOf(plan.budget, limits.limits);
-    await this.#requireRoom();
+    await this.#room.require();
     if (nodeId !== '') return atNodes.start(this.#jobOf(wish), { selection, budget }, nodeId);
     const target = this.#targets.beginStart();
     const job = { ...this.#jobOf(wish), target, selection, budget, present: this.#present() };
@@ -200,31 +185,8 @@ export class Recordings {
   }
 
   /** [RC-20] @param author name of the client that asks */
-  async mark(
-    wanted: RecordingMarker,
-    author: string,
-    mayChangeAll: boolean,
-  ): Promise<RecordingMarker> {
-    const { clock, ids, recorder, collector, atNodes } = this.#context;
-    const { timeMs } = wanted;
-    if (!(timeMs >= 0 && Number.isFinite(timeMs))) {
-      throw new ServiceError(
-        'invalid_argument',
-        `The member time_ms is ${timeMs}, but a marker has a time in milliseconds since the Unix epoch, or 0 for now.`,
-      );
-    }
-    collector.flush();
-    const id = wanted.id === '' ? ids.uuid() : wanted.id;
-    const marker = { ...wanted, id, author, timeMs: timeMs === 0 ? clock.nowMs() : timeMs };
-    const isMarked = await atNodes.mark({ marker, mayChangeAll });
-    if (isMarked && wanted.recordingId !== '') return marker;
-    try {
-      return await this.#withFlight(() => recorder.mark({ marker, mayChangeAll }));
-    } catch (cause) {
-      // Nothing is recorded here, but a node has the marker.
-      if (isMarked) return marker;
-      throw cause;
-    }
+  mark(wanted: RecordingMarker, author: string, mayChangeAll: boolean): Promise<RecordingMarker> {
+    return this.#marks.mark(wanted, author, mayChangeAll);
   }
 
   /** [RC-15] */
@@ -235,50 +197,29 @@ export class Recordings {
   }
 
   flight(): Promise<FlightRecorder> {
-    return this.#withFlight(() => this.#context.recorder.flight());
+    return this.#flight.describe();
   }
 
   /** [RC-31] */
   setFlight(wanted: FlightRecorderSettings): Promise<FlightRecorder> {
-    const { collector, recorder } = this.#context;
-    const settings = this.#flight.change(wanted);
-    collector.setFlight(settings.isOn, settings.withImages);
-    return recorder.setFlight({ ...settings, present: this.#present() });
+    return this.#flight.change(wanted);
   }
 
   /** [RC-32] */
   async keep(wish: RecordingWish): Promise<Recording> {
-    if (!this.#flight.settings.isOn) {
-      throw new ServiceError(
-        'failed_precondition',
-        'The flight recorder is off, so there is nothing to keep. Turn it on first.',
-      );
-    }
-    await this.#requireRoom();
-    this.#context.collector.flush();
-    return this.#withFlight(() => this.#context.recorder.keep(this.#jobOf(wish)));
+    this.#flight.requireOn();
+    await this.#room.require();
+    return this.#flight.keep(this.#jobOf(wish));
   }
 
   /** [RC-41] @throws ServiceError when the upload is too large or no recording */
-  async upload({ id, declaredBytes, receive }: Upload, wish: RecordingWish): Promise<Recording> {
-    await this.#uploads.hold(declaredBytes, receive);
-    return this.#context.recorder.adopt({ ...this.#jobOf(wish), id, name: wish.name });
+  upload(upload: Upload, wish: UploadWish): Promise<Recording> {
+    return this.#uploads.take(upload, wish);
   }
 
   /** The same for what a node recorded. [RC-63] */
-  async uploadOfNode(upload: NodeUpload, caller: Caller): Promise<Recording> {
-    const { recorder, atNodes } = this.#context;
-    const { recordingId: id, clientId, receive, declaredBytes } = upload;
-    const known = await recorder.get(id).catch(() => undefined);
-    if (known !== undefined) {
-      throw new ServiceError('already_exists', 'The master has this recording already.');
-    }
-    const wish = atNodes.requireUpload(id, clientId, caller);
-    await this.#uploads.hold(declaredBytes, receive);
-    const job = { ...this.#jobOf({ ...wish, notes: '' }), id, isOfNode: true };
-    const recording = await recorder.adopt(job);
-    atNodes.handleUploaded(id);
-    return recording;
+  uploadOfNode(upload: NodeUpload, caller: Caller): Promise<Recording> {
+    return this.#uploads.takeOfNode(upload, caller);
   }
 
   /** Closes all files. */
@@ -291,34 +232,6 @@ export class Recordings {
   #at(id: string): Pick<Recorder, 'get' | 'stop' | 'change' | 'delete'> {
     const { atNodes, recorder } = this.#context;
     return atNodes.has(id) ? atNodes : recorder;
-  }
-
-  /** Returns the bytes that are left beyond so many. @throws ServiceError when no further recording may be stored */
-  async #requireRoom(bytes = 0): Promise<number> {
-    const { recorder, limits } = this.#context;
-    const { recordings, recordingsBytes } = limits.limits;
-    const { recordings: known, sizeBytes } = await recorder.list();
-    if (known.length >= recordings) {
-      throw limits.refusal('recordings', `more than ${recordings} recordings`);
-    }
-    const left = recordingsBytes - sizeBytes - bytes;
-    if (left > 0) return left;
-    const text = `more than ${recordingsBytes} bytes of recordings`;
-    throw limits.refusal('recordingsBytes', text);
-  }
-
-  /** Sends the settings of the flight recorder to the recorder with the first record: it takes no memory before. */
-  #withFlight<T>(work: () => Promise<T>): Promise<T> {
-    this.#tellFlight();
-    return work();
-  }
-
-  /** Tells the recorder to keep the last minutes, unless it knows. [RC-30] */
-  #tellFlight(): void {
-    const settings = this.#flight.takeUntold();
-    if (settings === undefined) return;
-    const present = this.#present();
-    void this.#context.recorder.setFlight({ ...settings, present }).catch(() => undefined);
   }
 
   #present() {
