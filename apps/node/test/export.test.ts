@@ -1,44 +1,56 @@
 import { join } from 'node:path';
 import { RecordingReader, RecordingWriter } from '@ubii/recording';
 import { DiskFile } from '@ubii/recording/node';
-import { SAMPLE_HEADER, sampleRecord } from '@ubii/recording/testing';
+import { foreignRecording, SAMPLE_HEADER, sampleRecord } from '@ubii/recording/testing';
 import { temporaryFolder } from '@ubii/program/testing';
 import { expect, it } from 'vitest';
 import { exportRecording } from '../src/recordings/export.ts';
 
-/** A recording with a topic of its own and one of another program. */
+/** A recording with a topic of its own, one of another program, and what other programs attached. */
 async function mixedFile(path: string): Promise<void> {
   const file = await DiskFile.create(path);
   const writer = await RecordingWriter.create(file, SAMPLE_HEADER);
   await writer.addRecord(sampleRecord('/own', 0));
   const foreign = { schema: undefined, messageEncoding: 'json', metadata: new Map() };
   await writer.addRecord({ ...sampleRecord('/imu', 5), clientId: '', foreign });
+  const other = await RecordingReader.open(await foreignRecording());
+  for (const part of other.foreignParts()) await writer.addPart(part);
   await writer.end();
   await file.close();
 }
 
 it.each([
-  ['none', ['/own', '/imu'], ''],
-  ['recording', ['/own'], 'Left out: 1 topic with messages of other programs.\n'],
-])('[PD-14] an export with personal data "%s" has %j', async (personal, topics, words) => {
-  const folder = temporaryFolder();
-  const path = join(folder, 'mixed.mcap');
-  await mixedFile(path);
-  const options = { format: 'mcap', topics: [], from: 0, until: Infinity, out: folder } as const;
-  let written = '';
-  const signal = AbortSignal.timeout(60_000);
-  await exportRecording(
-    [path],
-    { ...options, personal, key: '', help: false, version: false },
-    signal,
-    (text) => {
-      written += text;
-    },
-  );
-  const [target = '', ...more] = written.split(/(?<=\n)/);
-  expect(more.join('')).toBe(words);
-  const file = await DiskFile.open(target.trim());
-  const { summary } = await RecordingReader.open(file);
-  expect(summary.topics.map(({ topic }) => topic)).toEqual(topics);
-  await file.close();
-});
+  ['none', ['/own', '/imu'], 3, ''],
+  [
+    'recording',
+    ['/own'],
+    0,
+    'Left out: 1 topic with messages of other programs.\n' +
+      'Left out: 3 attachments and 2 metadata records of other programs.\n',
+  ],
+])(
+  '[PD-14] an export with personal data "%s" has %j',
+  async (personal, topics, attached, words) => {
+    const folder = temporaryFolder();
+    const path = join(folder, 'mixed.mcap');
+    await mixedFile(path);
+    const options = { format: 'mcap', topics: [], from: 0, until: Infinity, out: folder } as const;
+    let written = '';
+    const signal = AbortSignal.timeout(60_000);
+    await exportRecording(
+      [path],
+      { ...options, personal, key: '', help: false, version: false },
+      signal,
+      (text) => {
+        written += text;
+      },
+    );
+    const [target = '', ...more] = written.split(/(?<=\n)/);
+    expect(more.join('')).toBe(words);
+    const file = await DiskFile.open(target.trim());
+    const { summary } = await RecordingReader.open(file);
+    expect(summary.topics.map(({ topic }) => topic)).toEqual(topics);
+    expect(summary.foreignParts.attachments).toHaveLength(attached);
+    await file.close();
+  },
+);

@@ -12,6 +12,7 @@ export {
   type RecordedSession,
   type RecordingEvent,
 } from './records/recording-event.ts';
+export type { AttachedFile, ForeignParts } from './records/foreign-part.ts';
 export type { RecordingHeader, RecordingKind } from './records/recording-header.ts';
 export type { RecordedTopic, RecordingSummary } from './records/recording-summary.ts';
 export { RecordingError } from './records/recording-error.ts';

@@ -14,6 +14,7 @@ import {
 import type { OptionValues, ProgramOptions } from '@ubii/program';
 import { cutRecording, RecordingError, type EventsReader } from '@ubii/recording';
 import { csvOf, topicTable, writeParquet, xdfOf } from '@ubii/recording/export';
+import { leftOutParts } from '@ubii/recording/personal';
 import { counted } from '@ubii/words';
 import { createRecording, openRecording } from './recording-words.ts';
 import { shareRecording } from './shared-reader.ts';
@@ -112,6 +113,8 @@ export async function exportRecording(
     const leftOut = leftOutTopics(whole, topics, shared.topic);
     if (leftOut > 0)
       write(`Left out: ${counted(leftOut, 'topic')} with messages of other programs.\n`);
+    const parts = format === 'mcap' && reader !== whole ? leftOutParts(whole.summary) : '';
+    if (parts !== '') write(`Left out: ${parts}.\n`);
     await shared.saveKey();
   } finally {
     await file.close();

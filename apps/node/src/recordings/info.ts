@@ -65,6 +65,7 @@ function plainText(summary: RecordingSummary, size: number): string {
     ['size', bytesText(size)],
     ['records', String(records)],
     ['markers', summary.markers.map(({ text }) => text).join(', ')],
+    ['attached', summary.foreignParts.attachments.map(({ name }) => name).join(', ')],
     ['missing', missingText(summary)],
   ];
   const width = Math.max(...facts.map(([fact]) => fact.length));

@@ -1,15 +1,20 @@
-import { McapWriter } from '@mcap/core';
+import { crc32 } from '@foxglove/crc';
+import { McapIndexedReader, McapWriter } from '@mcap/core';
 import { expect, test } from 'vitest';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import { createTreatment } from '../personal/create-treatment.ts';
 import { findPeople } from '../personal/known-people.ts';
 import { SHARING_RULES } from '../personal/personal-rules.ts';
 import { createPseudonymKey } from '../personal/pseudonym-key.ts';
+import { leftOutParts } from '../personal/left-out-parts.ts';
 import { Pseudonyms } from '../personal/pseudonyms.ts';
+import { TreatedReader } from '../personal/treated-reader.ts';
 import { treatRecording } from '../personal/treat-recording.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecordedTopic } from '../records/recording-summary.ts';
 import {
+  FOREIGN_PICTURE_BYTES,
+  foreignRecording,
   MemoryFile,
   readRecords,
   recorded,
@@ -162,4 +167,78 @@ test('a shared copy has no messages of other programs', async () => {
   const pseudonyms = new Pseudonyms(createPseudonymKey((bytes) => bytes.fill(3)));
   const treatment = createTreatment(SHARING_RULES, await findPeople(reader), pseudonyms);
   await expect(treatRecording(reader, new MemoryFile(), treatment)).rejects.toThrow('no records');
+});
+
+/** Attachments and metadata, as the reader of other programs has them. */
+async function partsOf(file: MemoryFile) {
+  const reader = await McapIndexedReader.Initialize({ readable: file });
+  const attachments = [];
+  for await (const { type: _, data, ...facts } of reader.readAttachments())
+    attachments.push({ ...facts, bytes: data.length, crc: crc32(data) });
+  const metadata = [];
+  for await (const { name, metadata: map } of reader.readMetadata())
+    if (name !== 'ubi-interact') metadata.push([name, map.get('plate')]);
+  return {
+    attachments: attachments.filter(({ name }) => name !== 'ubi-interact/last-values'),
+    metadata,
+  };
+}
+
+test('a cut has the attachments of the span and the metadata of other programs, bit for bit', async () => {
+  const file = await foreignRecording();
+  const reader = await RecordingReader.open(file);
+  const all = await partsOf(file);
+  expect(all.attachments).toHaveLength(3);
+  const cutTo = async (options: CutOptions) => {
+    const target = new MemoryFile();
+    await cutRecording(reader, target, options);
+    return { parts: await partsOf(target), summary: (await RecordingReader.open(target)).summary };
+  };
+
+  const whole = await cutTo({});
+  expect(whole.parts).toEqual(all);
+  expect(whole.summary.foreignParts).toEqual(reader.summary.foreignParts);
+
+  const span = await cutTo({ fromNs: at(5), untilNs: at(15) });
+  expect(span.parts.attachments).toEqual([all.attachments[1]]);
+  expect(span.parts.attachments[0]).toMatchObject({
+    name: 'frame.png',
+    bytes: FOREIGN_PICTURE_BYTES,
+  });
+  expect(span.parts.metadata).toEqual([
+    ['car', 'M-AX 1'],
+    ['car', 'M-AX 2'],
+  ]);
+});
+
+test('a cut reads attachments in pieces, and refuses those that are none', async () => {
+  const file = await foreignRecording();
+  let longest = 0n;
+  const source = {
+    size: () => file.size(),
+    read: (offset: bigint, length: bigint) => {
+      if (length > longest) longest = length;
+      return file.read(offset, length);
+    },
+  };
+  const reader = await RecordingReader.open(source);
+  await cutRecording(reader, new MemoryFile(), {});
+  expect(longest).toBeLessThan(BigInt(FOREIGN_PICTURE_BYTES));
+
+  const [calibration] = reader.foreignParts();
+  Object.assign(calibration!.entry, { offset: 8n });
+  await expect(cutRecording(reader, new MemoryFile(), {})).rejects.toThrow('calibration.yaml');
+});
+
+test('[PD-14] a shared copy has no attachments and metadata of other programs, and says so', async () => {
+  const file = await foreignRecording();
+  const reader = await RecordingReader.open(file);
+  expect(leftOutParts(reader.summary)).toBe(
+    '3 attachments and 2 metadata records of other programs',
+  );
+  const pseudonyms = new Pseudonyms(createPseudonymKey((bytes) => bytes.fill(3)));
+  const treatment = createTreatment(SHARING_RULES, await findPeople(reader), pseudonyms);
+  const treated = new TreatedReader(reader, treatment);
+  expect(treated.foreignParts()).toEqual([]);
+  expect(leftOutParts(treated.summary)).toBe('');
 });

@@ -8,7 +8,10 @@ import { RecordingWriter, type WriterStatistics } from '../writing/recording-wri
 import { eventsOfSpan, type SpanNs } from './events-of-span.ts';
 
 /** What of a recording a cut reads. */
-export type CutSource = Pick<EventsReader, 'summary' | 'records' | 'latestOfEachAt' | 'events'>;
+export type CutSource = Pick<
+  EventsReader,
+  'summary' | 'records' | 'latestOfEachAt' | 'events' | 'foreignParts'
+>;
 
 /** What is cut out, and who is told. */
 export interface CutOptions extends Partial<SpanNs> {
@@ -27,8 +30,8 @@ const PROGRESS_RECORDS = 1000;
 /**
  * Writes a span and some topics of a recording as a recording of its own. Records are copied bit for bit. The last value
  * of each topic and publisher before the span stands at its beginning, with the time at which it was published, as do the
- * states of sessions, clients, devices and clocks. Messages of other programs are copied with their schemas; a source that
- * must not tell them, as that of a shared recording, has no such topics.
+ * states of sessions, clients, devices and clocks. Messages of other programs are copied with their schemas, as are their metadata
+ * and their attachments of the span; a source that must not tell them, as that of a shared recording, has none.
  *
  * @throws RecordingError when nothing is left; the reason of the signal; the error of the sink
  */
@@ -65,6 +68,10 @@ export async function cutRecording(
   signal?.throwIfAborted();
   if (writer.statistics.records === 0) {
     throw new RecordingError('There are no records of these topics in this span.');
+  }
+  for (const part of source.foreignParts(options)) {
+    signal?.throwIfAborted();
+    await writer.addPart(part);
   }
   await writer.end();
   return writer.statistics;

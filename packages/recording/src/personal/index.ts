@@ -11,5 +11,6 @@ export {
   parsePseudonymKey,
   type PseudonymKey,
 } from './pseudonym-key.ts';
+export { leftOutParts } from './left-out-parts.ts';
 export { TreatedReader } from './treated-reader.ts';
 export { treatRecording } from './treat-recording.ts';

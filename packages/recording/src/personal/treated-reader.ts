@@ -54,6 +54,11 @@ export class TreatedReader implements EventsReader {
     return events.flatMap((event) => this.#treatment.event(event) ?? []);
   }
 
+  /** They cannot be searched. [PD-14] */
+  foreignParts(): readonly [] {
+    return [];
+  }
+
   async clocks(): Promise<RecordingEvent<'clock'>[]> {
     const events = await this.events();
     return events.filter((event) => event.kind === 'clock');
@@ -98,6 +103,7 @@ function treatedSummary(summary: RecordingSummary, treatment: Treatment): Record
     markers: values('marker', summary.markers),
     clients: values('client', summary.clients),
     gaps: values('gap', summary.gaps),
+    foreignParts: { attachments: [], metadata: [] },
     isForeign,
     isDamaged,
   };

@@ -2,6 +2,8 @@ import type { StoredMessage } from '../mcap/chunk-content.ts';
 import { timesOf } from '../mcap/file-index.ts';
 import { readMetadata } from '../mcap/metadata-record.ts';
 import { openFile } from '../mcap/open-file.ts';
+import type { StoredPart } from '../mcap/stored-part.ts';
+import type { ForeignParts } from '../records/foreign-part.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import {
   EVENT_TOPICS,
@@ -53,6 +55,8 @@ export interface EventsReader extends RecordsReader {
   clocks(): Promise<RecordingEvent<'clock'>[]>;
   /** Finds the last record of each topic and publisher at a moment, the moment included. @param topics all by default */
   latestOfEachAt(timeNs: bigint, topics?: readonly string[]): Promise<RecordedRecord[]>;
+  /** Returns what other programs put beside the messages. @param span time of the attachments; all by default */
+  foreignParts(span?: Pick<RecordsQuery, 'fromNs' | 'untilNs'>): readonly StoredPart[];
 }
 
 /** How many records came when, in parts of equal length. */
@@ -96,6 +100,7 @@ export class RecordingReader implements EventsReader {
       markers,
       clients: lastOfEach(valuesOf(events, 'client')),
       gaps: valuesOf(events, 'gap'),
+      foreignParts: describeParts(file.foreignParts()),
       isForeign,
       isDamaged,
     };
@@ -146,6 +151,14 @@ export class RecordingReader implements EventsReader {
     return { all, topics };
   }
 
+  foreignParts({ fromNs, untilNs }: Pick<RecordsQuery, 'fromNs' | 'untilNs'> = {}): StoredPart[] {
+    return this.#file.foreignParts().filter((part) => {
+      if (part.kind === 'metadata') return true;
+      const { logTime } = part.entry;
+      return (fromNs ?? logTime) <= logTime && logTime <= (untilNs ?? logTime);
+    });
+  }
+
   events(): Promise<RecordingEvent[]> {
     return eventsOf(this.#file, this.#chunks, Object.keys(EVENT_TOPICS) as EventKind[]);
   }
@@ -190,6 +203,17 @@ export class RecordingReader implements EventsReader {
       ...(foreign && { foreign }),
     };
   }
+}
+
+function describeParts(parts: readonly StoredPart[]): ForeignParts {
+  return {
+    attachments: parts.flatMap(({ kind, entry }) => {
+      if (kind === 'metadata') return [];
+      const { name, mediaType, dataSize, logTime } = entry;
+      return [{ name, mediaType, sizeBytes: Number(dataSize), logTimeNs: logTime }];
+    }),
+    metadata: parts.flatMap(({ kind, entry }) => (kind === 'metadata' ? entry.name : [])),
+  };
 }
 
 function eventsOf(

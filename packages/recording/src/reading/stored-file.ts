@@ -1,7 +1,9 @@
 import type { AttachmentIndex, ChunkIndex } from '@mcap/core';
 import { messagesIn, type StoredMessage } from '../mcap/chunk-content.ts';
 import type { FileIndex } from '../mcap/file-index.ts';
+import { PROFILE } from '../records/recording-header.ts';
 import { SNAPSHOT_NAME } from '../mcap/snapshot-attachment.ts';
+import { storedAttachment, storedMetadata, type StoredPart } from '../mcap/stored-part.ts';
 import { unpackChunk } from '../mcap/unpack-chunk.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
@@ -117,6 +119,19 @@ export class StoredFile {
     const first = firstFrom(this.#small, from);
     const past = this.#small.findIndex((chunk, i) => i >= first && endOf(chunk) > until);
     return this.#small.slice(first, past < 0 ? undefined : past);
+  }
+
+  /** Attachments and metadata of other programs, in the order of the file. */
+  foreignParts(): StoredPart[] {
+    const { attachments, metadata } = this.index;
+    return [
+      ...attachments
+        .filter(({ name }) => name !== SNAPSHOT_NAME)
+        .map((entry) => storedAttachment(this.#source, entry)),
+      ...metadata
+        .filter(({ name }) => name !== PROFILE)
+        .map((entry) => storedMetadata(this.#source, entry)),
+    ];
   }
 
   /** The last snapshot that has nothing newer than a moment. */

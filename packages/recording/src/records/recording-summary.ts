@@ -1,3 +1,4 @@
+import type { ForeignParts } from './foreign-part.ts';
 import type { Gap, Marker, RecordedClient } from './recording-event.ts';
 import type { RecordingHeader } from './recording-header.ts';
 
@@ -31,6 +32,8 @@ export interface RecordingSummary extends RecordingHeader {
   /** The last state of each client. */
   readonly clients: readonly RecordedClient[];
   readonly gaps: readonly Gap[];
+  /** Attachments and metadata of other programs, which cuts copy. */
+  readonly foreignParts: ForeignParts;
   /** The file was not written by Ubi-Interact. */
   readonly isForeign: boolean;
   /** The end of the file is missing: it was read up to the last whole chunk. */

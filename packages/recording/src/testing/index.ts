@@ -1,3 +1,4 @@
+export { FOREIGN_PICTURE_BYTES, foreignRecording } from './foreign-recording.ts';
 export { MemoryFile } from './memory-file.ts';
 export { readRecords } from './read-records.ts';
 export { recorded } from './recorded.ts';

@@ -3,7 +3,9 @@ import type { Attachment, Channel } from '@mcap/core';
 import { Lz4Compressor } from '../compression/lz4-frame.ts';
 import { encodeEnd, FileIndex } from '../mcap/file-index.ts';
 import { OpenChunk } from '../mcap/open-chunk.ts';
+import type { StoredPart } from '../mcap/stored-part.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
+import { RecordingError } from '../records/recording-error.ts';
 import type { Marker, RecordingEvent } from '../records/recording-event.ts';
 import { headerToMetadata, PROFILE, type RecordingHeader } from '../records/recording-header.ts';
 import type { RecordingSink } from '../storage/recording-storage.ts';
@@ -135,6 +137,23 @@ export class RecordingWriter {
     const data = new TextEncoder().encode(JSON.stringify(event.value));
     this.#add(this.#events, channel, this.#message(channel, event.timeNs, event.timeNs, data));
     if (this.#events.byteLength >= CHUNK_BYTES) void this.#closeChunks();
+  }
+
+  /**
+   * Copies an attachment or metadata of another file. Add nothing else before its promise is fulfilled.
+   *
+   * @throws the error of the sink; RecordingError when the part is broken
+   */
+  async addPart({ kind, entry, pieces }: StoredPart): Promise<void> {
+    const offset = this.#position;
+    for await (const piece of pieces()) {
+      await this.#write(piece);
+      this.#throwFailure();
+    }
+    const length = this.#position - offset;
+    if (length !== entry.length) throw new RecordingError(`"${entry.name}" is broken.`);
+    if (kind === 'attachment') this.#file.attachments.push({ ...entry, offset, length });
+    else this.#file.metadata.push({ ...entry, offset, length });
   }
 
   /** Closes the chunk and waits until everything is with the sink. @throws the error of the sink */

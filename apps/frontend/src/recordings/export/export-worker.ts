@@ -27,7 +27,13 @@ async function start({
       onProgress: (share) => tell({ kind: 'progress', share }),
       video: () => import('./video.ts'),
     });
-    tell({ kind: 'done', file: await file.end(), leftOut, key: shared?.key() });
+    const parts = request.format === 'mcap' && shared ? shared.leftOut : [];
+    tell({
+      kind: 'done',
+      file: await file.end(),
+      leftOut: [...leftOut, ...parts],
+      key: shared?.key(),
+    });
   } catch (error) {
     await file.abort();
     throw error;

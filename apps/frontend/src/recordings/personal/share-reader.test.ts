@@ -1,5 +1,5 @@
 import { RecordingReader } from '@ubii/recording';
-import { recorded, sampleRecord } from '@ubii/recording/testing';
+import { foreignRecording, recorded, sampleRecord } from '@ubii/recording/testing';
 import { SHARING_RULES } from '@ubii/recording/personal';
 import { expect, it } from 'vitest';
 import { shareReader } from './share-reader.ts';
@@ -15,4 +15,13 @@ it('a key file that is used again gives the same pseudonyms', async () => {
   await expect(shareReader(reader, { rules: SHARING_RULES, key: '{}' })).rejects.toThrow(
     'This is no key file of pseudonyms.',
   );
+});
+
+it('[PD-14] says what other programs attached and a copy leaves out', async () => {
+  const choice = { rules: SHARING_RULES, key: undefined };
+  const reader = await RecordingReader.open(await foreignRecording());
+  const { leftOut } = await shareReader(reader, choice);
+  expect(leftOut).toEqual(['Left out: 3 attachments and 2 metadata records of other programs']);
+  const own = await RecordingReader.open(await recorded([sampleRecord('/a', 0)]));
+  expect((await shareReader(own, choice)).leftOut).toEqual([]);
 });

@@ -4,6 +4,7 @@ import {
   createTreatment,
   findPeople,
   formatPseudonymKey,
+  leftOutParts,
   parsePseudonymKey,
   Pseudonyms,
   TreatedReader,
@@ -15,6 +16,8 @@ export interface SharedRecording {
   readonly reader: EventsReader;
   /** Returns a topic as it is exported; undefined when it is dropped. */
   topic(topic: string): string | undefined;
+  /** What a copy does not have because it cannot be searched for names, as sentences without their ends. [PD-14] */
+  readonly leftOut: readonly string[];
   /** Content of the key file, with the pseudonyms given so far. */
   key(): string;
 }
@@ -30,7 +33,9 @@ export async function shareReader(
       : parsePseudonymKey(key),
   );
   const treatment = createTreatment(rules, await findPeople(reader), pseudonyms);
+  const parts = leftOutParts(reader.summary);
   return {
+    leftOut: parts === '' ? [] : [`Left out: ${parts}`],
     reader: new TreatedReader(reader, treatment),
     topic: (topic) => treatment.topic(topic),
     key: () => formatPseudonymKey(pseudonyms.key),
