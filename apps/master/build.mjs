@@ -38,7 +38,7 @@ await build({
 await build({
   entryPoints: {
     'decode-worker': inPackage('src/adapters/http/bodies/decode-worker.ts'),
-    'recorder-worker': inPackage('src/adapters/recording/recorder-worker.ts'),
+    'recorder-worker': fileURLToPath(import.meta.resolve('@ubii/recording/recorder-worker')),
     'replay-worker': inPackage('src/adapters/recording/replay-worker.ts'),
   },
   outdir,

@@ -32,4 +32,18 @@ await build({
   },
   logLevel: 'warning',
 });
+// On its own: it is a thread, and shares nothing with the program.
+await build({
+  entryPoints: {
+    'recorder-worker': fileURLToPath(import.meta.resolve('@ubii/recording/recorder-worker')),
+  },
+  outdir,
+  bundle: true,
+  platform: 'node',
+  format: 'esm',
+  target: 'node20',
+  minifySyntax: true,
+  minifyWhitespace: true,
+  logLevel: 'warning',
+});
 await buildNodeWorker(join(outdir, 'module-worker.js'));

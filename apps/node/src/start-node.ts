@@ -1,4 +1,4 @@
-import { ConfigError } from '@ubii/program';
+import { ConfigError, findBuilt } from '@ubii/program';
 import type { LogLevel } from '@ubii/program';
 import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
 import type {
@@ -75,6 +75,7 @@ export async function startNode({
       : await openRecorder({
           ...{ client, log, credential, master: config.master },
           ...{ folder: config.recordDir, maxBytes: config.recordSpace },
+          workerFile: findBuilt('recorder-worker.js', import.meta.url),
         });
   const node = createProcessingNode(client, {
     kind: 'node',

@@ -1,17 +1,20 @@
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pathToFileURL } from 'node:url';
 import { temporaryFolder } from '@ubii/program/testing';
 import { fromJson, RecordingKind, type Recording } from '@ubii/proto';
 import { RecordingWriter } from '@ubii/recording';
 import { DiskFile } from '@ubii/recording/node';
 import { MemoryFile } from '@ubii/recording/testing';
+import type { Clock } from '@ubii/timing';
 import { SystemClock } from '@ubii/timing/system';
+import { FakeClock } from '@ubii/timing/testing';
 import { build } from 'esbuild';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest';
 
 import { DiskFolder, recordingPath } from '@ubii/recording/node';
-import { WorkerRecorder } from '../../src/adapters/recording/worker-recorder.ts';
+import { WorkerRecorder } from '@ubii/recording/thread';
 import { DEFAULT_LIMITS } from '../../src/index.ts';
 import {
   batchOf,
@@ -27,9 +30,9 @@ let workerFile: URL;
 
 beforeAll(async () => {
   const outfile = join(built, 'recorder-worker.mjs');
-  const source = new URL('../../src/adapters/recording/recorder-worker.ts', import.meta.url);
+  const source = createRequire(import.meta.url).resolve('@ubii/recording/recorder-worker');
   await build({
-    entryPoints: [fileURLToPath(source)],
+    entryPoints: [source],
     ...{ outfile, bundle: true, platform: 'node', format: 'esm', logLevel: 'warning' },
     banner: {
       js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);",
@@ -38,10 +41,13 @@ beforeAll(async () => {
   workerFile = pathToFileURL(outfile);
 }, 60_000);
 
-function openWorker(folder: string, file = workerFile) {
+function openWorker(folder: string, file = workerFile, clock: Clock = new SystemClock()) {
   const log = new RecordingLog();
-  const options = { folder, limits: DEFAULT_LIMITS, clock: new SystemClock(), log };
-  return { log, recorder: new WorkerRecorder({ ...options, workerFile: file }) };
+  const recorder = new WorkerRecorder({
+    ...{ folder, limits: DEFAULT_LIMITS, clock, workerFile: file },
+    onFailure: (what, reason) => log.error(what, { reason }),
+  });
+  return { log, recorder };
 }
 
 recorderSuite('WorkerRecorder', () => {
@@ -64,6 +70,19 @@ describe('WorkerRecorder', () => {
     recorder.add(batchOf(recordsToKeep('/x', 3)));
     expect(recorder.waitingBytes).toBe(0);
     expect(log.lines.filter(({ level }) => level === 'error')).toHaveLength(1);
+    await recorder.close();
+  });
+
+  it('says that recordings can be listed again after a failure', async () => {
+    const clock = new FakeClock();
+    const nowhere = new URL('file:///not/there.mjs');
+    const { recorder } = openWorker(temporaryFolder(), nowhere, clock);
+    const revisions: number[] = [];
+    recorder.onState(({ listRevision }) => revisions.push(listRevision));
+    await expect(recorder.list()).rejects.toMatchObject({ code: 'unavailable' });
+    expect(revisions).toEqual([1]);
+    await clock.advance(5_000);
+    expect(revisions).toEqual([1, 2]);
     await recorder.close();
   });
 

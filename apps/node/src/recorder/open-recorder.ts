@@ -2,10 +2,11 @@ import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { ConfigError } from '@ubii/program';
-import { DiskFolder, recordingPath } from '@ubii/recording/node';
-import { RecorderEngine } from '@ubii/recording/recorder';
+import { recordingPath } from '@ubii/recording/node';
+import { WorkerRecorder } from '@ubii/recording/thread';
 import { systemClock } from '@ubii/timing/system';
 import type { Log } from '../log.ts';
+import { keptFile } from './kept-file.ts';
 import { NodeRecorder } from './node-recorder.ts';
 import { sendFile } from './send-file.ts';
 
@@ -24,11 +25,13 @@ export interface RecorderSetup {
   /** Shows who this client is, of this moment. */
   readonly credential: () => string | undefined;
   readonly log: Log;
+  /** The built thread that records. */
+  readonly workerFile: URL;
 }
 
 /** Records into a folder of this machine. @throws ConfigError when it cannot be used */
 export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> {
-  const { client, master, log, credential, maxBytes } = setup;
+  const { client, master, log, credential, maxBytes, workerFile } = setup;
   // What was recorded at one master is not given to another one.
   const folder = join(setup.folder, encodeURIComponent(new URL(master).host));
   try {
@@ -37,20 +40,22 @@ export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> 
     const { message } = error as Error;
     throw new ConfigError(`The folder ${setup.folder} (--record-dir) cannot be used: ${message}.`);
   }
-  const recorder = new RecorderEngine({
-    folder: new DiskFolder(folder),
-    clock: systemClock,
+  const recorder = new WorkerRecorder({
+    ...{ folder, workerFile, clock: systemClock },
     limits: { recordingsBytes: maxBytes, markersPerRecording: MARKERS_PER_RECORDING },
+    onFailure: (what, reason) => log('error', `${what}: ${reason}`),
   });
   return new NodeRecorder({
     ...{ client, recorder, log },
-    send: (recordingId, signal, onProgress) =>
-      sendFile({
+    async send(recordingId, signal, onProgress) {
+      await keptFile(recorder, recordingId, systemClock, signal);
+      return sendFile({
         ...{ recordingId, master, signal, onProgress },
         path: recordingPath(folder, recordingId),
         clientId: client.id ?? '',
         credential: credential(),
-      }),
+      });
+    },
   });
 }
 

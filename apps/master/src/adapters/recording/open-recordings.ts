@@ -1,10 +1,10 @@
 import type { Clock } from '@ubii/timing';
 import type { Log, Recorder, ReplayFiles } from '../../core/ports/index.ts';
+import { DiskFolder } from '@ubii/recording/node';
 import { RecorderEngine, type RecorderLimits } from '@ubii/recording/recorder';
+import { WorkerRecorder } from '@ubii/recording/thread';
 import { FolderReplays } from '../../core/replayer/folder-replays.ts';
 import { WorkerReplayFiles } from './worker-replay-files.ts';
-import { DiskFolder } from '@ubii/recording/node';
-import { WorkerRecorder } from './worker-recorder.ts';
 
 export interface RecordingOptions {
   /** Path of the folder of the recordings. */
@@ -31,7 +31,10 @@ export function openRecordings(options: RecordingOptions): {
     recorder:
       recorderWorkerFile === undefined
         ? new RecorderEngine({ ...here, limits })
-        : new WorkerRecorder({ ...onThread, limits, workerFile: recorderWorkerFile }),
+        : new WorkerRecorder({
+            ...{ folder, clock, limits, workerFile: recorderWorkerFile },
+            onFailure: (what, reason) => log.error(what, { reason }),
+          }),
     replayFiles:
       replayWorkerFile === undefined
         ? new FolderReplays(here)

@@ -13,7 +13,7 @@ import type {
   ReplayFiles,
   ReplayPlayer,
 } from '../../core/ports/index.ts';
-import { openThread } from './open-thread.ts';
+import { openThread } from '@ubii/recording/thread';
 import type {
   FromReplayThread,
   ReplayThreadData,

@@ -1,13 +1,12 @@
 import type { ServiceErrorCode } from '@ubii/proto';
-import type { RecordingEvent } from '@ubii/recording';
-
+import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecorderLimits } from '../recorder/recorder-engine.ts';
 import type {
-  RecordingBatch,
   Recorder,
   RecorderState,
+  RecordingBatch,
   RecordSource,
-} from '../../core/ports/index.ts';
-import type { RecorderLimits } from '@ubii/recording/recorder';
+} from '../recorder/recorder.ts';
 
 /** What the thread starts with. */
 export interface RecorderThreadData {

@@ -1,10 +1,9 @@
 import { parentPort, workerData } from 'node:worker_threads';
 import { ServiceError } from '@ubii/proto';
 import { SystemClock } from '@ubii/timing/system';
-
-import type { RecordSource } from '../../core/ports/index.ts';
-import { RecorderEngine } from '@ubii/recording/recorder';
-import { DiskFolder } from '@ubii/recording/node';
+import { DiskFolder } from '../node/disk-folder.ts';
+import { RecorderEngine } from '../recorder/recorder-engine.ts';
+import type { RecordSource } from '../recorder/recorder.ts';
 import type { FromThread, RecorderThreadData, ToThread } from './thread-messages.ts';
 
 /* The thread that records: it holds the last minutes, and writes files. [RC-50] */

@@ -11,7 +11,7 @@ export interface ThreadOptions<Message> {
   onEnd(reason: string): void;
 }
 
-/** Opens a thread that keeps no process alive, without the environment and arguments of the master. */
+/** Opens a thread that keeps no process alive, without the environment and arguments of the program. */
 export function openThread<Message>(options: ThreadOptions<Message>): Worker {
   const { workerFile, name, workerData, heapMib: maxOldGenerationSizeMb } = options;
   const worker = new Worker(workerFile, {

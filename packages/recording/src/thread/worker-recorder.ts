@@ -5,13 +5,11 @@ import {
   type Recording,
   type RecordingMarker,
 } from '@ubii/proto';
-import type { RecordingEvent } from '@ubii/recording';
-import type { Clock } from '@ubii/timing';
-
+import type { Cancel, Clock } from '@ubii/timing';
+import type { RecordingEvent } from '../records/recording-event.ts';
 import type {
   FlightJob,
   KeptRecording,
-  Log,
   MarkerJob,
   Recorder,
   RecorderList,
@@ -21,7 +19,7 @@ import type {
   RecordSource,
   RecordingBatch,
   RunningJob,
-} from '../../core/ports/index.ts';
+} from '../recorder/recorder.ts';
 import { openThread } from './open-thread.ts';
 import type {
   FromThread,
@@ -35,7 +33,8 @@ export interface WorkerRecorderOptions extends RecorderThreadData {
   /** The built thread. */
   readonly workerFile: URL;
   readonly clock: Clock;
-  readonly log: Log;
+  /** Is told what failed, for the log. @param reason what went wrong */
+  readonly onFailure: (what: string, reason: string) => void;
 }
 
 interface Call {
@@ -65,6 +64,7 @@ export class WorkerRecorder implements Recorder {
   #waitingBytes = 0;
   /** Until then, the thread is not started again, monotonic milliseconds. */
   #pausedUntilMs = 0;
+  #cancelPauseEnd: Cancel = () => undefined;
   /** What the flight recorder keeps, for the next thread. */
   #flightJob: FlightJob | undefined = undefined;
   #listRevision = 0;
@@ -150,6 +150,7 @@ export class WorkerRecorder implements Recorder {
   }
 
   async close(): Promise<void> {
+    this.#cancelPauseEnd();
     const worker = this.#worker;
     if (worker === undefined) return;
     worker.ref(); // Nothing else may keep the process until the files are closed.
@@ -225,7 +226,7 @@ export class WorkerRecorder implements Recorder {
   }
 
   #refuse({ id, code, message, details, cause }: Extract<FromThread, { kind: 'refusal' }>): void {
-    if (code === 'internal') this.#options.log.error('the recorder failed', { reason: cause });
+    if (code === 'internal') this.#options.onFailure('the recorder failed', cause);
     this.#takeCall(id)?.reject(new ServiceError(code, message, { details }));
   }
 
@@ -235,29 +236,39 @@ export class WorkerRecorder implements Recorder {
     return call;
   }
 
-  /** What was recorded is repaired by the next thread. The master goes on. */
+  /** What was recorded is repaired by the next thread. The program goes on. */
   #fail(reason: string): void {
     const worker = this.#worker;
     this.#worker = undefined;
     void worker?.terminate();
-    this.#options.log.error('recording stopped, because its thread failed', { reason });
+    this.#options.onFailure('recording stopped, because its thread failed', reason);
     this.#pausedUntilMs = this.#options.clock.monotonicMs() + PAUSE_MS;
     this.#numbers = new Map();
     this.#isFresh = true;
     this.#waitingBytes = 0;
     for (const { reject } of this.#calls.values()) reject(unavailable());
     this.#calls.clear();
+    this.#tellIdle();
+    this.#cancelPauseEnd();
+    this.#cancelPauseEnd = this.#options.clock.after(PAUSE_MS, () => this.#handlePauseEnd());
+  }
+
+  #handlePauseEnd(): void {
+    // What was recorded can be listed again.
+    if (this.#worker === undefined) this.#tellIdle();
+    const job = this.#flightJob;
+    if (job !== undefined) void this.setFlight(job).catch(() => undefined);
+  }
+
+  #tellIdle(): void {
     const listRevision = ++this.#listRevision;
     this.#listener({ running: [], targets: 0, flight: OFF, listRevision });
-    const job = this.#flightJob;
-    if (job === undefined) return;
-    this.#options.clock.after(PAUSE_MS, () => void this.setFlight(job).catch(() => undefined));
   }
 }
 
 function unavailable(): ServiceError {
   return new ServiceError(
     'unavailable',
-    'The recorder failed and starts again within seconds. Try again; the log of the master says why.',
+    'The recorder failed and starts again within seconds. Try again; the log says why.',
   );
 }
