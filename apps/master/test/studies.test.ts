@@ -197,7 +197,7 @@ describe('a run', () => {
     expect(take).toMatchObject({ name: 'Touch_P07_withHaptics_01', runNumber: 1, problem: '' });
     const { values, summary } = await contentOf(master, take!.recordingId);
     expect(values).toEqual([
-      ['/lab/before', 0], // [RC-9]
+      ['/lab/before', 0], // [RC-9] [ST-26]
       ['/lab/x', 1],
     ]);
     expect(summary.markers.map(({ text }) => text)).toEqual([

@@ -3233,6 +3233,11 @@ export interface Study {
   runCount: number;
   /** Last change: milliseconds since the Unix epoch. Set by the master. */
   changedMs: number;
+  /**
+   * Globs of topics with settings, which tell nothing of people: recordings begin with their last values, also with those that were
+   * published before the run. Rule ST-26.
+   */
+  settingPatterns: string[];
 }
 
 /**
@@ -3353,6 +3358,8 @@ export interface StudyDeletion {
   noteCount: number;
   /** Names of the studies that had the participant. */
   studyNames: string[];
+  /** Recordings that were made during the runs of the participant and stay, the newest first; at most 100. Rule ST-53. */
+  otherRecordings: StudyOtherRecording[];
 }
 
 /**
@@ -3403,6 +3410,18 @@ export interface StudyNote {
   author: string;
   /** Number of the block that ran, from 1; 0 when none did. */
   block: number;
+}
+
+/**
+ * A recording that may have data of a participant.
+ *
+ * `ubii.extension.StudyOtherRecording`
+ */
+export interface StudyOtherRecording {
+  /** Its id. */
+  id: string;
+  /** Its name. */
+  name: string;
 }
 
 /**
@@ -4698,6 +4717,7 @@ export interface MessageTypes {
   'ubii.extension.StudyDevice': StudyDevice;
   'ubii.extension.StudyList': StudyList;
   'ubii.extension.StudyNote': StudyNote;
+  'ubii.extension.StudyOtherRecording': StudyOtherRecording;
   'ubii.extension.StudyParticipant': StudyParticipant;
   'ubii.extension.StudyParticipantList': StudyParticipantList;
   'ubii.extension.StudyParticipantRequest': StudyParticipantRequest;

@@ -1054,6 +1054,7 @@ message ubii.extension.Study
 15 participant_count int32
 16 run_count int32
 17 changed_ms double
+18 setting_patterns string *
 message ubii.extension.StudyBlock
 1 condition string
 2 repetition int32
@@ -1090,6 +1091,7 @@ message ubii.extension.StudyDeletion
 3 run_count int32
 4 note_count int32
 5 study_names string *
+6 other_recordings ubii.extension.StudyOtherRecording *
 message ubii.extension.StudyDevice
 1 name string
 2 topic_pattern string
@@ -1106,6 +1108,9 @@ message ubii.extension.StudyNote
 2 text string
 3 author string
 4 block int32
+message ubii.extension.StudyOtherRecording
+1 id string
+2 name string
 message ubii.extension.StudyParticipant
 1 study_id string
 2 code string

@@ -1,4 +1,5 @@
 import { DeviceFinder } from '../studies/device-finder.ts';
+import { OwnValues } from '../studies/own-values.ts';
 import { Participants } from '../studies/participants.ts';
 import { RateMeter } from '../studies/rate-meter.ts';
 import { Studies } from '../studies/studies.ts';
@@ -34,10 +35,11 @@ export function createStudies(dependencies: StudyDependencies) {
   const finder = new DeviceFinder({ ...dependencies, masterId: nodes.masterId, masterName, rates });
   const store = new StudyStore({ storage: dependencies.studyStorage, limits, log });
   const checks = new StudyChecks({ clock, limits, rates, finder });
+  const ownValues = new OwnValues({ store, topics });
   const news = new StudyNews({ ...dependencies, store, checks });
   const blocks = new StudyBlocks({
     ...dependencies,
-    ...{ limits, store, checks },
+    ...{ limits, store, checks, ownValues },
     onTimeUp(runId, recordingId) {
       studyRuns.endBlock(runId, recordingId).catch((error: unknown) => {
         log.warn('a block of a study could not be ended', { runId, reason: String(error) });

@@ -24,6 +24,7 @@ import type {
   RecorderState,
   RecordingJob,
 } from '@ubii/recording/recorder';
+import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { NodeRecordings } from './node-recordings.ts';
 import { budgetOf } from './budget.ts';
@@ -85,6 +86,8 @@ export interface RecordingPlan {
   readonly budget?: RecordingBudget | undefined;
   /** Id of the node; empty for the master. [RC-60] @default the master */
   readonly nodeId?: string;
+  /** Of recordings of the master: whether it may begin with the value of a topic. [RC-9] [ST-26] @default with each */
+  readonly mayBeginWith?: (entry: TopicEntry) => boolean;
 }
 
 /** All that can be done with recordings and the flight recorder. */
@@ -141,7 +144,7 @@ export class Recordings {
   /** [RC-4] [RC-60] */
   async start(wish: RecordingWish, plan: RecordingPlan): Promise<Recording> {
     const { recorder, collector, limits, topics, atNodes } = this.#context;
-    const { selection, nodeId = '' } = plan;
+    const { selection, nodeId = '', mayBeginWith = () => true } = plan;
     const budget = budgetOf(plan.budget, limits.limits);
     await this.#room.require();
     if (nodeId !== '') return atNodes.start(this.#jobOf(wish), { selection, budget }, nodeId);
@@ -150,7 +153,8 @@ export class Recordings {
     collector.flush();
     try {
       const started = recorder.start(job);
-      collector.add(target, new CompiledSelection(selection, this.#context), topics.values());
+      const first = [...topics.values()].filter(mayBeginWith);
+      collector.add(target, new CompiledSelection(selection, this.#context), first);
       return await started;
     } catch (cause) {
       collector.remove(target);
@@ -203,6 +207,17 @@ export class Recordings {
   /** [RC-31] */
   setFlight(wanted: FlightRecorderSettings): Promise<FlightRecorder> {
     return this.#flight.change(wanted);
+  }
+
+  /** Drops what the flight recorder holds; it goes on. [RC-34] */
+  async emptyFlight(): Promise<void> {
+    const { settings } = this.#flight;
+    if (!settings.isOn) return;
+    const { collector, recorder } = this.#context;
+    collector.flush();
+    this.#flight.takeUntold();
+    const emptied = recorder.setFlight({ ...settings, isOn: false, present: [] });
+    await Promise.all([emptied, recorder.setFlight({ ...settings, present: this.#present() })]);
   }
 
   /** [RC-32] */

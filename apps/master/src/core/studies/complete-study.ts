@@ -23,6 +23,7 @@ export function completeStudy(study: Study, watch: LimitWatch): Study {
   return {
     ...study,
     repetitions,
+    settingPatterns: study.settingPatterns.map((each) => each.trim()).filter(Boolean),
     devices: devices.map((device, index) => completeDevice(device, `devices[${index}]`)),
     ...{ earlierConsentTexts: [], participantCount: 0, runCount: 0 },
   };

@@ -1,12 +1,16 @@
 import {
+  RecordingKind,
   ServiceError,
+  StudyRunState,
   type Recording,
   type StudyDeletion,
+  type StudyOtherRecording,
   type StudyParticipant,
   type StudyParticipantList,
   type StudyParticipantRequest,
   type StudyRun,
 } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { Recordings } from '../recordings/recordings.ts';
 import { isSameCode } from './labels.ts';
 import type { StudyBlocks } from './study-blocks.ts';
@@ -16,12 +20,19 @@ import type { Turns } from './turns.ts';
 
 /** What participants are found in. */
 export interface ParticipantsContext {
+  readonly clock: Clock;
   readonly recordings: Recordings;
   readonly store: StudyStore;
   readonly blocks: StudyBlocks;
   readonly news: StudyNews;
   readonly turns: Turns;
 }
+
+/** First and last moment, milliseconds since the Unix epoch. */
+type Span = readonly [fromMs: number, untilMs: number];
+
+/** Named in the report of a deletion. [ST-53] */
+const MAX_OTHERS = 100;
 
 /** Participants of studies, with all that is kept of them. [ST-50] [ST-51] */
 export class Participants {
@@ -69,20 +80,40 @@ export class Participants {
       );
     }
     return turns.run(async () => {
-      const { runs, recordings } = await this.#find(request);
+      const { runs, recordings, others } = await this.#find(request);
       if (runs.length === 0 && recordings.length === 0) {
         throw new ServiceError('not_found', 'There is no participant with this code.');
       }
       for (const run of runs) blocks.abandon(run);
       // Runs last: as long as one is left, the participant is listed, and can be deleted again.
       for (const { id } of recordings) await files.delete(id);
+      await files.emptyFlight();
       for (const { id } of runs) await store.deleteRun(id);
       news.tell();
-      return this.#deletionOf(runs, recordings);
+      const spans = [...runs.map((run) => this.#spanOf(run)), ...recordings.map(spanOfRecording)];
+      return {
+        ...this.#deletionOf(runs, recordings),
+        otherRecordings: madeDuring(spans, others),
+      };
     });
   }
 
-  #deletionOf(runs: readonly StudyRun[], recordings: readonly Recording[]): StudyDeletion {
+  /** When a run was; of one that the master left when it exited, until its last recording. */
+  #spanOf({ state, startedMs, endedMs, blocks }: StudyRun): Span {
+    if (endedMs > 0) return [startedMs, endedMs];
+    if (state === StudyRunState.STUDY_RUN_STATE_OPEN)
+      return [startedMs, this.#context.clock.nowMs()];
+    const takes = blocks.flatMap((block) => block.takes);
+    return [
+      startedMs,
+      Math.max(startedMs, ...takes.flatMap((take) => [take.startedMs, take.endedMs])),
+    ];
+  }
+
+  #deletionOf(
+    runs: readonly StudyRun[],
+    recordings: readonly Recording[],
+  ): Omit<StudyDeletion, 'otherRecordings'> {
     const studies = new Set([
       ...runs.map(({ studyId }) => studyId),
       ...recordings.map(({ study }) => study!.studyId),
@@ -106,11 +137,33 @@ export class Participants {
       (studyId === '' || study === studyId) &&
       (participantCode === '' || isSameCode(code, participantCode));
     const { elements } = await recordings.list();
+    const isOf = ({ study }: Recording): boolean =>
+      study !== undefined && isMeant(study.studyId, study.participantCode);
     return {
       runs: store.runs().filter((run) => isMeant(run.studyId, run.participantCode)),
-      recordings: elements.filter(
-        ({ study }) => study !== undefined && isMeant(study.studyId, study.participantCode),
-      ),
+      recordings: elements.filter(isOf),
+      others: elements.filter((recording) => !isOf(recording)),
     };
   }
 }
+
+/** Recordings that may have data of somebody, of those that were made in one of the spans. [ST-53] */
+function madeDuring(
+  spans: readonly Span[],
+  recordings: readonly Recording[],
+): StudyOtherRecording[] {
+  return recordings
+    .filter((recording) => {
+      const [from, until] = spanOfRecording(recording);
+      // What a comparison records comes from a recording.
+      if (recording.kind === RecordingKind.RECORDING_KIND_COMPARISON) return false;
+      return spans.some(([start, end]) => from <= end && until >= start);
+    })
+    .slice(0, MAX_OTHERS)
+    .map(({ id, name }) => ({ id, name }));
+}
+
+const spanOfRecording = ({ startedMs, durationMs }: Recording): Span => [
+  startedMs,
+  startedMs + durationMs,
+];

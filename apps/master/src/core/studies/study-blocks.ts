@@ -15,6 +15,7 @@ import type { RecordingAuthor, Recordings } from '../recordings/recordings.ts';
 import { EVERYTHING } from '../recordings/selection.ts';
 import type { Sessions } from '../sessions/sessions.ts';
 import { troublesOf } from './check-row.ts';
+import type { OwnValues } from './own-values.ts';
 import { beginBlock, endBlock, requireStart, runningBlock } from './run-changes.ts';
 import type { StudyChecks } from './study-checks.ts';
 import type { StudyStore } from './study-store.ts';
@@ -25,6 +26,7 @@ export interface BlocksContext {
   readonly limits: LimitWatch;
   readonly store: StudyStore;
   readonly checks: StudyChecks;
+  readonly ownValues: OwnValues;
   readonly recordings: Recordings;
   readonly sessions: Sessions;
   /** The duration of the block that runs is over. */
@@ -144,7 +146,7 @@ export class StudyBlocks {
     forced: string,
     by: RecordingAuthor,
   ): Promise<{ recording: Recording; runNumber: number }> {
-    const { clock, recordings } = this.#context;
+    const { clock, recordings, ownValues } = this.#context;
     const { participantCode, visit } = run;
     const { condition, repetition } = run.blocks[index]!;
     const block = index + 1;
@@ -162,7 +164,8 @@ export class StudyBlocks {
     const notes = forced === '' ? '' : `Begun although required devices were not ready: ${forced}.`;
     const wish = { ...by, name, notes, study: part };
     const selection = study.selection ?? EVERYTHING;
-    return { recording: await recordings.start(wish, { selection }), runNumber };
+    const mayBeginWith = ownValues.testFor(study, run);
+    return { recording: await recordings.start(wish, { selection, mayBeginWith }), runNumber };
   }
 
   #takenNames(studyId: string): Set<string> {

@@ -7,6 +7,7 @@ import {
   type StudyRun,
 } from '@ubii/proto';
 import type { LimitWatch } from '../counters/limit-watch.ts';
+import { Hook } from '../hooks/hook.ts';
 import type { DocumentStore, StudyStorage } from '../ports/document-store.ts';
 import type { Log } from '../ports/log.ts';
 import { quote } from '../texts/quote.ts';
@@ -24,6 +25,8 @@ export class StudyStore {
   readonly #context: StudyStoreContext;
   readonly #studies = new Map<string, Study>();
   readonly #runs = new Map<string, StudyRun>();
+  /** Called when a run was saved or deleted. */
+  readonly onRunsChanged = new Hook<[]>();
   /** Grows with each change. */
   revision = 1;
 
@@ -95,12 +98,14 @@ export class StudyStore {
     await storage.runs.write(run.id, toJson('ubii.extension.StudyRun', run));
     this.#runs.set(run.id, run);
     this.revision++;
+    this.onRunsChanged.emit();
   }
 
   async deleteRun(id: string): Promise<void> {
     await this.#context.storage.runs.delete(id);
     this.#runs.delete(id);
     this.revision++;
+    this.onRunsChanged.emit();
   }
 
   #read<T extends 'ubii.extension.Study' | 'ubii.extension.StudyRun'>(
