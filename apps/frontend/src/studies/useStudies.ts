@@ -47,7 +47,8 @@ export interface Studies {
   changeRun(request: Init<StudyRunChangeRequest>): Promise<StudyRun | undefined>;
   loadRun(id: string): Promise<StudyRun | undefined>;
   participants(studyId: string): Promise<readonly StudyParticipant[] | undefined>;
-  deleteParticipant(code: string): Promise<StudyDeletion | undefined>;
+  /** In one study: the same code in another one may be somebody else. */
+  deleteParticipant(studyId: string, code: string): Promise<StudyDeletion | undefined>;
   /** Adds a marker to a recording. @returns whether it was added */
   mark(recordingId: string, text: string): Promise<boolean>;
 }
@@ -108,8 +109,8 @@ export function provideStudies(): Studies {
     loadRun: (id) => loading.attempt(() => client.call('studyRunGet', { id })),
     participants: async (studyId) =>
       (await loading.attempt(() => client.call('studyParticipantList', { studyId })))?.elements,
-    deleteParticipant: (participantCode) =>
-      attempt(() => client.call('studyParticipantDelete', { participantCode })),
+    deleteParticipant: (studyId, participantCode) =>
+      attempt(() => client.call('studyParticipantDelete', { studyId, participantCode })),
     mark: async (recordingId, text) =>
       (await attempt(() =>
         client.call('recordingMark', { recordingId, text, clientId: client.id }),

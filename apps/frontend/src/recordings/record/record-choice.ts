@@ -62,7 +62,8 @@ export function isChosen(choice: RecordChoice): boolean {
   );
 }
 
-const splitPatterns = (text: string): string[] => text.split(/[\s,]+/).filter(Boolean);
+/** Patterns as they are typed: separated by spaces, commas or lines. */
+export const splitPatterns = (text: string): string[] => text.split(/[\s,]+/).filter(Boolean);
 
 const MINUTE_MS = 60_000;
 const MEGABYTE = 1_000_000;

@@ -13,7 +13,17 @@ it('consent has its time, and its version when the text was changed since', () =
 it('a deletion names runs, notes, recordings and their size', () => {
   const runs = [aRun([], { notes: [{ text: 'tired' }] }), aRun([])];
   const participant = { code: 'P07', recordingIds: ['a'], sizeBytes: 2_500_000 };
-  const sentence = deletionSentence(participant, runs);
-  for (const part of ['2 runs', '1 note ', '1 recording', '2.5 MB', 'P07', 'cannot be undone'])
+  const sentence = deletionSentence(participant, runs, 'Tap study');
+  for (const part of [
+    '2 runs',
+    '1 note ',
+    '1 recording',
+    '2.5 MB',
+    'P07 in Tap study',
+    'cannot be undone',
+  ])
     expect(sentence).toContain(part);
+  expect(sentence).not.toContain('with consent');
+  const consented = [aRun([], { consent: { version: 1 } })];
+  expect(deletionSentence(participant, consented, '')).toContain('1 run with consent, ');
 });

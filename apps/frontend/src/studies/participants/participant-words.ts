@@ -20,12 +20,14 @@ export const noteSource = ({ block, author }: Pick<StudyNote, 'block' | 'author'
 /** What a deletion takes away, one sentence. */
 export function deletionSentence(
   { code, recordingIds, sizeBytes }: Pick<StudyParticipant, 'code' | 'recordingIds' | 'sizeBytes'>,
-  runs: readonly Pick<StudyRun, 'notes'>[],
+  runs: readonly Pick<StudyRun, 'notes' | 'consent'>[],
+  studyName: string,
 ): string {
   const notes = runs.reduce((sum, run) => sum + run.notes.length, 0);
   const files = `${counted(recordingIds.length, 'recording')} (${sizeText(sizeBytes)})`;
+  const isConsented = runs.some(({ consent }) => consent !== undefined);
   return (
-    `${counted(runs.length, 'run')} with consent, ${counted(notes, 'note')} and ${files} of ${code} ` +
-    'are deleted from the master, in other studies as well. This cannot be undone.'
+    `${counted(runs.length, 'run')}${isConsented ? ' with consent' : ''}, ${counted(notes, 'note')} and ${files} ` +
+    `of ${code} in ${studyName} are deleted from the master, and what the flight recorder holds. This cannot be undone.`
   );
 }
