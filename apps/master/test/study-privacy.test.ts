@@ -1,7 +1,8 @@
-import { type Init, type Study } from '@ubii/proto';
+import { AccessRole, RECORDING_STATUS_TOPIC, type Init, type Study } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_FLIGHT_RECORDER } from '../src/core/recordings/flight-settings.ts';
 import { TestMaster } from '../src/testing/index.ts';
+import { joinAs } from './access-world.ts';
 import { contentOf, SERVICES, start, stop } from './recording-world.ts';
 import { change, recordingsOf, required, save, startRun } from './study-world.ts';
 
@@ -130,5 +131,35 @@ describe('the deletion of a participant', () => {
     const reply = await master.call({ topic, flightRecorderKeepRequest: {} });
     const { values } = await contentOf(master, required(reply, 'recording').id);
     expect(values).toEqual([['/lab/x', 1]]);
+  });
+});
+
+describe('recordings of studies', () => {
+  it('[ST-54] are announced to everybody without the participant', async () => {
+    const { master, ada, runOf } = await begun({ devices: [{ name: 'Phone', tag: 'touch' }] });
+    await ada.subscribe({ subscribeTopics: [RECORDING_STATUS_TOPIC] });
+    const run = await runOf('P01');
+    await change(master, run, 'begin', { isForced: true });
+    await master.pass(1_500);
+    const records = ada.takeRecords();
+    expect(JSON.stringify(records)).toContain('"name":"Touch, block 1"');
+    expect(JSON.stringify(records)).not.toMatch(/P01|Begun although/);
+  });
+
+  it('[ST-54] are not for viewers', async () => {
+    const { master, runOf } = await begun();
+    await change(master, await runOf('P01'), 'begin');
+    const byHand = await start(master, {}, 'By hand');
+    const viewer = await joinAs(master, AccessRole.ACCESS_ROLE_VIEWER);
+    const { recordingList } = await viewer.call({ topic: `${SERVICES}recording_list` });
+    expect(recordingList!.elements.map(({ id }) => id)).toEqual([byHand]);
+    const [, ofStudy] = await recordingsOf(master);
+    const get = (id: string) =>
+      viewer.call({ topic: `${SERVICES}recording_get`, recordingRequest: { id } });
+    expect((await get(byHand)).recording).toMatchObject({ name: 'By hand' });
+    expect((await get(ofStudy!.id)).error).toMatchObject({ code: 'permission_denied' });
+    const participant = await joinAs(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const reply = await participant.call({ topic: `${SERVICES}recording_list` });
+    expect(reply.recordingList!.elements).toHaveLength(2);
   });
 });

@@ -11,9 +11,9 @@ export const STUDY_HOW_TOS: readonly HowTo[] = [
       {
         kind: 'steps',
         steps: [
-          'Open Studies and choose **New study**, or **Use the example**, which needs one phone.',
+          'Open Recordings, choose **Studies** above its list, and choose **New study**, or **Use the example**, which needs one phone.',
           'In **Design**, enter the **Conditions**, each with the session that runs during it, and the **Order of conditions**. **Balanced** lets each condition come equally often at each place and after each other one.',
-          'Add **Required devices** with the rate, battery level or clock error that they need, choose what to record, and enter the **Consent text**. Everything is saved automatically.',
+          'Enter the **Consent text**. Choose **Add required device** for each device, with the rate, battery level or clock error that it needs, and choose what to record. Everything is saved automatically.',
           'In **Run**, enter a **Participant code**, a pseudonym and never a name, and choose **Start run**.',
           'Choose **Show the consent text** and hand over the device: the participant reads it and chooses **I agree**.',
           'Wait until all devices are **Ready** and choose **Start**; M marks a moment, **Stop** ends the block. Any device that opens the study leads the same run, such as your phone.',
@@ -27,7 +27,11 @@ export const STUDY_HOW_TOS: readonly HowTo[] = [
       },
       {
         kind: 'text',
-        text: '**Participants** lists everybody who took part, by code. An admin deletes a participant there: runs, consent, notes and all recordings, also copies that were uploaded. Files that people downloaded stay where they are.',
+        text: 'Start the run when the participant before has left: a recording begins with values of its own run only. When a session needs a value that was published before, such as the brightness of the room, name its topic in **Topics with settings**.',
+      },
+      {
+        kind: 'text',
+        text: '**Participants** lists everybody who took part, by code. An admin deletes a participant of the study there: runs, consent, notes and recordings, also copies that were uploaded. The report names other recordings of the same time, which may have data of the participant. Files that people downloaded stay where they are.',
       },
     ],
   },

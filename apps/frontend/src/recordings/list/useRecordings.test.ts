@@ -13,3 +13,10 @@ it('what runs is shown as it is now, also before the list has it', () => {
     ['a', 500],
   ]);
 });
+
+it('what runs has the name of the list, which the status leaves out in studies', () => {
+  const study = { participantCode: 'P01' };
+  const list = [{ ...aRecording('a', 10), name: 'sub-P01', study }] as Recording[];
+  const running = [{ ...aRecording('a', 20), name: 'Touch, block 1', study: undefined }];
+  expect(withRunning(list, running)).toEqual([{ id: 'a', durationMs: 20, name: 'sub-P01', study }]);
+});

@@ -106,13 +106,14 @@ export function provideRecordings(): Recordings {
   return recordings;
 }
 
-/** The list with those that run as they are now. */
+/** The list with those that run as they are now. The status, which everybody reads, has no names of participants. */
 export function withRunning(
   list: readonly Recording[],
   running: readonly Recording[],
 ): readonly Recording[] {
   const now = new Map(running.map((one) => [one.id, one]));
-  const known = new Set(list.map(({ id }) => id));
-  const started = running.filter(({ id }) => !known.has(id));
-  return [...started, ...list.map((one) => now.get(one.id) ?? one)];
+  const listed = new Set(list.map(({ id }) => id));
+  const started = running.filter(({ id }) => !listed.has(id));
+  const known = ({ name, notes, study }: Recording) => ({ name, notes, study });
+  return [...started, ...list.map((one) => ({ ...one, ...now.get(one.id), ...known(one) }))];
 }

@@ -71,6 +71,13 @@ const running = {
 };
 
 describe('a run', () => {
+  it('names the block that was interrupted by a restart of the master, also when no other is left', () => {
+    const { wrapper } = show(aRun([2, 4], { state: 2 }), ready);
+    expect(wrapper.text()).toContain('Block 2 was interrupted');
+    expect(wrapper.text()).toContain('Continue the run.');
+    expect(wrapper.text()).not.toContain('All blocks are done');
+  });
+
   it('begins its next block at once when all devices are ready', async () => {
     const { act, button } = show(aRun([2, 0]), ready);
     button('Start').click();

@@ -1,6 +1,7 @@
-import { RECORDING_STATUS_TOPIC, type FlightRecorderSettings } from '@ubii/proto';
+import { RECORDING_STATUS_TOPIC, type FlightRecorderSettings, type Recording } from '@ubii/proto';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { RecorderState } from '@ubii/recording/recorder';
+import { publicName } from './public-name.ts';
 
 /** Publishes what is recorded now. [RC-8] */
 export function publishStatus(
@@ -9,11 +10,21 @@ export function publishStatus(
 ): void {
   publisher.publish(RECORDING_STATUS_TOPIC, {
     recordingStatus: {
-      running: running.map((recording) => ({ ...recording, selection: undefined })),
+      running: running.map(publicPart),
       flightRecorder: { ...flight, recordsPerSecond: [] },
       listRevision,
     },
   });
+}
+
+/** What everybody may know of a recording: nothing of a participant. [ST-54] */
+function publicPart(recording: Recording): Recording {
+  const { study, notes } = recording;
+  return {
+    ...recording,
+    ...{ name: publicName(recording), notes: study === undefined ? notes : '' },
+    ...{ study: undefined, selection: undefined },
+  };
 }
 
 /** What a recorder says before its first record. */

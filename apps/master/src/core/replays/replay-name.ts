@@ -1,4 +1,5 @@
 import type { Recording, ReplayStartRequest } from '@ubii/proto';
+import { publicName } from '../recordings/public-name.ts';
 import { oneLine } from '../texts/one-line.ts';
 import type { ReplayWish } from './replay-wish.ts';
 
@@ -18,9 +19,4 @@ export function replayName(
   const kind = request.isGhost ? 'Ghost' : 'Replay';
   const name = request.name === '' ? `${kind} of ${publicName(recording)}` : request.name;
   return oneLine(wish.copies === 1 ? name : `${copy + 1}: ${name}`, maxCharacters);
-}
-
-/** The name without the participant of a study: names of clients are recorded and logged. [ST-52] */
-function publicName({ name, study }: Recording): string {
-  return study === undefined ? name : `${study.studyName}, block ${study.block}`;
 }

@@ -1,3 +1,4 @@
+import { ServiceError, type Recording } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
 import { roleRefusal } from '../access/join-refusals.ts';
 import { ADMINS, PARTICIPANTS, PUBLISHERS, READERS } from '../access/roles.ts';
@@ -14,12 +15,24 @@ const define = definer<keyof Parts>();
 /** Services on recordings. What was published by others is for participants and admins; marking is for all that publish. */
 export const RECORDING_SERVICES = [
   // [RC-3]
-  define('recordingList', { roles: READERS, handle: ({ recordings }) => recordings.list() }),
+  define('recordingList', {
+    roles: READERS,
+    async handle({ recordings }, _request, call) {
+      const list = await recordings.list();
+      const elements = list.elements.filter((recording) => mayKnow(call, recording));
+      return { ...list, elements };
+    },
+  }),
   // [RC-3]
   define('recordingGet', {
     roles: READERS,
-    async handle({ recordings }, { id }) {
-      return (await recordings.get(id)).recording;
+    async handle({ recordings }, { id }, call) {
+      const { recording } = await recordings.get(id);
+      if (mayKnow(call, recording)) return recording;
+      throw new ServiceError(
+        'permission_denied',
+        'The recording is part of a study. Only participants and admins of the master can open it.',
+      );
     },
   }),
   // [RC-4]
@@ -113,4 +126,9 @@ async function requireOwn(
   throw roleRefusal(
     `Only an admin may delete recordings of others. This device joined as ${caller.role}.`,
   );
+}
+
+/** Recordings of studies are for those who may read studies. [ST-54] */
+function mayKnow({ caller }: ServiceCall, { study }: Recording): boolean {
+  return study === undefined || caller.role === 'admin' || caller.role === 'participant';
 }
