@@ -95,8 +95,8 @@ export const RECORDING_HOW_TOS: readonly HowTo[] = [
         steps: [
           'Open a recording. **Download** saves its file, which programs for MCAP open, such as Lichtblick.',
           'For other formats choose **Export**: **CSV** or **Parquet** (a table for each topic), **XDF** for tools of the Lab Streaming Layer, **MCAP** for a part, **Video** for topics with images.',
-          'To export a part, drag on the ruler of the timeline, open the menu of the span, beside the speeds, and choose **Export the span**.',
-          'To open a file, choose **Open a file** in Recordings or drop it there: MCAP of any program, CSV or XDF. It stays on this device until you choose **Upload**.',
+          'To export a part, drag on the ruler of the timeline, open the menu of the span beside **Stop looping**, such as “loop 1.5 s”, and choose **Export the span**.',
+          'To open a file, choose **Open a file**, the folder above the list of Recordings, or drop it there: MCAP of any program, CSV or XDF. It stays on this device until you choose **Upload**.',
         ],
       },
       { kind: 'link', text: 'Recordings', to: '/recordings' },

@@ -39,7 +39,7 @@ export const REPLAY_HOW_TOS: readonly HowTo[] = [
         kind: 'steps',
         steps: [
           'Open a recording and drag on the ruler of the timeline to mark a span.',
-          'Open the menu of the span, beside the speeds, and choose **Make a ghost**.',
+          'Open the menu of the span beside **Stop looping**, such as “loop 1.5 s”, and choose **Make a ghost**.',
           'Enter **Copies**, at most 32, and a **Jitter**: the starts of the copies are spread over this time. Choose **Start**.',
           'Recordings lists the ghost under **Replays**. Choose **Stop** there to end it.',
         ],
@@ -73,7 +73,7 @@ export const REPLAY_HOW_TOS: readonly HowTo[] = [
       {
         kind: 'steps',
         steps: [
-          'For a test of one module, drag on the ruler of the timeline to mark a span, open the menu of the span and choose **Make a test case of a module**.',
+          'For a test of one module, drag on the ruler of the timeline to mark a span, open its menu beside **Stop looping**, and choose **Make a test case of a module**.',
           'Choose **Run the case** to run it with today’s code, and **Save as a file** to keep it.',
           'In the module editor, choose **Open a case** and **Run the case** after each change. The first output that differs is shown.',
         ],

@@ -44,8 +44,8 @@ export const STUDY_HOW_TOS: readonly HowTo[] = [
       {
         kind: 'steps',
         steps: [
-          'Once: open Recordings and choose **Personal data**, then **Add label**. Enter the topics, choose the member of their values and the treatment: **Pseudonym**, **Round** or **Drop**. Choose **Save label**. This is for admins.',
-          'Open a recording, choose **Export** and turn on **Replace personal data**. The dialog lists the labels that apply.',
+          'Once: open Recordings and choose **Personal data** below the list, then **Add label**. Enter the topics, choose the member of their values and the treatment: **Pseudonym**, **Round** or **Drop**. Choose **Save label**. This is for admins.',
+          'Open a recording and choose **Export**. **Replace personal data** is on when labels apply, which the dialog lists; otherwise turn it on.',
           'Turn on **Move all times** to hide when it was recorded.',
           'Choose **Export**. You get two files: the shared one, and a key file with what each pseudonym stands for. Keep the key file apart, and never share it.',
           'For the next recording of the same people, choose **Use a key file**: they get the same pseudonyms.',
