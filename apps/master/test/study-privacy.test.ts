@@ -78,7 +78,7 @@ describe('the recording of a participant', () => {
 
   it('[ST-26] begins with settings that the study names, whenever they were published', async () => {
     const settingPatterns = ['/room/**', ' '];
-    const { master, ada, study, answer, runOf, firstValues } = await begun({ settingPatterns });
+    const { ada, study, answer, runOf, firstValues } = await begun({ settingPatterns });
     expect(study.settingPatterns).toEqual(['/room/**']);
     ada.publish('/room/brightness', 'double', 0.4);
     answer('pilot');
