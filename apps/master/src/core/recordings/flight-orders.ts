@@ -50,6 +50,17 @@ export class FlightOrders {
     return recorder.setFlight({ ...settings, present: present() });
   }
 
+  /** Drops what it holds; it goes on. [RC-34] */
+  async empty(): Promise<void> {
+    const { settings } = this;
+    if (!settings.isOn) return;
+    const { collector, recorder, present } = this.#context;
+    collector.flush();
+    this.#settings.takeUntold();
+    const emptied = recorder.setFlight({ ...settings, isOn: false, present: [] });
+    await Promise.all([emptied, recorder.setFlight({ ...settings, present: present() })]);
+  }
+
   /** [RC-32] @throws ServiceError when it is off */
   requireOn(): void {
     if (this.settings.isOn) return;

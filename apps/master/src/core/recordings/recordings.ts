@@ -210,14 +210,8 @@ export class Recordings {
   }
 
   /** Drops what the flight recorder holds; it goes on. [RC-34] */
-  async emptyFlight(): Promise<void> {
-    const { settings } = this.#flight;
-    if (!settings.isOn) return;
-    const { collector, recorder } = this.#context;
-    collector.flush();
-    this.#flight.takeUntold();
-    const emptied = recorder.setFlight({ ...settings, isOn: false, present: [] });
-    await Promise.all([emptied, recorder.setFlight({ ...settings, present: this.#present() })]);
+  emptyFlight(): Promise<void> {
+    return this.#flight.empty();
   }
 
   /** [RC-32] */
