@@ -43,10 +43,10 @@ const sources = [
     row: /(?<=^\|[^|\n]*)`([a-z_]+)`(?=[^|\n]*\|)/gm,
   },
   {
-    code: 'apps/master/src/core/clients/close-codes.ts',
-    block: /CLOSE = \{(.*)\}/s,
+    code: 'apps/master/src/adapters/ws/close-codes.ts',
+    block: /(.*)/s,
     /** 4000 and more are ours, the others are the RFC's. */
-    entry: /code: (4\d{3}),/g,
+    entry: /(4\d{3})[,;]$/gm,
     page: 'docs/spec/extensions.md',
     section: /.*/s,
     row: /^\| (4\d{3})\b/gm,

@@ -6,7 +6,6 @@ export { LogTail } from './core/counters/log-tail.ts';
 export type { LimitName, Limits } from './core/limits/index.ts';
 export type { MasterEndpoints, MasterPorts, MasterSettings } from './core/areas/settings.ts';
 export type {
-  ConnectionQuery,
   Master,
   MasterMetrics,
   MetricFamily,

@@ -315,14 +315,14 @@ describe('revoking [AC-15]', () => {
         reason: 'the class is over',
       },
     });
-    expect(phone.closed).toEqual({ code: 4011, reason: 'by ada: the class is over' });
+    expect(phone.closed).toEqual({ reason: 'revoked', explanation: 'by ada: the class is over' });
     expect(other.closed).toBeUndefined();
     for (const secret of [token, code, phone.caller.bearer!]) {
       expect(await problemOf(master, stranger(secret))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
     }
     // A client that was away is told on its next socket.
     expect(phone.open()).toBe(false);
-    expect(phone.closed).toEqual({ code: 4011, reason: 'by ada: the class is over' });
+    expect(phone.closed).toEqual({ reason: 'revoked', explanation: 'by ada: the class is over' });
     expect((await revoke(master, 'nothing')).error?.code).toBe('not_found');
   });
 });

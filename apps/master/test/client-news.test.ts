@@ -44,7 +44,7 @@ describe('news of clients', () => {
     await ben.subscribe({ subscribeTopicRegexp: ['^/ubii/client/'] });
     ben.takeSent();
     ada.publish('/a', 'double', 1);
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     await ada.subscribe({ subscribeTopics: ['/a'] });
     await ada.call({
       topic: '/services/device/deregistration',

@@ -48,9 +48,9 @@ describe('the client report', () => {
 
   it('has what a client said of its clock [TS-10]', async () => {
     const { master, ada, ben, of } = await createRoom();
-    ada.socket.handleText('PING 1');
+    ada.sendText('PING 1');
     expect((await of(ada)).clock).toBeUndefined();
-    ada.socket.handleText('PING 2 -3600000.500 0.250 -12.5');
+    ada.sendText('PING 2 -3600000.500 0.250 -12.5');
     master.clock.advanceSync(300);
     expect((await of(ada)).clock).toEqual({
       offsetMs: -3600000.5,
@@ -65,7 +65,7 @@ describe('the client report', () => {
     const { master, ada, of } = await createRoom();
     const startedMs = master.clock.nowMs();
     master.clock.advanceSync(1_200);
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     expect(await of(ada)).toMatchObject({
       firstSeenMs: startedMs,
       lastSeenMs: startedMs + 1_200,
@@ -109,7 +109,7 @@ describe('the client report', () => {
     ada.publish('/a', 'double', 1);
     ada.publish('/a', 'double', 2);
     ada.publish('/info/x', 'double', 2);
-    ada.socket.handleBinary(Uint8Array.of(0xff));
+    ada.socket.handleTopicData(Uint8Array.of(0xff));
     const bens = await of(ben);
     expect(bens).toMatchObject({ queuedRecords: 1, dropped: 1 });
     expect(bens.queuedBytes).toBeGreaterThan(0);
@@ -126,7 +126,7 @@ describe('the client report', () => {
       userAgent: '',
       addressKind: ClientActivityAddressKind.UNKNOWN,
     });
-    eve.open(eve.token, { userAgent: `Phone\u0007 ${'y'.repeat(5000)}`, addressKind: 'private' });
+    eve.open(eve.token, { program: `Phone\u0007 ${'y'.repeat(5000)}`, addressKind: 'private' });
     const eves = await of(eve);
     expect(eves.library).toBe(`client ${'x'.repeat(57)}`);
     expect(eves.userAgent).toHaveLength(256);

@@ -7,18 +7,12 @@ import type {
 } from '@ubii/client-web/node';
 import { createMemoryServices, createMemoryTopicData } from '@ubii/client-web/testing';
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
-import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import { settle } from '@ubii/timing/testing';
 import { FakeClock } from '@ubii/timing/testing';
-import type {
-  CallerFacts,
-  CallerStanding,
-  ClientConnection,
-  ConnectionHandle,
-  Limits,
-} from '../src/index.ts';
-import { TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
+import type { CallerFacts, CallerStanding, Limits } from '../src/index.ts';
+import { openMemoryChannel, TestMaster } from '../src/testing/index.ts';
+import type { MemoryChannel, TestMasterOptions } from '../src/testing/index.ts';
 
 /** Time passes in steps of this size, with a turn for promises after each, milliseconds. */
 const STEP_MS = 50;
@@ -40,7 +34,7 @@ export class ClientWorld implements MemoryMaster {
   readonly #options: Omit<TestMasterOptions, 'clock'>;
   #test: TestMaster;
   #runs = 0;
-  readonly #open = new Set<{ peer: MemoryPeer; handle: ConnectionHandle }>();
+  readonly #open = new Set<{ peer: MemoryPeer; channel: MemoryChannel }>();
 
   constructor(limits: Partial<Limits> = {}, options: Omit<TestMasterOptions, 'clock'> = {}) {
     this.#options = { limits, ...options };
@@ -86,9 +80,9 @@ export class ClientWorld implements MemoryMaster {
 
   /** Breaks every link, as a network does. */
   async drop(): Promise<void> {
-    for (const { peer, handle } of this.#open) {
+    for (const { peer, channel } of this.#open) {
       peer.close(1006, '');
-      handle.handleClose();
+      channel.handleClose();
     }
     this.#open.clear();
     await settle();
@@ -133,81 +127,27 @@ export class ClientWorld implements MemoryMaster {
     peer: MemoryPeer,
   ): MemoryConnection | undefined {
     if (this.isDown) return undefined;
-    const wanted = { clientId: query.clientId, token: query.resumeToken };
-    const caller = this.#callerWith(undefined);
-    // The edge refuses the upgrade: to a client, a link that never came up.
-    if (this.#test.master.refuseConnection(wanted, caller) !== undefined) return undefined;
-    const handle = this.#test.master.openConnection(wanted, new PeerConnection(peer), caller);
+    const claim = { clientId: query.clientId, token: query.resumeToken };
+    const dial = { claim, caller: this.#callerWith(undefined) };
+    const channel = openMemoryChannel(this.#test.master, dial, peer);
     this.clock.endTurnSync();
-    if (handle === undefined) return undefined;
-    const open = { peer, handle };
+    if (channel === undefined) return undefined;
+    const open = { peer, channel };
     this.#open.add(open);
     return {
       handleBinary: (bytes) => {
-        handle.handleBinary(bytes);
+        channel.handleBinary(bytes);
         this.clock.endTurnSync();
       },
       handleText: (text) => {
-        handle.handleText(text);
+        channel.handleText(text);
         this.clock.endTurnSync();
       },
-      handleClose: () => {
+      handleClose: (code) => {
         this.#open.delete(open);
-        handle.handleClose();
+        channel.handleClose(code);
         this.clock.endTurnSync();
       },
     };
-  }
-}
-
-/** The master's end of a pipe in memory: what adapters/ws does over a WebSocket. */
-class PeerConnection implements ClientConnection {
-  readonly #peer: MemoryPeer;
-  #takesLists = false;
-
-  constructor(peer: MemoryPeer) {
-    this.#peer = peer;
-  }
-
-  get queuedBytes(): number {
-    return this.#peer.queuedBytes;
-  }
-
-  send({ records }: Parameters<ClientConnection['send']>[0]): void {
-    if (this.#takesLists) {
-      this.#peer.sendBinary(encodeRecordListFrame(records));
-      return;
-    }
-    for (const record of records) {
-      const header = recordFrameHeader(record.byteLength);
-      const frame = new Uint8Array(header.byteLength + record.byteLength);
-      frame.set(header);
-      frame.set(record, header.byteLength);
-      this.#peer.sendBinary(frame);
-    }
-  }
-
-  sendError(error: Parameters<ClientConnection['sendError']>[0]): void {
-    this.#peer.sendBinary(encodeErrorFrame(error));
-  }
-
-  sendFrame(frame: Uint8Array): void {
-    this.#peer.sendBinary(frame);
-  }
-
-  sendPing(): void {
-    this.#peer.sendText('PING');
-  }
-
-  sendPong(text = 'PONG'): void {
-    this.#peer.sendText(text);
-  }
-
-  close(code: number, reason: string): void {
-    this.#peer.close(code, reason);
-  }
-
-  setRecordLists(on: boolean): void {
-    this.#takesLists = on;
   }
 }

@@ -2,37 +2,30 @@ import { encode } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { TestMaster } from '../src/testing/index.ts';
 
-const text = (value: string): Uint8Array => new TextEncoder().encode(value);
-
 describe('the topic-data socket', () => {
-  it('counts PONG as text and as binary as activity [TD-2]', async () => {
+  it('counts PONG as activity [TD-2]', async () => {
     const { clock, ...master } = await withAda();
-    for (const pong of [
-      () => master.ada.socket.handleText('PONG'),
-      () => master.ada.socket.handleBinary(text('PONG')),
-    ]) {
-      clock.advanceSync(1_500);
-      expect(master.ada.takeSent()).toContainEqual({ kind: 'PING' });
-      pong();
-      expect(master.ada.takeSent()).toEqual([]);
-      expect(await master.stateOf(master.ada.id)).toBe(0);
-    }
+    clock.advanceSync(1_500);
+    expect(master.ada.takeSent()).toContainEqual({ kind: 'PING' });
+    master.ada.sendText('PONG');
+    expect(master.ada.takeSent()).toEqual([]);
+    expect(await master.stateOf(master.ada.id)).toBe(0);
   });
 
   it('answers PING with PONG, as text [TD-2] [EX-6]', async () => {
     const { ada } = await withAda();
-    ada.socket.handleText('PING');
+    ada.sendText('PING');
     expect(ada.takeSent()).toEqual([{ kind: 'PONG' }]);
   });
 
   it('answers a numbered PING with its time [TS-2]', async () => {
     const { master, ada } = await withAda();
-    const now = master.clock.nowMs().toFixed(3);
-    ada.socket.handleText('PING 17');
-    ada.socket.handleText('PING 18 -1700000000000.125 0.250 -12.5');
+    const nowMs = master.clock.nowMs();
+    ada.sendText('PING 17');
+    ada.sendText('PING 18 -1700000000000.125 0.250 -12.5');
     expect(ada.takeSent()).toEqual([
-      { kind: 'PONG', text: `PONG 17 ${now} ${now}` },
-      { kind: 'PONG', text: `PONG 18 ${now} ${now}` },
+      { kind: 'PONG', timed: { number: '17', receivedMs: nowMs, sentMs: nowMs } },
+      { kind: 'PONG', timed: { number: '18', receivedMs: nowMs, sentMs: nowMs } },
     ]);
   });
 
@@ -41,7 +34,7 @@ describe('the topic-data socket', () => {
     ...['PING ', 'PING x', 'PING 1 2', 'PING 1 2 3 4 5', 'PING 1 NaN 1 1', 'PING 12345678901'],
   ])('calls other text a protocol error: %.20j [TD-2]', async (other) => {
     const { ada } = await withAda();
-    ada.socket.handleText(other);
+    ada.sendText(other);
     expect(ada.takeErrors()).toMatchObject([{ code: 'invalid_argument', stack: '' }]);
   });
 
@@ -85,10 +78,10 @@ describe('the topic-data socket', () => {
     const { master, ada } = await withAda();
     ada.registered.id = 'unknown';
     expect(ada.open()).toBe(false);
-    expect(ada.closed).toEqual({ code: 4004, reason: 'unknown client' });
+    expect(ada.closed).toEqual({ reason: 'unknown client' });
     ada.registered.id = '';
     expect(ada.open()).toBe(false);
-    expect(ada.closed).toMatchObject({ code: 4004 });
+    expect(ada.closed).toEqual({ reason: 'unknown client' });
     expect(master.master.metrics()).toContainEqual(
       expect.objectContaining({
         name: 'ubii_sockets_refused_total',
@@ -107,27 +100,29 @@ describe('the topic-data socket', () => {
     ada.publish('/key', 'keyEvent', { type: 1, key: 'x' });
     ada.publish('/key', 'keyEvent', { type: 0, key: 'x' });
     ben.open();
-    expect(first.sent.at(-1)).toEqual({ kind: 'close', code: 4001, reason: 'superseded' });
+    expect(first.sent.at(-1)).toEqual({ kind: 'close', reason: 'superseded' });
     expect(ben.takeValues()).toEqual([
       ['/a', 1],
       ['/key', { type: 1, key: 'x' }],
       ['/key', { type: 0, key: 'x' }],
     ]);
     // Frames of the first socket are ignored, and its end does not affect the client.
-    firstSocket.handleBinary(encode('ubii.topicData.TopicData', {}));
-    firstSocket.handleText('nonsense');
+    firstSocket.handleTopicData(encode('ubii.topicData.TopicData', {}));
+    firstSocket.handlePing();
+    firstSocket.handlePong();
+    firstSocket.handleProtocolError('Nonsense.');
     firstSocket.handleDrain();
-    firstSocket.handleClose();
+    firstSocket.handleClose('lost');
     ada.publish('/a', 'double', 2);
     expect(ben.takeValues()).toEqual([['/a', 2]]);
   });
 
   it('ignores an error that a client sends, and an empty message', async () => {
     const { ada } = await withAda();
-    ada.socket.handleBinary(
+    ada.socket.handleTopicData(
       encode('ubii.topicData.TopicData', { error: { title: 'a', message: 'b' } }),
     );
-    ada.socket.handleBinary(new Uint8Array(0));
+    ada.socket.handleTopicData(new Uint8Array(0));
     expect(ada.takeSent()).toEqual([]);
   });
 });

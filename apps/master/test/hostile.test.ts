@@ -32,8 +32,8 @@ describe('a hostile client', () => {
   it('may send any bytes', () => {
     fc.assert(
       fc.property(fc.uint8Array({ maxLength: 64 }), fc.nat(255), (bytes, tag) => {
-        mallory.socket.handleBinary(bytes);
-        mallory.socket.handleBinary(Uint8Array.of(tag, ...bytes));
+        mallory.socket.handleTopicData(bytes);
+        mallory.socket.handleTopicData(Uint8Array.of(tag, ...bytes));
         if (mallory.closed !== undefined) mallory.open();
       }),
       { numRuns: 2_000 },
@@ -42,14 +42,14 @@ describe('a hostile client', () => {
 
   it('may ask without reading the answers', () => {
     mallory.connection.stall();
-    for (let i = 0; i < 1000; i++) mallory.socket.handleText(i % 2 ? 'PING' : `PING ${i}`);
+    for (let i = 0; i < 1000; i++) mallory.sendText(i % 2 ? 'PING' : `PING ${i}`);
     expect(mallory.takeSent()).toEqual([]);
   });
 
   it('may send any text', () => {
     fc.assert(
       fc.property(fc.string({ unit: 'binary' }), (text) => {
-        mallory.socket.handleText(text);
+        mallory.sendText(text);
         if (mallory.closed !== undefined) mallory.open();
       }),
     );
@@ -64,16 +64,16 @@ describe('a hostile client', () => {
       }),
     ]);
     for (let length = 0; length < frame.length; length++) {
-      mallory.socket.handleBinary(frame.subarray(0, length));
+      mallory.socket.handleTopicData(frame.subarray(0, length));
       const flipped = frame.slice();
       flipped[length]! ^= 0xff;
-      mallory.socket.handleBinary(flipped);
+      mallory.socket.handleTopicData(flipped);
       if (mallory.closed !== undefined) mallory.open();
     }
   });
 
   it('may send a frame beyond the limit', () => {
-    mallory.socket.handleBinary(new Uint8Array(DEFAULT_LIMITS.frameBytes + 1));
+    mallory.socket.handleTopicData(new Uint8Array(DEFAULT_LIMITS.frameBytes + 1));
     expect(mallory.takeErrors()).toMatchObject([{ code: 'resource_exhausted' }]);
     expect(mallory.closed).toBeUndefined();
   });
@@ -168,9 +168,9 @@ describe('a hostile client', () => {
     for (let i = 0; i < 100; i++) {
       const { socket } = mallory;
       mallory.open();
-      socket.handleClose();
-      socket.handleBinary(frameOf([encodeRecord({ topic: '/m', format: 'double', value: 1 })]));
-      socket.handleText('PING');
+      socket.handleClose('lost');
+      socket.handleTopicData(frameOf([encodeRecord({ topic: '/m', format: 'double', value: 1 })]));
+      socket.handlePing();
       socket.handleDrain();
       socket.handleProtocolError('late');
     }

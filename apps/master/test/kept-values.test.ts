@@ -5,7 +5,6 @@ import { TestMaster, type TestClient } from '../src/testing/index.ts';
 import { createGrant, join, revoke } from './access-world.ts';
 
 const MINUTE_MS = 60_000;
-const LEFT = 4000;
 
 async function createWorld(limits: Partial<Limits> = {}) {
   const master = new TestMaster({ limits });
@@ -46,7 +45,7 @@ describe('kept values', () => {
     ada.publish('/pulse', 'double', 1);
     const eva = await master.extension('eva');
     keep(eva, '/eva', 2);
-    ada.drop(LEFT);
+    ada.drop('left');
     eva.drop();
     master.clock.advanceSync(11_000);
     expect(await topics()).toEqual(['/light', '/eva']);
@@ -65,7 +64,7 @@ describe('kept values', () => {
     ada.publish('/taken back', 'double', 2);
     keep(ada, '/by another', 1);
     ben.publish('/by another', 'double', 2);
-    ada.drop(LEFT);
+    ada.drop('left');
     expect(await topics()).toEqual(['/long']);
     master.clock.advanceSync(MINUTE_MS + 500);
     expect(await topics()).toEqual([]);
@@ -85,29 +84,29 @@ describe('kept values', () => {
   it('belong to their client again when it comes back [TD-45]', async () => {
     const { master, ada, topics, comeBack } = await createWorld();
     keep(ada, '/light', 0.5);
-    ada.drop(LEFT);
+    ada.drop('left');
     master.clock.advanceSync(9 * MINUTE_MS);
     const again = await comeBack(ada);
     again.open();
     for (let i = 0; i < 20; i++) {
       master.clock.advanceSync(4_000);
-      again.socket.handleText('PONG');
+      again.sendText('PONG');
     }
     expect(await topics()).toEqual(['/light']);
     again.publish('/light', 'double', 0.6);
-    again.drop(LEFT);
+    again.drop('left');
     expect(await topics()).toEqual([]);
   });
 
   it('belong to a client that publishes on their topic meanwhile [TD-19]', async () => {
     const { master, ada, ben, topics, comeBack, valueOf } = await createWorld();
     keep(ada, '/light', 0.5);
-    ada.drop(LEFT);
+    ada.drop('left');
     ben.publish('/light', 'double', 0.7);
     master.clock.advanceSync(0);
     const again = await comeBack(ada);
     again.open();
-    again.drop(LEFT);
+    again.drop('left');
     expect(await valueOf('/light')).toBe(0.7);
     await ben.call({ topic: '/services/client/deregistration', client: { id: ben.id } });
     expect(await topics()).toEqual([]);
@@ -134,7 +133,7 @@ describe('kept values', () => {
       const player = await join(master, token);
       for (let n = 0; n < 15; n++) keep(player, `/${player.id}/${n}`, n);
       kept += 15 - player.takeErrors().length;
-      player.drop(LEFT);
+      player.drop('left');
     }
     // Older kept values made room: none of these publications was refused
     expect(kept).toBe(75);
@@ -145,7 +144,7 @@ describe('kept values', () => {
     );
     for (let n = 0; n < 20; n++) other.publish(`/${other.id}/${n}`, 'double', n);
     expect(other.takeErrors()).toEqual([]);
-    other.drop(LEFT);
+    other.drop('left');
     master.clock.advanceSync(11 * MINUTE_MS);
     expect(await used(master, 'topics')).toBe(before);
     expect(await used(master, 'retainedBytes')).toBe(bytesBefore);
@@ -157,7 +156,7 @@ describe('kept values', () => {
     for (const topic of ['/a', '/b']) {
       ada.sendRecords(encodeRecord({ topic, format: 'string', value: big, keepSeconds: 600 }));
     }
-    ada.drop(LEFT);
+    ada.drop('left');
     const eva = await master.extension('eva');
     eva.publish('/c', 'string', big);
     expect(eva.takeErrors()).toEqual([]);
@@ -179,7 +178,7 @@ describe('kept values', () => {
     const { token, grant } = await createGrant(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
     const eva = await join(master, token);
     keep(eva, '/light', 0.5);
-    eva.drop(LEFT);
+    eva.drop('left');
     expect(await topics()).toEqual(['/light']);
     await revoke(master, grant!.id);
     expect(await topics()).toEqual([]);

@@ -104,7 +104,7 @@ describe('lists', () => {
     ada.drop();
     expect(await devices()).toEqual(['phone', 'pen']);
     master.clock.advanceSync(9_500);
-    ben.socket.handleText('PONG');
+    ben.sendText('PONG');
     master.clock.advanceSync(500);
     expect(await clients()).toEqual(['ada', 'ben']);
     expect(await devices()).toEqual(['pen']);

@@ -24,22 +24,22 @@ describe('liveness', () => {
     seen.push(await state());
     clock.advanceSync(501);
     seen.push(await state());
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     seen.push(await state());
     clock.advanceSync(9_500);
     seen.push(await state());
     clock.advanceSync(500);
     seen.push(await state());
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     seen.push(await state());
     expect(seen).toEqual([ACTIVE, ACTIVE, INACTIVE, ACTIVE, INACTIVE, UNAVAILABLE, ACTIVE]);
   });
 
   it.each([
     ['a record', (ada) => ada.publish('/a', 'double', 1)],
-    ['garbage', (ada) => ada.socket.handleBinary(Uint8Array.of(1, 2, 3))],
-    ['PING', (ada) => ada.socket.handleText('PING')],
-    ['any text', (ada) => ada.socket.handleText('hello')],
+    ['garbage', (ada) => ada.socket.handleTopicData(Uint8Array.of(1, 2, 3))],
+    ['PING', (ada) => ada.sendText('PING')],
+    ['any text', (ada) => ada.sendText('hello')],
     ['a service request', (ada) => ada.subscribe({ subscribeTopics: ['/a'] })],
     [
       'a request about a device',
@@ -73,7 +73,7 @@ describe('liveness', () => {
     expect(pings()).toBe(1);
     clock.advanceSync(1_000);
     expect(pings()).toBe(2);
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     clock.advanceSync(999);
     expect(pings()).toBe(0);
   });
@@ -87,7 +87,7 @@ describe('liveness', () => {
       for (const { kind } of ada.takeSent()) {
         if (kind !== 'PING') continue;
         pings++;
-        ada.socket.handleText('PONG');
+        ada.sendText('PONG');
       }
     }
     expect(pings).toBe(2);
@@ -96,7 +96,7 @@ describe('liveness', () => {
   it('notices a closed socket at once, and counts from there [CL-13]', async () => {
     const { clock, ada, state } = await createAda();
     clock.advanceSync(4_000);
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     ada.drop();
     expect(await state()).toBe(INACTIVE);
     clock.advanceSync(9_500);
@@ -138,7 +138,7 @@ describe('liveness', () => {
     clock.advanceSync(501);
     expect(await state()).toBeUndefined();
     expect(ada.open()).toBe(false);
-    expect(ada.closed).toMatchObject({ code: 4004 });
+    expect(ada.closed).toEqual({ reason: 'unknown client' });
     const { topicStatistics } = await master.call({
       topic: '/services/ubii/topic_statistics',
       topicStatisticsRequest: {},
@@ -158,7 +158,7 @@ describe('liveness', () => {
     cleo.drop();
     for (let i = 0; i < 24; i++) {
       clock.advanceSync(500);
-      ada.socket.handleText('PONG');
+      ada.sendText('PONG');
     }
     await master.register({ name: 'dora' });
     const { clientList } = await master.call({ topic: '/services/client/get_list' });
@@ -186,11 +186,11 @@ describe('liveness', () => {
     };
     clock.advanceSync(1_500);
     clock.advanceSync(30);
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     expect(await latency()).toEqual([[ada.id, 30]]);
     // A PONG without a PING is not measured.
     clock.advanceSync(100);
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     expect(await latency()).toEqual([[ada.id, 30]]);
   });
 
@@ -208,12 +208,12 @@ describe('liveness', () => {
       client: ada.registered,
     });
     expect(reply.success).toBeDefined();
-    expect(ada.closed).toEqual({ code: 1000, reason: 'deregistered' });
+    expect(ada.closed).toEqual({ reason: 'deregistered' });
     expect(await state()).toBeUndefined();
     const { deviceList } = await master.call({ topic: '/services/device/get_list' });
     expect(deviceList?.elements).toEqual([]);
-    ada.socket.handleBinary(new Uint8Array(4));
-    ada.socket.handleClose();
+    ada.socket.handleTopicData(new Uint8Array(4));
+    ada.socket.handleClose('lost');
     ben.publish('/b', 'double', 2);
     ben.publish('/c', 'double', 3);
     const { topicStatistics } = await master.call({

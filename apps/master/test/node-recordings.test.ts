@@ -45,7 +45,7 @@ class RecorderNode {
   }
 
   say(message: Init<NodeMessage>): void {
-    this.client.socket.handleBinary(encodeNodeMessageFrame(message));
+    this.client.socket.handleTopicData(encodeNodeMessageFrame(message));
   }
 
   report(...elements: Init<Recording>[]): void {

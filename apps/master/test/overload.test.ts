@@ -20,7 +20,7 @@ async function createRoom(options: TestMasterOptions = {}) {
       for (let i = 0; i < records; i++) client.send('/a', 'double', i);
       master.clock.endTurnSync();
       master.clock.advanceSync(1_000);
-      for (const one of [mara, ben]) one.socket.handleText('PONG');
+      for (const one of [mara, ben]) one.sendText('PONG');
     }
   };
   const throttleOf = async ({ id }: TestClient) => {

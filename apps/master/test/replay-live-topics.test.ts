@@ -43,7 +43,7 @@ describe('live topics of a replay', () => {
     const bob = await master.extension('bob');
     const { id } = await play(master, { isPaused: true });
     bob.publish('/a', 'double', -1);
-    bob.drop(4000);
+    bob.drop('left');
     const before = heard(await listener(master));
     await stop(master, id);
     expect(before).toEqual([]);

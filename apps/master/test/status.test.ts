@@ -27,7 +27,7 @@ describe('the status of the master', () => {
     const [record] = ada.takeSent();
     const byteLength = record!.kind === 'record' ? record!.record.byteLength : 0;
     master.clock.advanceSync(6_000);
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     expect(await status()).toMatchObject({
       masterId: master.master.id,
       name: 'master-node',
@@ -94,8 +94,8 @@ describe('the status of the master', () => {
     const ben = await master.extension('ben');
     const eva = await master.legacy('eva');
     ben.publish('/ben', 'double', 1);
-    ben.drop(4000);
-    eva.drop(4000); // means nothing to existing clients
+    ben.drop('left');
+    eva.drop('left'); // means nothing to existing clients
     ada.drop();
     const listed = async () =>
       (await ada.call({ topic: '/services/client/get_list' })).clientList?.elements.map(
@@ -125,7 +125,7 @@ describe('the status of the master', () => {
     const { ada, status } = await createAda();
     const earlier = ada.socket;
     ada.open();
-    earlier.handleClose(4000);
+    earlier.handleClose('left');
     expect((await status()).clientsActive).toBe(1);
   });
 
@@ -145,7 +145,7 @@ describe('the status of the master', () => {
     expect((await status()).problems[0]?.text).toMatch(
       /nothing for 106 s\. After 10 s its retained values were deleted/,
     );
-    ada.socket.handleText('PONG');
+    ada.sendText('PONG');
     expect((await status()).problems).toEqual([]);
   });
 
@@ -154,14 +154,14 @@ describe('the status of the master', () => {
     const codes = async () => (await status()).problems.map(({ code }) => code);
     ada.publish('/a', 'double', 1);
     ada.publish('/b', 'double', 1);
-    ada.socket.handleBinary(Uint8Array.of(0x12, 0xff));
+    ada.socket.handleTopicData(Uint8Array.of(0x12, 0xff));
     const { problems } = await status();
     expect(problems.map(({ code }) => code)).toEqual(['limit_reached', 'protocol_errors']);
     expect(problems[0]?.text).toContain('topicsPerClient');
     const alive = (durationMs: number) => {
       for (let passed = 0; passed < durationMs; passed += 1_000) {
         clock.advanceSync(1_000);
-        ada.socket.handleText('PONG');
+        ada.sendText('PONG');
       }
     };
     alive(20_000);

@@ -84,13 +84,13 @@ describe('the check list', () => {
       texts: ['1 of 1 found', battery, clock],
     });
     ada.publish(`/${ada.id}/page_state`, 'string', '{"visible":true,"battery":0.4}');
-    ada.socket.handleText('PING 1 100 12.5 0');
+    ada.sendText('PING 1 100 12.5 0');
     expect(await check(master, required)).toMatchObject({
       state: LOW,
       texts: ['1 of 1 found', '40 % (at least 50 %)', '12 ms (at most 5 ms)'],
     });
     ada.publish('/Ada/battery', 'double', 0.9);
-    ada.socket.handleText('PING 2 100 1 0');
+    ada.sendText('PING 2 100 1 0');
     expect(await check(master, required)).toMatchObject({
       state: OK,
       texts: ['1 of 1 found', '90 % (at least 50 %)', '1 ms (at most 5 ms)'],

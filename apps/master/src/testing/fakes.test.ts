@@ -1,6 +1,5 @@
 import {
   auditStoreSuite,
-  clientConnectionSuite,
   documentStoreSuite,
   idSourceSuite,
   logSuite,
@@ -12,7 +11,6 @@ import {
   MemoryAudit,
   MemoryDocuments,
   PlainTokens,
-  RecordingConnection,
   RecordingLog,
   SequentialIds,
 } from './index.ts';
@@ -29,15 +27,6 @@ resourceUsageSuite('FixedUsage', () => new FixedUsage());
 logSuite('RecordingLog', () => {
   const log = new RecordingLog();
   return { log, lines: () => log.lines };
-});
-
-clientConnectionSuite('RecordingConnection', () => {
-  const connection = new RecordingConnection();
-  return {
-    connection,
-    next: async () => connection.sent.shift()!,
-    dispose: () => undefined,
-  };
 });
 
 documentStoreSuite('MemoryDocuments', () => {

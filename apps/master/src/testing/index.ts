@@ -1,5 +1,7 @@
 export { MemoryAudit } from './memory-audit.ts';
 export { MemoryFolder } from './memory-folder.ts';
+export { openMemoryChannel } from './memory-channel.ts';
+export type { MemoryChannel, MemoryDial, MemoryPeer } from './memory-channel.ts';
 export { MemoryDocuments, MemoryStorage, MemoryStudyStorage } from './memory-documents.ts';
 export { FixedUsage } from './fixed-usage.ts';
 export { PlainSecrets } from './plain-secrets.ts';

@@ -1,5 +1,7 @@
 import type { ErrorMessage } from '@ubii/proto';
+import type { TimedPong } from '@ubii/proto/wire';
 import type { ClientConnection } from '../core/ports/client-connection.ts';
+import type { CloseReason } from '../core/ports/close-reason.ts';
 import type { RecordBatch } from '../core/ports/record-batch.ts';
 
 /** Frames in the order in which a peer would receive them. */
@@ -9,8 +11,8 @@ export type Sent =
   | { readonly kind: 'error'; readonly error: ErrorMessage }
   | { readonly kind: 'frame'; readonly frame: Uint8Array }
   | { readonly kind: 'PING' }
-  | { readonly kind: 'PONG'; readonly text?: string }
-  | { readonly kind: 'close'; readonly code: number; readonly reason: string };
+  | { readonly kind: 'PONG'; readonly timed?: TimedPong }
+  | { readonly kind: 'close'; readonly reason: CloseReason; readonly explanation?: string };
 
 /** A pipe without another end: keeps what it is given, and can be told to take nothing. */
 export class RecordingConnection implements ClientConnection {
@@ -53,12 +55,12 @@ export class RecordingConnection implements ClientConnection {
     this.#add({ kind: 'PING' });
   }
 
-  sendPong(text?: string): void {
-    this.#add(text === undefined ? { kind: 'PONG' } : { kind: 'PONG', text });
+  sendPong(timed?: TimedPong): void {
+    this.#add({ kind: 'PONG', ...(timed && { timed }) });
   }
 
-  close(code: number, reason: string): void {
-    this.#add({ kind: 'close', code, reason });
+  close(reason: CloseReason, explanation?: string): void {
+    this.#add({ kind: 'close', reason, ...(explanation !== undefined && { explanation }) });
     this.#isClosed = true;
   }
 

@@ -14,10 +14,12 @@ import {
   type TopicRecord,
   type TopicSubscription,
 } from '@ubii/proto';
+import { handleText } from '../adapters/heartbeat/handle-text.ts';
 import { DEFAULT_LIMITS } from '../core/limits/index.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
-import type { ConnectionPeer } from '../core/master/master.ts';
+import type { ClientEnding, CloseReason } from '../core/ports/close-reason.ts';
+import type { ConnectionPeer } from '../core/ports/connection-facts.ts';
 import { RecordingConnection, type Sent } from './recording-connection.ts';
 import type { TestMaster } from './test-master.ts';
 
@@ -77,9 +79,9 @@ export class TestClient {
     return this.#handle !== undefined;
   }
 
-  /** Its network goes away, or it closes with a code of its own: the socket closes, and the turn ends. */
-  drop(code = 1006): void {
-    this.socket.handleClose(code);
+  /** Its network goes away, or it leaves: the socket closes, and the turn ends. */
+  drop(ending: ClientEnding = 'lost'): void {
+    this.socket.handleClose(ending);
     this.#testMaster.clock.endTurnSync();
   }
 
@@ -107,7 +109,12 @@ export class TestClient {
 
   /** Publishes encoded records: one as it is, several as a list; the turn goes on. */
   sendRecords(...records: Uint8Array[]): void {
-    this.socket.handleBinary(frameOf(records));
+    this.socket.handleTopicData(frameOf(records));
+  }
+
+  /** Sends a text: a heartbeat, or what is none; the turn goes on. */
+  sendText(text: string): void {
+    handleText(this.socket, text);
   }
 
   /** Publishes one record, and the turn ends. */
@@ -139,10 +146,12 @@ export class TestClient {
     return this.takeSent().flatMap((sent) => (sent.kind === 'error' ? [sent.error] : []));
   }
 
-  /** Code and reason with which its socket was closed, if it was. */
-  get closed(): { code: number; reason: string } | undefined {
+  /** Why its socket was closed by the master, if it was. */
+  get closed(): { reason: CloseReason; explanation?: string } | undefined {
     const last = this.connection.sent.findLast((sent) => sent.kind === 'close');
-    return last && { code: last.code, reason: last.reason };
+    if (last === undefined) return undefined;
+    const { kind: _, ...closed } = last;
+    return closed;
   }
 }
 

@@ -51,7 +51,7 @@ function takeRequests(node: TestNode) {
 
 function answer(node: TestNode, request: ReturnType<typeof takeRequests>[number], value: number) {
   const topics = request.processingModuleIds.map(() => `/out/${node.client.name}`);
-  node.client.socket.handleBinary(
+  node.client.socket.handleTopicData(
     encodeLockstepReplyFrame(
       {
         processingModuleIds: request.processingModuleIds,
@@ -209,7 +209,7 @@ describe('lockstep', () => {
     await world.master.pass(5);
     const [request] = takeRequests(east);
     const frame = encodeLockstepReplyFrame({ pass: request!.pass, sessionId: session.id }, []);
-    world.ada.socket.handleBinary(frame);
+    world.ada.socket.handleTopicData(frame);
     expect(world.ada.takeErrors()).toMatchObject([{ code: 'invalid_argument' }]);
   });
 });

@@ -187,7 +187,7 @@ describe('a module that is not reported', () => {
     for (let loadedBytes = 0; loadedBytes < 3; loadedBytes++) {
       const loading = { loadingSet: 'model', loadedBytes, loadingBytes: 3 };
       const statistics = [{ moduleId: module!.id, ...loading }];
-      node.client.socket.handleBinary(encodeNodeMessageFrame({ moduleReports: { statistics } }));
+      node.client.socket.handleTopicData(encodeNodeMessageFrame({ moduleReports: { statistics } }));
       await node.pass(9000);
     }
     expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_STARTING);

@@ -101,7 +101,7 @@ export class TestNode {
   /** Lets time pass while the node answers, as one that is there does. */
   async pass(durationMs: number): Promise<void> {
     for (let passedMs = 0; passedMs < durationMs; passedMs += 1000) {
-      this.client.socket.handleText('PONG');
+      this.client.sendText('PONG');
       await this.#master.pass(Math.min(1000, durationMs - passedMs));
     }
   }

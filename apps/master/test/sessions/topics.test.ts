@@ -190,7 +190,7 @@ describe('topics of the modules of a session', () => {
     const node = await TestNode.ours(world.master, 'node');
     node.client.publish('/of/node', 'double', 1);
     world.ada.publish('/of/ada', 'double', 1);
-    node.client.socket.handleBinary(
+    node.client.socket.handleTopicData(
       encodeNodeMessageFrame({ endedTopics: { topics: ['/of/node', '/of/ada', '/none'] } }),
     );
     expect(await topics()).toEqual(['/of/ada']);

@@ -14,6 +14,17 @@ export {
   writeRecordHeader,
 } from './frames.ts';
 export {
+  PING_TEXT,
+  PONG_TEXT,
+  formatPong,
+  isBinaryPong,
+  readHeartbeat,
+  type Heartbeat,
+  type TimedPing,
+  type TimedPong,
+  type ToldClock,
+} from './heartbeat.ts';
+export {
   encodeLockstepReplyFrame,
   encodeLockstepRequestFrame,
   readNodeMessage,

@@ -1,4 +1,6 @@
 import {
+  PING_TEXT,
+  PONG_TEXT,
   encodeErrorFrame,
   listHeaderSize,
   recordHeaderSize,
@@ -21,8 +23,8 @@ import { JoinedParts, joinedSize, type FrameParts } from './joined-parts.ts';
 const TEXT = 0x81;
 const BINARY = 0x82;
 
-export const PING_FRAME = textFrame('PING');
-export const PONG_FRAME = textFrame('PONG');
+export const PING_FRAME = textFrame(PING_TEXT);
+export const PONG_FRAME = textFrame(PONG_TEXT);
 
 /** Makes the frames of a batch. */
 export type FrameEncoder = BatchEncoder<FrameParts>;

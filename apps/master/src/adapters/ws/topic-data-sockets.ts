@@ -1,15 +1,17 @@
 import type { IncomingMessage } from 'node:http';
 import type { Duplex } from 'node:stream';
 import type { Clock } from '@ubii/timing';
+import { isBinaryPong } from '@ubii/proto/wire';
 import { WebSocketServer } from 'ws';
 import type { WebSocket } from 'ws';
 
-import type { Master } from '../../core/master/master.ts';
-import type { CallerFacts, Log } from '../../core/ports/index.ts';
+import type { CallerFacts, ClientClaim, ConnectionHost, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../addresses/address-kinds.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
+import { handleText } from '../heartbeat/handle-text.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
+import { endingOf } from './close-codes.ts';
 import type { PreflightSockets } from './preflight-sockets.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
 import { WebSocketConnection } from './websocket-connection.ts';
@@ -21,7 +23,7 @@ const CLOSE_TIMEOUT_MS = 5_000;
 const INTERNAL_ERROR = 1011;
 
 export interface TopicDataSocketsOptions {
-  readonly master: Pick<Master, 'openConnection' | 'refuseConnection'>;
+  readonly master: ConnectionHost;
   readonly policy: OriginPolicy;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly log: Log;
@@ -57,7 +59,7 @@ export class TopicDataSockets {
   handleUpgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
     const verdict = this.#options.policy.judge(request.headers);
     // A page without a name proves to be a client: browsers let it send no header here. [AC-46]
-    const isUnproven = verdict.kind === 'nameless' && !queryOf(request.url ?? '').token;
+    const isUnproven = verdict.kind === 'nameless' && !claimOf(request.url ?? '').token;
     if (verdict.kind === 'refused' || isUnproven) {
       refuseUpgrade(socket, 403, verdict.reason, this.#options.clock);
       return;
@@ -65,7 +67,7 @@ export class TopicDataSockets {
     if (this.#options.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
     // Read before anything else: of a connection that is gone nothing is known any more.
     const caller = this.#options.callers.read(request);
-    const reason = this.#options.master.refuseConnection(queryOf(request.url ?? ''), caller);
+    const reason = this.#options.master.refuseConnection(claimOf(request.url ?? ''), caller);
     if (reason !== undefined) {
       refuseUpgrade(socket, 403, reason, this.#options.clock); // [AC-27]
       return;
@@ -84,11 +86,11 @@ export class TopicDataSockets {
   #open(webSocket: WebSocket, socket: Duplex, request: IncomingMessage, caller: CallerFacts): void {
     const { master, log, maxMessageBytes } = this.#options;
     const opened = master.openConnection(
-      queryOf(request.url ?? ''),
+      claimOf(request.url ?? ''),
       new WebSocketConnection(webSocket, socket),
       caller,
       {
-        userAgent: request.headers['user-agent'],
+        program: request.headers['user-agent'],
         addressKind: kindOfPeer(request.socket.remoteAddress),
       }, // [EX-25]
     );
@@ -110,20 +112,22 @@ export class TopicDataSockets {
     webSocket.on('message', (data: Buffer, isBinary) => {
       try {
         // The library copies messages into new memory and keeps no reference.
-        if (isBinary) opened.handleBinary(data);
-        else opened.handleText(data.toString());
+        if (!isBinary) handleText(opened, data.toString());
+        else if (isBinaryPong(data))
+          opened.handlePong(); // [TD-2]
+        else opened.handleTopicData(data);
       } catch (error) {
         log.error('a message could not be handled', { reason: String(error) });
         webSocket.close(INTERNAL_ERROR, 'internal error');
       }
     });
-    webSocket.on('close', (code: number) => opened.handleClose(code));
+    webSocket.on('close', (code: number) => opened.handleClose(endingOf(code)));
     socket.on('drain', () => opened.handleDrain());
   }
 }
 
 /** Any text may stand where a URL should be: nothing of it may throw. */
-function queryOf(url: string): { clientId: string | undefined; token: string | undefined } {
+function claimOf(url: string): ClientClaim {
   const query = new URLSearchParams(url.slice(url.indexOf('?') + 1 || url.length));
   return {
     clientId: query.get('clientID') || undefined,

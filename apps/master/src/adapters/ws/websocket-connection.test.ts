@@ -1,97 +1,128 @@
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { decodeTopicData } from '@ubii/proto';
-import { scanTopicData } from '@ubii/proto/wire';
 import { WebSocket } from 'ws';
 
-import type { ClientConnection } from '../../core/ports/index.ts';
-import { clientConnectionSuite } from '../../testing/acceptance/index.ts';
-import type { ConnectionPair, Seen } from '../../testing/acceptance/index.ts';
+import { TRUSTED_CALLER, type ClientClaim, type ConnectionHost } from '../../index.ts';
+import {
+  Inbox,
+  clientConnectionSuite,
+  pingText,
+  readClose,
+  readText,
+  readTopicData,
+  type ClientEnd,
+  type ConnectionBench,
+  type Seen,
+} from '../../testing/acceptance/index.ts';
 import { StreamLog } from '../log/stream-log.ts';
 import { OriginPolicy } from '../network/origin-policy.ts';
 import { TopicDataSockets } from './topic-data-sockets.ts';
-import { TRUSTED_CALLER } from '../../index.ts';
 
-clientConnectionSuite('WebSocketConnection', openPair);
+const PROGRAM = 'Suite/1.0';
+/** RFC 6455: the connection ended without a close frame. */
+const NO_FRAME = 1006;
+const LEFT = 4000;
+const MAX_MESSAGE_BYTES = 1_000_000;
 
-/** A real client at the other end of a real socket. */
-async function openPair(): Promise<ConnectionPair> {
-  let handOver: (connection: ClientConnection) => void = () => {};
-  const opened = new Promise<ClientConnection>((resolve) => (handOver = resolve));
+clientConnectionSuite('TopicDataSockets', openBench);
+
+/** Real clients at the other ends of real sockets. */
+async function openBench(host: ConnectionHost): Promise<ConnectionBench> {
   const sockets = new TopicDataSockets({
-    master: {
-      openConnection(_query, connection) {
-        handOver(connection);
-        return undefined;
-      },
-      refuseConnection: () => undefined,
-    },
+    master: host,
     callers: { read: () => TRUSTED_CALLER },
     policy: new OriginPolicy({ isOnLan: () => false, host: 'localhost', allowedOrigins: [] }),
     log: new StreamLog({ level: 'error', format: 'json', write: () => {}, nowMs: () => 0 }),
     clock: { after: () => () => undefined },
-    maxMessageBytes: 1000,
+    maxMessageBytes: MAX_MESSAGE_BYTES,
   });
   const server = createServer().on('upgrade', (request, socket, head) =>
     sockets.handleUpgrade(request, socket, head),
   );
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   const { port } = server.address() as AddressInfo;
-  const inbox = new Inbox(new WebSocket(`ws://127.0.0.1:${port}/?clientID=x`));
   return {
-    connection: await opened,
-    next: () => inbox.next(),
-    async dispose() {
+    dial: (claim) => new SocketEnd(`ws://127.0.0.1:${port}/?${queryOf(claim)}`),
+    caller: TRUSTED_CALLER,
+    tells: { program: PROGRAM, token: true, reason: true, leaving: true },
+    settle: () => new Promise((resolve) => setImmediate(resolve)),
+    async close() {
       sockets.terminate();
       await new Promise((resolve) => server.close(resolve));
     },
   };
 }
 
-/** Messages that a client receives, stored until they are read. */
-class Inbox {
-  readonly #seen: Seen[] = [];
-  #wake: () => void = () => {};
+function queryOf({ clientId, token }: ClientClaim): string {
+  return new URLSearchParams({
+    ...(token !== undefined && { token }),
+    ...(clientId !== undefined && { clientID: clientId }),
+  }).toString();
+}
 
-  constructor(client: WebSocket) {
-    const add = (seen: Seen) => {
-      this.#seen.push(seen);
-      this.#wake();
-    };
-    client.on('message', (data: Buffer, isBinary) => {
-      const text = data.toString();
-      add(isBinary ? parseFrame(data) : parseText(text));
+class SocketEnd implements ClientEnd {
+  readonly #socket: WebSocket;
+  readonly #seen = new Inbox<Seen>();
+  readonly #opened: Promise<void>;
+  readonly #ended: Promise<void>;
+
+  constructor(url: string) {
+    const socket = new WebSocket(url, { headers: { 'user-agent': PROGRAM } });
+    this.#socket = socket;
+    this.#opened = new Promise((resolve) => socket.once('open', resolve));
+    this.#ended = new Promise((resolve) => socket.once('close', () => resolve()));
+    socket.on('message', (data: Buffer, isBinary) =>
+      this.#seen.add(isBinary ? readTopicData(data) : readText(data.toString())),
+    );
+    // A socket that was refused or cut got no close frame; one that left gets its own back.
+    socket.on('close', (code, text) => {
+      if (code !== NO_FRAME && code !== LEFT) this.#seen.add(readClose(code, text.toString()));
     });
-    client.on('close', (code, reason) => add({ kind: 'close', code, reason: reason.toString() }));
-    client.on('error', () => {});
+    socket.on('error', () => {});
   }
 
-  async next(): Promise<Seen> {
-    for (;;) {
-      const seen = this.#seen.shift();
-      if (seen !== undefined) return seen;
-      await new Promise<void>((resolve) => (this.#wake = resolve));
-    }
+  next(): Promise<Seen> {
+    return this.#seen.next();
   }
-}
 
-/** Tag of `TopicData.topic_data_record_list`. */
-const LIST_TAG = 26;
+  ended(): Promise<void> {
+    return this.#ended;
+  }
 
-function parseFrame(frame: Buffer): Seen {
-  const { error, nodeMessages } = decodeTopicData(frame);
-  if (nodeMessages.length > 0) return { kind: 'frame', frame };
-  if (error !== undefined) return { kind: 'error', error };
-  const records: Uint8Array[] = [];
-  scanTopicData(frame, {
-    record: (_topic, start, end) => records.push(frame.subarray(start, end)),
-    error: () => {},
-  });
-  const [record = new Uint8Array()] = records;
-  return frame[0] === LIST_TAG ? { kind: 'list', records } : { kind: 'record', record };
-}
+  sendTopicData(bytes: Uint8Array): void {
+    this.#whenOpen(() => this.#socket.send(bytes));
+  }
 
-function parseText(text: string): Seen {
-  if (text === 'PING' || text === 'PONG') return { kind: text };
-  return { kind: 'PONG', text };
+  sendPing(timed?: Parameters<ClientEnd['sendPing']>[0]): void {
+    this.#whenOpen(() => this.#socket.send(pingText(timed)));
+  }
+
+  sendPong(): void {
+    this.#whenOpen(() => this.#socket.send('PONG'));
+  }
+
+  sendNonsense(): void {
+    this.#whenOpen(() => this.#socket.send('neither PING nor PONG'));
+  }
+
+  leave(): void {
+    this.#whenOpen(() => this.#socket.close(LEFT, 'left'));
+  }
+
+  cut(): void {
+    this.#whenOpen(() => this.#socket.terminate());
+  }
+
+  pause(): void {
+    this.#whenOpen(() => this.#socket.pause());
+  }
+
+  resume(): void {
+    this.#whenOpen(() => this.#socket.resume());
+  }
+
+  #whenOpen(act: () => void): void {
+    if (this.#socket.readyState === WebSocket.OPEN) act();
+    else if (this.#socket.readyState === WebSocket.CONNECTING) void this.#opened.then(act);
+  }
 }

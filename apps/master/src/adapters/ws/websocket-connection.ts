@@ -1,8 +1,10 @@
 import type { ErrorMessage } from '@ubii/proto';
+import { formatPong, type TimedPong } from '@ubii/proto/wire';
 import type { Duplex } from 'node:stream';
 import type { WebSocket } from 'ws';
 
-import type { ClientConnection, RecordBatch } from '../../core/ports/index.ts';
+import type { ClientConnection, CloseReason, RecordBatch } from '../../core/ports/index.ts';
+import { closeFrame } from './close-codes.ts';
 import {
   PING_FRAME,
   PONG_FRAME,
@@ -13,9 +15,6 @@ import {
   textFrame,
 } from './frames.ts';
 import type { FrameParts } from './joined-parts.ts';
-
-/** Longest reason of a close frame besides its code, bytes (RFC 6455, section 5.5.1). */
-const MAX_REASON_BYTES = 123;
 
 /** WebSocket.OPEN */
 const OPEN = 1;
@@ -59,16 +58,17 @@ export class WebSocketConnection implements ClientConnection {
   }
 
   // [TD-2]
-  sendPong(text?: string): void {
-    this.#write(text === undefined ? PONG_FRAME : textFrame(text));
+  sendPong(timed?: TimedPong): void {
+    this.#write(timed === undefined ? PONG_FRAME : textFrame(formatPong(timed)));
   }
 
   get queuedBytes(): number {
     return this.#socket.writableLength;
   }
 
-  close(code: number, reason: string): void {
-    this.#webSocket.close(code, Buffer.from(reason).subarray(0, MAX_REASON_BYTES));
+  close(reason: CloseReason, explanation?: string): void {
+    const { code, text } = closeFrame(reason, explanation);
+    this.#webSocket.close(code, text);
   }
 
   setRecordLists(on: boolean): void {

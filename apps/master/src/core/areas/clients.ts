@@ -1,5 +1,4 @@
 import { ClientRegistry } from '../clients/client-registry.ts';
-import { CLOSE } from '../clients/close-codes.ts';
 import { Dismissals } from '../clients/dismissals.ts';
 import { Liveness } from '../clients/liveness.ts';
 import { DeviceRegistry } from '../devices/device-registry.ts';
@@ -33,9 +32,7 @@ export function createClients(dependencies: ClientDependencies) {
   dependencies.onClose.add(() => {
     liveness.close();
     info.close();
-    for (const { socket } of clients.values()) {
-      socket?.close(CLOSE.goingAway.code, CLOSE.goingAway.reason);
-    }
+    for (const { socket } of clients.values()) socket?.close('master is closing');
   });
   return { info, devices, dismissals, clients };
 }

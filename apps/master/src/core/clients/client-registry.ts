@@ -21,9 +21,7 @@ import type { SubscriberFactory } from '../topics/subscriber-factory.ts';
 import { quote } from '../texts/quote.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import { Client, specOf, type ClientSpec } from './client.ts';
-import { closeReason } from './close-reason.ts';
-import { CLOSE } from './close-codes.ts';
-import type { Dismissals } from './dismissals.ts';
+import type { Dismissal, Dismissals } from './dismissals.ts';
 import { leastMissed } from './least-missed.ts';
 import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
 
@@ -167,10 +165,9 @@ export class ClientRegistry {
   }
 
   /** Removes a client at the request of an admin. The client gets the reason, now or when it reconnects [EX-30]. */
-  dismiss(client: Client, why: string, code: number = CLOSE.disconnected.code): void {
-    const reason = closeReason(why);
-    this.#context.dismissals.add(client.id, { code, reason });
-    client.socket?.close(code, reason);
+  dismiss(client: Client, dismissal: Dismissal): void {
+    this.#context.dismissals.add(client.id, dismissal);
+    client.socket?.close(dismissal.reason, dismissal.explanation);
     this.handleEvent(client, 'deregistered');
   }
 
@@ -252,7 +249,7 @@ export class ClientRegistry {
 
   #remove(client: Client, event: ClientEvent): void {
     const { events, devices, subscriptions, info, accounts } = this.#context;
-    client.socket?.close(1000, 'deregistered'); // [CL-16]
+    client.socket?.close('deregistered'); // [CL-16]
     devices.deregisterAll(client);
     this.#endTopics(client); // [TD-40]
     subscriptions.unsubscribeAll(client.subscriber);

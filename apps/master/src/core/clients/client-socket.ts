@@ -1,5 +1,6 @@
 import type { ServiceErrorCode } from '@ubii/proto';
 import type { ClientConnection } from '../ports/client-connection.ts';
+import type { CloseReason } from '../ports/close-reason.ts';
 
 /** The live socket of a client, as the rest of the master uses it. */
 export interface ClientSocket {
@@ -14,7 +15,7 @@ export interface ClientSocket {
   /** Whether the client takes lists of records [TD-3] [TD-4]. */
   setRecordLists(takes: boolean): void;
   /** Closes it from our side. */
-  close(code: number, reason: string): void;
+  close(reason: CloseReason, explanation?: string): void;
   /** Another socket took its place [TD-7]. */
   supersede(): void;
 }

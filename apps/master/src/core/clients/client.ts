@@ -1,4 +1,5 @@
 import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
+import type { ToldClock } from '@ubii/proto/wire';
 import type { TokenBucket } from '@ubii/timing';
 import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
@@ -11,7 +12,6 @@ import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ClientSocket } from './client-socket.ts';
 import { wireState, type ClientStatus } from './client-states.ts';
 import type { Throttle } from '../counters/throttle.ts';
-import type { ToldClock } from './timed-ping.ts';
 import { Traffic } from './traffic.ts';
 
 /** Registration of a client without its id, state, devices and secrets. */
@@ -33,8 +33,8 @@ export interface ClientParts {
 
 /** The peer of a socket, as far as the transport knows it [EX-25]. */
 export interface Peer {
-  /** Empty when it sent none. */
-  readonly userAgent: string;
+  /** Name of its program; empty when it says none. */
+  readonly program: string;
   readonly addressKind: AddressKind | undefined;
 }
 
@@ -60,7 +60,7 @@ export class Client implements PublishingClient {
   /** Name and version of its library; empty when it does not say. */
   library = '';
   /** Of its last socket. */
-  peer: Peer = { userAgent: '', addressKind: undefined };
+  peer: Peer = { program: '', addressKind: undefined };
   /** When it opened its socket, epoch milliseconds. */
   socketOpenedMs = 0;
   /** When it registered, epoch milliseconds. */

@@ -1,10 +1,13 @@
+import type { CloseReason } from '../ports/close-reason.ts';
+
 /** Clients remembered: more than can be removed by hand while one is away. */
 const MAX_REMEMBERED = 1_000;
 
-/** Close code and reason for a removed client. */
+/** Why a client was removed. */
 export interface Dismissal {
-  readonly code: number;
-  readonly reason: string;
+  readonly reason: CloseReason;
+  /** For its user: who did it, and why. */
+  readonly explanation?: string;
 }
 
 /** Removed clients, with the reason that they get when they open a socket again [EX-30]. */

@@ -1,16 +1,16 @@
 import type { Access } from '../access/access.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
-import type { ConnectionPeer, ConnectionQuery } from '../ports/connection-facts.ts';
+import type { ClientClaim, ConnectionPeer } from '../ports/connection-facts.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { limitOf } from '../shares/shortage.ts';
 import { oneLine } from '../texts/one-line.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
+import type { ClientEnding } from '../ports/close-reason.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Client } from './client.ts';
 import type { ClientRegistry } from './client-registry.ts';
-import { CLOSE } from './close-codes.ts';
-import type { Dismissals } from './dismissals.ts';
+import type { Dismissal, Dismissals } from './dismissals.ts';
 import { TopicDataSocket, type SocketContext } from './topic-data-socket.ts';
 
 /** Dependencies of the admission of sockets. */
@@ -22,11 +22,8 @@ export interface AdmissionContext extends Omit<SocketContext, 'onClosed'> {
   readonly dismissals: Dismissals;
 }
 
-/** A code with what is said with it. */
-interface CloseReason {
-  readonly code: number;
-  readonly reason: string;
-}
+const NOT_THIS_CLIENT: Dismissal = { reason: 'not this client' };
+const UNKNOWN_CLIENT: Dismissal = { reason: 'unknown client' };
 
 /** Decides which socket is whose, and keeps count of them. */
 export class SocketAdmission {
@@ -38,7 +35,7 @@ export class SocketAdmission {
     this.#context = context;
     this.#socketContext = {
       ...context,
-      onClosed: (socket, hasLeft) => this.#handleClosed(socket, hasLeft),
+      onClosed: (socket, ending) => this.#handleClosed(socket, ending),
     };
   }
 
@@ -48,25 +45,25 @@ export class SocketAdmission {
   }
 
   /** Returns the reason to refuse a socket [AC-27]. */
-  refuse({ clientId = '', token = '' }: ConnectionQuery, caller: CallerFacts): string | undefined {
+  refuse({ clientId = '', token = '' }: ClientClaim, caller: CallerFacts): string | undefined {
     return this.#context.access.refuseSocket(caller, clientId, token)?.message;
   }
 
   /** Makes this connection the socket of its client, or closes it and says why. */
   open(
-    query: ConnectionQuery,
+    claim: ClientClaim,
     connection: ClientConnection,
     caller: CallerFacts,
     peer: ConnectionPeer = {},
   ): TopicDataSocket | undefined {
     const { clients, counters } = this.#context;
-    const client = clients.get(query.clientId ?? '');
-    const isStranger = this.refuse(query, caller) !== undefined;
-    const refusal = isStranger ? CLOSE.notThisClient : this.#refusal(client, query);
+    const client = clients.get(claim.clientId ?? '');
+    const isStranger = this.refuse(claim, caller) !== undefined;
+    const refusal = isStranger ? NOT_THIS_CLIENT : this.#refusal(client, claim);
     if (client === undefined || refusal !== undefined) {
-      const { code, reason } = refusal ?? CLOSE.unknownClient;
+      const { reason, explanation } = refusal ?? UNKNOWN_CLIENT;
       counters.connectionsRefused++;
-      connection.close(code, reason);
+      connection.close(reason, explanation);
       return undefined;
     }
     return this.#attach(client, connection, peer);
@@ -84,7 +81,7 @@ export class SocketAdmission {
   #attach(
     client: Client,
     connection: ClientConnection,
-    { userAgent = '', addressKind }: ConnectionPeer,
+    { program = '', addressKind }: ConnectionPeer,
   ): TopicDataSocket {
     const { clients, counters, topics, subscriptions } = this.#context;
     const before = client.socket;
@@ -97,7 +94,7 @@ export class SocketAdmission {
     client.socket = socket;
     client.socketOpenedMs = this.#context.clock.nowMs();
     const { userAgentCharacters } = this.#context.limits;
-    client.peer = { userAgent: oneLine(userAgent, userAgentCharacters), addressKind }; // [EX-25]
+    client.peer = { program: oneLine(program, userAgentCharacters), addressKind }; // [EX-25]
     socket.setRecordLists(client.takesRecordLists); // [TD-3] [TD-4]
     const { outbox } = client.subscriber;
     if (client.heardSequence !== undefined) {
@@ -114,7 +111,7 @@ export class SocketAdmission {
   }
 
   /** A socket of ours is closed. */
-  #handleClosed(socket: TopicDataSocket, hasLeft: boolean): void {
+  #handleClosed(socket: TopicDataSocket, ending: ClientEnding): void {
     const { client } = socket;
     this.#open--;
     client.account.add(RESOURCE.sockets, -1);
@@ -123,24 +120,24 @@ export class SocketAdmission {
     client.subscriber.sampler.close();
     client.subscriber.outbox.close();
     client.lastSignMs = this.#context.clock.monotonicMs(); // [CL-13]
-    // Existing clients know nothing of this code. [EX-1]
-    const isFarewell = hasLeft && client.isExtension;
+    // Existing clients know nothing of it. [EX-1]
+    const isFarewell = ending === 'left' && client.isExtension;
     this.#context.clients.handleEvent(client, isFarewell ? 'deregistered' : 'socket closed');
   }
 
-  #refusal(client: Client | undefined, query: ConnectionQuery): CloseReason | undefined {
+  #refusal(client: Client | undefined, claim: ClientClaim): Dismissal | undefined {
     const { tokens, limits, limitWatch, dismissals } = this.#context;
-    const { clientId = '', token } = query;
+    const { clientId = '', token } = claim;
     if (client === undefined) {
-      return dismissals.of(clientId) ?? CLOSE.unknownClient; // [EX-30] [AC-15] [TD-6]
+      return dismissals.of(clientId) ?? UNKNOWN_CLIENT; // [EX-30] [AC-15] [TD-6]
     }
-    if (client.isExtension && !tokens.verify(client.id, token ?? '')) return CLOSE.notThisClient; // [EX-4]
+    if (client.isExtension && !tokens.verify(client.id, token ?? '')) return NOT_THIS_CLIENT; // [EX-4]
     if (client.socket !== undefined) return undefined;
     const { account } = client;
     const resource = RESOURCE.sockets;
     const level = account.shortage(resource, 1);
     if (level === undefined) return undefined;
     limitWatch.count(limitOf({ account, resource, level }, limits), client.id);
-    return CLOSE.tooMany;
+    return { reason: 'too many' };
   }
 }

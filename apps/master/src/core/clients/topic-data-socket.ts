@@ -1,8 +1,10 @@
 import { DecodeError, ServiceError, type ServiceErrorCode } from '@ubii/proto';
-import { scanTopicData, type TextCache, type TopicDataSink } from '@ubii/proto/wire';
+import { scanTopicData } from '@ubii/proto/wire';
+import type { TextCache, TimedPing, TopicDataSink } from '@ubii/proto/wire';
 import { TokenBucket, type EndOfTurn, type PreciseClock } from '@ubii/timing';
 import type { LimitName } from '../limits/index.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
+import type { ClientEnding, CloseReason } from '../ports/close-reason.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
 import type { Log } from '../ports/log.ts';
 import type { Counters } from '../counters/counters.ts';
@@ -12,8 +14,6 @@ import { publish, type PublishContext } from '../topics/publisher.ts';
 import type { ClientRegistry } from './client-registry.ts';
 import type { ClientSocket } from './client-socket.ts';
 import type { Client } from './client.ts';
-import { CLOSE } from './close-codes.ts';
-import { formatTimedPong, parseTimedPing } from './timed-ping.ts';
 
 /** Dependencies of a socket. */
 export interface SocketContext extends PublishContext {
@@ -27,12 +27,10 @@ export interface SocketContext extends PublishContext {
   readonly clients: Pick<ClientRegistry, 'handleSign'>;
   /** A node says something. @throws DecodeError when it cannot be read */
   readonly onNodeMessage: (client: Client, bytes: Uint8Array) => void;
-  /** The socket is closed, from whichever side. Not called for one that was superseded. @param hasLeft the client closed it permanently [EX-55] */
-  readonly onClosed: (socket: TopicDataSocket, hasLeft: boolean) => void;
+  /** The socket is closed, from whichever side. Not called for one that was superseded. */
+  readonly onClosed: (socket: TopicDataSocket, ending: ClientEnding) => void;
 }
 
-const UNKNOWN_TEXT =
-  'The text message is neither PING nor PONG. Send topic data as binary messages.';
 const NO_BYTES = new Uint8Array(0);
 
 /** The live socket of one client: what comes in on it, and how it ends. */
@@ -77,12 +75,11 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
     this.#context.endOfTurn.endRead();
   }
 
-  handleBinary(bytes: Uint8Array): void {
+  handleTopicData(bytes: Uint8Array): void {
     if (!this.#isOpen) return;
     const { clock, log, limits, topicTexts } = this.#context;
     const publication = this.#publication;
     this.#handleSign();
-    if (isPong(bytes)) return this.#handlePong(); // [TD-2]
     if (bytes.byteLength > limits.frameBytes) return this.#refuseFrame(bytes.byteLength);
     publication.frame = bytes;
     publication.monotonicMs = this.client.lastSignMs;
@@ -99,12 +96,33 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
     }
   }
 
-  handleText(text: string): void {
+  /** [TD-2] [EX-6] */
+  handlePing(timed?: TimedPing): void {
+    if (!this.#isOpen) return;
+    const { clock, limits } = this.#context;
+    const receivedMs = timed === undefined ? 0 : clock.preciseMs();
+    this.#handleSign();
+    if (timed?.clock !== undefined) {
+      this.client.clock = { ...timed.clock, toldMs: clock.monotonicMs() }; // [TS-10]
+    }
+    // A client that sends PINGs without reading the replies gets no further replies.
+    if (this.#connection.queuedBytes > limits.connectionQueuedBytes) return;
+    if (timed === undefined) this.#connection.sendPong();
+    else {
+      const { number } = timed;
+      this.#connection.sendPong({ number, receivedMs, sentMs: clock.preciseMs() }); // [TS-2]
+    }
+  }
+
+  handlePong(): void {
     if (!this.#isOpen) return;
     this.#handleSign();
-    if (text === 'PONG') this.#handlePong();
-    else if (text.startsWith('PING')) this.#handlePing(text);
-    else this.handleProtocolError(UNKNOWN_TEXT);
+    const { client } = this;
+    if (client.pingSentMs === undefined) return;
+    const nowMs = this.#context.clock.monotonicMs();
+    client.latencyMs = nowMs - client.pingSentMs; // [CL-15]
+    client.latencyMeasuredMs = nowMs;
+    client.pingSentMs = undefined;
   }
 
   handleDrain(): void {
@@ -113,6 +131,7 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
 
   handleProtocolError(reason: string): void {
     if (!this.#isOpen) return;
+    this.#handleSign(); // [CL-11]
     const { counters, limits, limitWatch, clock, log } = this.#context;
     counters.protocolErrors++;
     this.sendError('invalid_argument', reason);
@@ -124,13 +143,13 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
     if (this.#protocolErrorsMs.length <= limits.protocolErrors) return;
     limitWatch.count('protocolErrors', this.client.id);
     log.warn('a socket was closed after too many protocol errors', { clientId: this.client.id });
-    this.close(CLOSE.protocolErrors.code, CLOSE.protocolErrors.reason); // [TD-18]
+    this.close('protocol errors'); // [TD-18]
   }
 
-  handleClose(code?: number): void {
+  handleClose(ending: ClientEnding): void {
     if (!this.#isOpen) return;
     this.#isOpen = false;
-    this.#context.onClosed(this, code === CLOSE.left.code);
+    this.#context.onClosed(this, ending);
   }
 
   // --- What scanTopicData finds ---
@@ -174,16 +193,16 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
   }
 
   /** Closes the socket from our side. */
-  close(code: number, reason: string): void {
+  close(reason: CloseReason, explanation?: string): void {
     if (!this.#isOpen) return;
-    this.#connection.close(code, reason);
-    this.handleClose();
+    this.#connection.close(reason, explanation);
+    this.handleClose('lost');
   }
 
   /** Another socket took the place of this one [TD-7]. */
   supersede(): void {
     this.#isOpen = false;
-    this.#connection.close(CLOSE.superseded.code, CLOSE.superseded.reason);
+    this.#connection.close('superseded');
   }
 
   /** Tells the client what went wrong, unless it was told too much lately [TD-17]. */
@@ -215,37 +234,13 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
     else if (nowMs - this.#tookSomethingMs >= limits.slowSocketTimeoutMs) {
       limitWatch.count('slowSocketTimeoutMs', this.client.id);
       log.warn('a socket that received nothing was closed', { clientId: this.client.id });
-      this.close(CLOSE.tooSlow.code, CLOSE.tooSlow.reason);
+      this.close('too slow');
     }
   }
 
   #handleSign(): void {
     this.client.heardSequence = this.#context.topics.sequence;
     this.#context.clients.handleSign(this.client);
-  }
-
-  /** [TD-2] [EX-6] */
-  #handlePing(text: string): void {
-    const { clock, limits } = this.#context;
-    const timed = text === 'PING' ? undefined : parseTimedPing(text); // [TS-2]
-    if (timed === undefined && text !== 'PING') return this.handleProtocolError(UNKNOWN_TEXT);
-    const receivedMs = timed === undefined ? 0 : clock.preciseMs();
-    if (timed?.clock !== undefined) {
-      this.client.clock = { ...timed.clock, toldMs: clock.monotonicMs() }; // [TS-10]
-    }
-    // A client that sends PINGs without reading the replies gets no further replies.
-    if (this.#connection.queuedBytes > limits.connectionQueuedBytes) return;
-    if (timed === undefined) this.#connection.sendPong();
-    else this.#connection.sendPong(formatTimedPong(timed.number, receivedMs, clock.preciseMs()));
-  }
-
-  #handlePong(): void {
-    const { client } = this;
-    if (client.pingSentMs === undefined) return;
-    const nowMs = this.#context.clock.monotonicMs();
-    client.latencyMs = nowMs - client.pingSentMs; // [CL-15]
-    client.latencyMeasuredMs = nowMs;
-    client.pingSentMs = undefined;
   }
 
   #refuseFrame(byteLength: number): void {
@@ -271,14 +266,4 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
   #mayTellError(): boolean {
     return this.#errorBudget.take(1, this.#context.clock.monotonicMs());
   }
-}
-
-function isPong(bytes: Uint8Array): boolean {
-  return (
-    bytes.byteLength === 4 &&
-    bytes[0] === 0x50 &&
-    bytes[1] === 0x4f &&
-    bytes[2] === 0x4e &&
-    bytes[3] === 0x47
-  );
 }

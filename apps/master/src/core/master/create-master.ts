@@ -7,6 +7,7 @@ import type { MasterPorts, MasterSettings } from '../areas/settings.ts';
 import { readMetrics } from '../monitoring/metrics.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
+import type { ClientClaim, ConnectionPeer } from '../ports/connection-facts.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
 import type { NodeUpload, Upload } from '../recordings/recording-uploads.ts';
 import { openAudit, writeResult } from '../services/audit.ts';
@@ -14,14 +15,7 @@ import { watchGrants } from '../services/grant-work.ts';
 import { IncomingRequest } from '../services/incoming-request.ts';
 import { answerRequest, refuse } from '../services/router.ts';
 import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
-import type {
-  ConnectionPeer,
-  ConnectionQuery,
-  Master,
-  MasterMetrics,
-  ServiceAnswer,
-  TerminalAccess,
-} from './master.ts';
+import type { Master, MasterMetrics, ServiceAnswer, TerminalAccess } from './master.ts';
 
 /** Creates a master. Until its first call, it only measures time. */
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
@@ -47,16 +41,16 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     refuseServiceRequest(cause: unknown): ServiceAnswer {
       return refuse(core, cause);
     },
-    refuseConnection(query: ConnectionQuery, caller: CallerFacts): string | undefined {
-      return core.sockets.refuse(query, caller);
+    refuseConnection(claim: ClientClaim, caller: CallerFacts): string | undefined {
+      return core.sockets.refuse(claim, caller);
     },
     openConnection(
-      query: ConnectionQuery,
+      claim: ClientClaim,
       connection: ClientConnection,
       caller: CallerFacts,
       peer?: ConnectionPeer,
     ): ConnectionHandle | undefined {
-      return core.sockets.open(query, connection, caller, peer);
+      return core.sockets.open(claim, connection, caller, peer);
     },
     roleOf(caller: CallerFacts): Role {
       return core.access.identify(caller).role;

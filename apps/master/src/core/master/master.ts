@@ -2,8 +2,7 @@ import type { Recording, ServiceRequest } from '@ubii/proto';
 import type { Role } from '../access/roles.ts';
 export type { Role } from '../access/roles.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
-import type { ClientConnection } from '../ports/client-connection.ts';
-import type { ConnectionHandle } from '../ports/connection-handle.ts';
+import type { ConnectionHost } from '../ports/connection-host.ts';
 import type { OpenConnection, TransportPeer } from '../connections/open-connection.ts';
 import type { NodeUpload, Upload } from '../recordings/recording-uploads.ts';
 import type { Recordings } from '../recordings/recordings.ts';
@@ -11,15 +10,13 @@ import type { IncomingRequest } from '../services/incoming-request.ts';
 import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
 import type { TerminalAccess } from '../access/terminal-access.ts';
 import type { MasterMetrics } from '../monitoring/metric-family.ts';
-import type { ConnectionPeer, ConnectionQuery } from '../ports/connection-facts.ts';
 import type { ServiceAnswer } from '../services/service-answer.ts';
 export type { TerminalAccess, TerminalJoin } from '../access/terminal-access.ts';
 export type { MasterMetrics, MetricFamily } from '../monitoring/metric-family.ts';
-export type { ConnectionPeer, ConnectionQuery } from '../ports/connection-facts.ts';
 export type { ServiceAnswer } from '../services/service-answer.ts';
 
 /** A master without transports: feed it requests and connections. Nothing a client sends makes a method throw or reject. */
-export interface Master {
+export interface Master extends ConnectionHost {
   /** Id of this run, a UUID: what `server_configuration` and `master_status` show. */
   readonly id: string;
   /**
@@ -47,15 +44,6 @@ export interface Master {
   ): Promise<ServiceAnswer>;
   /** The reply to a request the edge refused itself: undecodable (pass the `DecodeError`), or with a `ServiceError` of its choice. Counts it (SV-7). */
   refuseServiceRequest(cause: unknown): ServiceAnswer;
-  /** Reason to refuse a pipe before it opens; undefined: the pipe is allowed. [AC-27] */
-  refuseConnection(query: ConnectionQuery, caller: CallerFacts): string | undefined;
-  /** Takes an open pipe. `undefined`: refused, and already closed with the code that says why (TD-6, EX-4). */
-  openConnection(
-    query: ConnectionQuery,
-    connection: ClientConnection,
-    caller: CallerFacts,
-    peer?: ConnectionPeer,
-  ): ConnectionHandle | undefined;
   readonly metrics: () => MasterMetrics;
   /** Returns the rights of a caller, for adapters that check access themselves. */
   roleOf(caller: CallerFacts): Role;
@@ -79,6 +67,6 @@ export interface Master {
   sessionsAtStop(): SessionsAtStop;
   /** Resolves to the results of the sessions that this master had to restart [SE-24]. */
   sessionsRestored(): Promise<RestoreReport>;
-  /** Ends every timer, closes every connection with code 1001, and ends modules and workers. */
+  /** Ends every timer, closes every connection, and ends modules and workers. */
   close(): Promise<void>;
 }

@@ -77,7 +77,7 @@ function activityOf(
     watchesEverything: watchers.size > 0,
     subscriptions: withSubscriptions ? subscriptionsOf(subscriber) : [],
     ownedTopics: client.ownedTopics.size,
-    userAgent: peer.userAgent,
+    userAgent: peer.program,
     library: client.library,
     addressKind: wireAddressKind(addressKind),
     ...(throttle !== undefined && { throttle: throttleOf(throttle) }),

@@ -17,7 +17,7 @@ export interface CallerFacts {
   readonly place: string;
   /** The address itself, where `place` is a network. @default `place` */
   readonly address?: string | undefined;
-  /** Token of the header `Authorization: Bearer`; undefined without one [AC-3]. */
+  /** The token, code or credential that it shows; undefined without one [AC-3]. */
   readonly bearer: string | undefined;
 }
 

@@ -1,14 +1,15 @@
 import type { AddressKind } from './address-kind.ts';
 
-/** Parameters in the URL of a socket. */
-export interface ConnectionQuery {
+/** The client that a connection says it is of, with its proof. */
+export interface ClientClaim {
   readonly clientId: string | undefined;
+  /** Resume token of the client [EX-4]. */
   readonly token: string | undefined;
 }
 
-/** The client that opens a socket, as the transport sees it; unknown facts are left out [EX-25]. */
+/** The program at the other end of a connection, as the transport sees it; unknown facts are left out [EX-25]. */
 export interface ConnectionPeer {
-  /** The header `User-Agent`, of any length. */
-  readonly userAgent?: string | undefined;
+  /** Name of the program as it tells the transport, of any length. */
+  readonly program?: string | undefined;
   readonly addressKind?: AddressKind | undefined;
 }

@@ -38,6 +38,10 @@ export type {
 export type { ResourceUsage, UsageMeasurement } from './resource-usage.ts';
 export type { BatchEncoder, RecordBatch } from './record-batch.ts';
 export type { ClientConnection } from './client-connection.ts';
+export { CLOSE_REASONS } from './close-reason.ts';
+export type { ClientEnding, CloseReason } from './close-reason.ts';
+export type { ClientClaim, ConnectionPeer } from './connection-facts.ts';
+export type { ConnectionHost } from './connection-host.ts';
 export type {
   DocumentStore,
   SessionStorage,

@@ -70,7 +70,7 @@ export class ReplayClient {
   /** Publishes a frame of records. */
   publish(frame: Uint8Array): void {
     this.#handle.handleReadStart();
-    this.#handle.handleBinary(frame);
+    this.#handle.handleTopicData(frame);
     this.#handle.handleReadEnd();
   }
 
@@ -89,11 +89,11 @@ export class ReplayClient {
       send: () => undefined, // It subscribes to nothing.
       sendFrame: () => undefined,
       sendError: ({ message }) => onError(message),
-      sendPing: () => this.#handle.handleText('PONG'),
+      sendPing: () => this.#handle.handlePong(),
       sendPong: () => undefined,
       setRecordLists: () => undefined,
-      close: (_code, reason) => {
-        if (this.#isOpen) onClosed(reason);
+      close: (reason, explanation) => {
+        if (this.#isOpen) onClosed(explanation ?? reason);
       },
     };
   }

@@ -14,8 +14,8 @@ import { clientIdsOf, endGrant, withDescendants, workOf, type GrantParts } from 
 import { grantMessage, type Grant, type GrantSpec } from '../access/grant.ts';
 import { joinRefusal } from '../access/join-refusals.ts';
 import { ADMINS, givenRole, wireRole } from '../access/roles.ts';
-import { CLOSE } from '../clients/close-codes.ts';
 import type { Core } from '../areas/core.ts';
+import type { Dismissal } from '../clients/dismissals.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { nameOf } from '../areas/settings.ts';
 import { isLongerThan } from '../texts/text-length.ts';
@@ -89,7 +89,10 @@ export const ACCESS_SERVICES = [
         throw new ServiceError('not_found', `No invitation has the id ${quote(grantId)}.`);
       }
       // Revoke at once, before the change is written, so that no request comes in between.
-      const told = { code: CLOSE.revoked.code, reason: byCaller(core, clientId, reason) };
+      const told: Dismissal = {
+        reason: 'revoked',
+        explanation: byCaller(core, clientId, reason),
+      };
       const isHandedOver = work === RevokedWork.REVOKED_WORK_HAND_OVER;
       await Promise.all(
         withDescendants(core, grant).map(async (one) => {

@@ -52,7 +52,7 @@ export const CLIENT_CONTROL_SERVICES = [
       requireTarget(call, client, 'disconnect');
       const told = byCaller(core, clientId, reason);
       const { label } = client;
-      core.clients.dismiss(client, told);
+      core.clients.dismiss(client, { reason: 'disconnected', explanation: told });
       core.events.add(
         StatusEventKind.CLIENT_DISCONNECTED,
         `${label} was disconnected ${told}`,

@@ -1,6 +1,5 @@
 import { StatusEventKind } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
-import { CLOSE } from '../clients/close-codes.ts';
 import type { Dismissal } from '../clients/dismissals.ts';
 import type { Core } from '../areas/core.ts';
 import { quote } from '../texts/quote.ts';
@@ -52,12 +51,12 @@ export function withDescendants({ access }: GrantParts, grant: Grant): Grant[] {
 export async function endGrant(
   core: GrantParts,
   grant: Grant,
-  { code, reason }: Dismissal,
+  dismissal: Dismissal,
   isHandedOver: boolean,
 ): Promise<void> {
   const { sessions, sessionLibrary, modules } = core;
   for (const id of clientIdsOf(core, grant)) {
-    core.clients.dismiss(core.clients.get(id)!, reason, code);
+    core.clients.dismiss(core.clients.get(id)!, dismissal);
   }
   core.kept.deleteOfInvitation(grant.id); // [TD-46]
   if (isHandedOver) {
@@ -80,7 +79,7 @@ export async function endGrant(
 export function watchGrants(core: GrantParts): Cancel {
   const look = (): void => {
     for (const grant of core.access.grants.takeOver()) {
-      void endGrant(core, grant, CLOSE.expired, false);
+      void endGrant(core, grant, { reason: 'expired' }, false);
       core.log.info('an invitation expired', { invitation: grant.label || grant.id });
     }
   };

@@ -10,8 +10,8 @@ async function createPair(maxRateHz: number) {
   const advance = (durationMs: number): void => {
     for (let rest = durationMs; rest > 0; rest -= 1000) {
       master.clock.advanceSync(Math.min(rest, 1000));
-      ada.socket.handleText('PONG');
-      ben.socket.handleText('PONG');
+      ada.sendText('PONG');
+      ben.sendText('PONG');
     }
   };
   return { master, ada, ben, advance };

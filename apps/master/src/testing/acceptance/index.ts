@@ -1,9 +1,8 @@
 export { accessSecretsSuite } from './access-secrets-suite.ts';
-export {
-  clientConnectionSuite,
-  type ConnectionPair,
-  type Seen,
-} from './client-connection-suite.ts';
+export { clientConnectionSuite } from './client-connection-suite.ts';
+export type { ClientEnd, ConnectionBench, OpenBench, Seen } from './connection-bench.ts';
+export { Inbox } from './inbox.ts';
+export { pingText, readClose, readText, readTopicData } from './read-seen.ts';
 export { auditStoreSuite } from './audit-store-suite.ts';
 export { idSourceSuite } from './id-source-suite.ts';
 export { logSuite, type WrittenLine } from './log-suite.ts';

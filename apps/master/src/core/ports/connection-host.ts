@@ -1,0 +1,25 @@
+import type { CallerFacts } from './caller-facts.ts';
+import type { ClientConnection } from './client-connection.ts';
+import type { ClientClaim, ConnectionPeer } from './connection-facts.ts';
+import type { ConnectionHandle } from './connection-handle.ts';
+
+/** The master, as the adapter of a transport for topic data sees it. No method throws. */
+export interface ConnectionHost {
+  /**
+   * Reason to refuse a connection before it opens, one sentence; undefined: it is allowed. For transports that
+   * can answer before there is a connection; `openConnection` refuses the same ones. [AC-27]
+   */
+  refuseConnection(claim: ClientClaim, caller: CallerFacts): string | undefined;
+  /**
+   * Takes an open connection.
+   *
+   * @param caller who opened it, as the transport knows
+   * @returns undefined: refused, and already closed with the reason (TD-6, EX-4)
+   */
+  openConnection(
+    claim: ClientClaim,
+    connection: ClientConnection,
+    caller: CallerFacts,
+    peer?: ConnectionPeer,
+  ): ConnectionHandle | undefined;
+}
