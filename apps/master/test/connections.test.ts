@@ -79,7 +79,7 @@ describe('connections', () => {
     const first = connect('10.0.0.9')!;
     first.handleRequest();
     first.handleCaller('client');
-    connect('10.0.0.9')!.handleUpgrade();
+    connect('10.0.0.9')!.handleClient();
     for (let i = 0; i < 100; i++) connect(`10.0.1.${i}`);
     expect(connect('10.0.2.1')).toBeUndefined();
     for (let i = 0; i < 3; i++) expect(connect('10.0.0.9')).toBeDefined();
@@ -110,12 +110,12 @@ describe('connections', () => {
     const { connect, hits } = world();
     const all = ['10.0.0.1', '10.0.0.1', '127.0.0.1', 'fd00::1'].map((each) => connect(each)!);
     all[0]!.handleCaller('joining');
-    all[1]!.handleUpgrade();
+    all[1]!.handleClient();
     all[2]!.handleCaller('stranger');
     for (const each of [...all, ...all]) each.handleClose();
     for (const limit of Object.keys(LIMITS)) expect(await hits(limit)).toMatchObject({ use: 0 });
     // Reports about closed connections are ignored.
-    for (const each of all) each.handleUpgrade();
+    for (const each of all) each.handleClient();
     for (const limit of Object.keys(LIMITS)) expect(await hits(limit)).toMatchObject({ use: 0 });
   });
 

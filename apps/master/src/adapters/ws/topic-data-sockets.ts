@@ -104,7 +104,7 @@ export class TopicDataSockets {
       }
     });
     if (opened === undefined) return;
-    this.#options.doorkeeper?.of(socket)?.handleUpgrade();
+    this.#options.doorkeeper?.of(socket)?.handleClient();
 
     // The library reads the socket between these two.
     socket.prependListener('data', () => opened.handleReadStart());

@@ -12,7 +12,7 @@ const GRACE_MS = 3_000;
 /** Interval of checks for connections without a request, milliseconds. */
 const SWEEP_INTERVAL_MS = 1_000;
 
-/** Connections of one address of another machine that have not become sockets, the oldest first. */
+/** Connections of one address of another machine that are not of clients, the oldest first. */
 interface AddressGroup {
   readonly address: string;
   readonly network: string;
@@ -65,12 +65,12 @@ export class Connections {
     return this.#strangers;
   }
 
-  /** Most connections of one address that are no sockets. */
+  /** Most connections of one address that are not of clients. */
   get mostOfAddress(): number {
     return Math.max(0, ...[...this.#groups.values()].map(({ open }) => open.size));
   }
 
-  /** Most connections of one network that are no sockets. */
+  /** Most connections of one network that are not of clients. */
   get mostOfNetwork(): number {
     return Math.max(0, ...this.#byNetwork.values());
   }
@@ -121,11 +121,11 @@ export class Connections {
     }
   }
 
-  /** It is the socket of a client from now on. For `OpenConnection`. */
-  handleUpgrade(connection: OpenConnection): void {
+  /** It carries the topic data of a client from now on. For `OpenConnection`. */
+  handleClient(connection: OpenConnection): void {
     const { peer } = connection;
     if (!peer.isLocal) this.#known.add(peer.address);
-    this.#become(connection, 'socket');
+    this.#become(connection, 'live');
   }
 
   /** It is closed. For `OpenConnection`. */
@@ -236,7 +236,7 @@ export class Connections {
     const { kind, peer } = connection;
     if (kind === 'local') return;
     if (!peer.isLocal) this.#remote++;
-    if (kind === 'socket') return;
+    if (kind === 'live') return;
     let group = this.#groups.get(peer.address);
     if (group === undefined) {
       group = { address: peer.address, network: peer.network, open: new Set(), strangers: 0 };
@@ -254,7 +254,7 @@ export class Connections {
     if (kind === 'local') return;
     if (!peer.isLocal) this.#remote--;
     const group = this.#groups.get(peer.address);
-    if (kind === 'socket' || group === undefined) return;
+    if (kind === 'live' || group === undefined) return;
     group.open.delete(connection);
     if (group.open.size === 0) this.#groups.delete(peer.address);
     const left = (this.#byNetwork.get(peer.network) ?? 1) - 1;

@@ -11,15 +11,15 @@ export interface TransportPeer {
 
 /**
  * Kind of a connection: `local`: from this computer; `stranger`: unknown; `known`: from an address with a joined
- * caller; `member`: with a request of a joined caller; `socket`: the WebSocket of a client.
+ * caller; `member`: with a request of a joined caller; `live`: that of a client for its topic data.
  */
-export type ConnectionKind = 'local' | 'stranger' | 'known' | 'member' | 'socket';
+export type ConnectionKind = 'local' | 'stranger' | 'known' | 'member' | 'live';
 
 /** Receives the events of a connection. */
 interface ConnectionKeeper {
   handleRequest(connection: OpenConnection): void;
   handleCaller(connection: OpenConnection, caller: Caller['kind']): void;
-  handleUpgrade(connection: OpenConnection): void;
+  handleClient(connection: OpenConnection): void;
   handleClose(connection: OpenConnection): void;
 }
 
@@ -46,7 +46,7 @@ export class OpenConnection {
     this.#keeper = made.keeper;
   }
 
-  /** The headers of a request have come. */
+  /** A request has begun. */
   handleRequest(): void {
     this.#keeper.handleRequest(this);
   }
@@ -56,9 +56,9 @@ export class OpenConnection {
     this.#keeper.handleCaller(this, caller);
   }
 
-  /** It is the socket of a client from now on. */
-  handleUpgrade(): void {
-    this.#keeper.handleUpgrade(this);
+  /** It carries the topic data of a client from now on. */
+  handleClient(): void {
+    this.#keeper.handleClient(this);
   }
 
   /** The transport says that it is closed. May be said more than once. */
