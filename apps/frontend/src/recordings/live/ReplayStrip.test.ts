@@ -44,7 +44,7 @@ describe('the strip about replays', () => {
   it('says on every page who plays what, and stops it', async () => {
     const { wrapper, calls } = await open('/', [aReplay({ mutedCount: 3, mutedTopics: ['/a'] })]);
     expect(wrapper.text()).toContain('Ada plays recording “Study” into 2 live topics.');
-    expect(wrapper.text()).toContain('3 live records on 1 topic muted so far.');
+    expect(wrapper.text()).toContain('topics. 3 live records on 1 topic muted so far.');
     await wrapper.find('button').trigger('click');
     expect(calls).toEqual([['replayStop', { id: 'r1' }]]);
   });
