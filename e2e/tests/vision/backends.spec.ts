@@ -7,6 +7,9 @@ import { SessionPage } from '../../pages/session-page.ts';
 
 const PHOTO = join(import.meta.dirname, '../../../packages/vision/photos/camera.jpg');
 
+/** A call of a module was stopped. */
+const TOO_LONG = /the limit of one call/;
+
 /** Runs code before that of each worker for trusted modules. */
 async function beforeWorkers(page: Page, code: string): Promise<void> {
   await page.route('**/sandbox/trusted-worker.js', async (route) => {
@@ -134,12 +137,19 @@ test('WebGL in the worker of a tab finds the keypoints that wasm finds [PM-90]',
   };
 
   try {
+    const session = new SessionPage(anna);
     await anna.page.goto(`/sessions/${id}`);
-    await new SessionPage(anna).place(name, /^This tab/);
+    await session.place(name, /^This tab/);
     await expect.poll(() => backend).toBe('wasm');
     const wasm = await found();
     robot.publish('/gym/wanted', 'string', 'webgl');
-    await expect.poll(() => backend, { timeout: 120_000 }).toBe('webgl');
+    // On a slow processor, software WebGL takes longer for its first picture than a call may last.
+    const tooSlow = session.events.getByText(TOO_LONG).first();
+    const isTooSlow = (): Promise<boolean> => tooSlow.isVisible();
+    await expect
+      .poll(async () => backend === 'webgl' || (await isTooSlow()), { timeout: 120_000 })
+      .toBe(true);
+    test.skip(await isTooSlow(), 'software WebGL is too slow on this machine');
     const webgl = await found();
     expect([...webgl.keys()]).toEqual([...wasm.keys()]);
     for (const [keypoint, { x, y }] of webgl) {
