@@ -66,7 +66,7 @@ describe('the recording of a participant', () => {
     expect(await firstValues(first)).toEqual([]);
   });
 
-  it('[ST-26] does not begin with values of somebody with the same code in another study', async () => {
+  it('[ST-26] does not begin with values of a participant with the same code in another study', async () => {
     const { master, answer, runOf, firstValues } = await begun();
     const other = await save(master, { name: 'Sight' });
     const run = await startRun(master, other.id, 'P01');

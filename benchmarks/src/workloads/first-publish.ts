@@ -52,7 +52,7 @@ export const firstPublish: Workload = {
 
 let topics = 0;
 
-/** The first record of the next topic that nobody has used. */
+/** The first record of the next topic that was not used yet. */
 function nextFrame(): Buffer {
   topics += 1;
   const record = encodeRecord({ topic: `/first/${topics}`, format: 'double', value: topics });

@@ -47,7 +47,7 @@ export interface Studies {
   changeRun(request: Init<StudyRunChangeRequest>): Promise<StudyRun | undefined>;
   loadRun(id: string): Promise<StudyRun | undefined>;
   participants(studyId: string): Promise<readonly StudyParticipant[] | undefined>;
-  /** In one study: the same code in another one may be somebody else. */
+  /** In one study: the same code in another one may be another person. */
   deleteParticipant(studyId: string, code: string): Promise<StudyDeletion | undefined>;
   /** Adds a marker to a recording. @returns whether it was added */
   mark(recordingId: string, text: string): Promise<boolean>;

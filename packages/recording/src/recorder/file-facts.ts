@@ -165,7 +165,7 @@ function selectionOf(value: Readonly<Record<string, unknown>>): RecordingSelecti
   };
 }
 
-/** A topic of a file, as it is told. */
+/** A topic of a file, as messages have it. */
 export function describeTopic({
   topic,
   clientId,

@@ -16,7 +16,7 @@ export const CLOSE_REASONS = [
   'protocol errors',
   /** It took nothing for too long [TD-32]. */
   'too slow',
-  /** Somebody removed the client [EX-30]. */
+  /** A user removed the client [EX-30]. */
   'disconnected',
   /** The invitation of the client was revoked [AC-15]. */
   'revoked',

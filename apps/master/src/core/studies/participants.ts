@@ -147,7 +147,7 @@ export class Participants {
   }
 }
 
-/** Recordings that may have data of somebody, of those that were made in one of the spans. [ST-53] */
+/** Recordings that may have data of a participant, of those that were made in one of the spans. [ST-53] */
 function madeDuring(
   spans: readonly Span[],
   recordings: readonly Recording[],
