@@ -49,3 +49,5 @@ export type {
   StudyStorage,
 } from './document-store.ts';
 export type { ConnectionHandle } from './connection-handle.ts';
+export type { BusListener, ClusterBus } from './cluster-bus.ts';
+export type { OwnerStore } from './owner-store.ts';
