@@ -1804,6 +1804,174 @@ export interface ClientThrottleRequest {
 }
 
 /**
+ * A service request that another master is to answer.
+ *
+ * `ubii.extension.ClusterCall`
+ */
+export interface ClusterCall {
+  /** Number of the call, for its reply. */
+  number: number;
+  /** Encoded ServiceRequest. */
+  request: Uint8Array;
+  /** How the caller stands to the master that it called: trusted, local, network or other. */
+  standing: string;
+  /** Unit by which wrong codes of the caller are counted. */
+  place: string;
+  /** Its address, where place is a network. */
+  address: string;
+  /** The token, code or credential that it shows; empty without one. */
+  bearer: string;
+}
+
+/**
+ * A client of one master, for the others.
+ *
+ * `ubii.extension.ClusterClient`
+ */
+export interface ClusterClient {
+  /** The client with its devices, without its extension. */
+  client: Client | undefined;
+  /** It sent an extension at registration. Rule EX-1. */
+  isExtension: boolean;
+  /** What it is as a node; absent when it runs no modules. */
+  node: NodeExtension | undefined;
+  /** Name and version of its library. */
+  library: string;
+  /** What it may do. */
+  role: AccessRole;
+  /** Id of the invitation it joined with; empty when it needed none. */
+  grantId: string;
+  /** When it came to this master: milliseconds since the Unix epoch. The newest place counts. Rule CU-22. */
+  hereSinceMs: number;
+  /** It has a connection. */
+  connected: boolean;
+}
+
+/**
+ * A master leaves the cluster.
+ *
+ * `ubii.extension.ClusterGoodbye`
+ */
+export interface ClusterGoodbye {
+}
+
+/**
+ * A master of the cluster.
+ *
+ * `ubii.extension.ClusterHello`
+ */
+export interface ClusterHello {
+  /** Version of these messages: masters of other versions are not listened to. */
+  version: number;
+  /** Name for people. */
+  name: string;
+  /** Addresses of its frontend for clients, best first. */
+  addresses: string[];
+}
+
+/**
+ * What one master wants to receive of others. One of topic, pattern, profile and everything is set.
+ *
+ * `ubii.extension.ClusterInterest`
+ */
+export interface ClusterInterest {
+  /** Records of this topic. */
+  topic: string;
+  /** Those of topics that match this regular expression. */
+  pattern: string;
+  /** Those of topics that this component profile selects. */
+  profile: Component | undefined;
+  /** Those of every topic. */
+  everything: boolean;
+  /** Records a second of one topic at most; 0 for every record. */
+  maxRateHz: number;
+}
+
+/**
+ * Asks a master for a stream.
+ *
+ * `ubii.extension.ClusterListen`
+ */
+export interface ClusterListen {
+  /** Number that the parts of the new stream bear; the one before is over. */
+  stream: number;
+}
+
+/**
+ * What the masters of a cluster tell each other. Rules CU-1 to CU-40.
+ *
+ * `ubii.extension.ClusterMessage`
+ */
+export interface ClusterMessage {
+  /** To all: this master is there. Rule CU-2. */
+  hello?: ClusterHello | undefined;
+  /** To all: this master ends. Rule CU-3. */
+  goodbye?: ClusterGoodbye | undefined;
+  /** To one: begin to tell me what you have, from the start. Rule CU-5. */
+  listen?: ClusterListen | undefined;
+  /** To one: what it listens to. Rule CU-6. */
+  part?: ClusterPart | undefined;
+  /** To one: a service request of a client that is elsewhere. Rule CU-30. */
+  call?: ClusterCall | undefined;
+  /** To one: the reply to it. */
+  reply?: ClusterReply | undefined;
+}
+
+/**
+ * One message of a stream. Parts of a stream are numbered without gaps: one that is missing ends it.
+ *
+ * `ubii.extension.ClusterPart`
+ */
+export interface ClusterPart {
+  /** The number that was asked for. */
+  stream: number;
+  /** Place in the stream, from 0. */
+  number: number;
+  /** Clients of this master that came or changed. */
+  clients: ClusterClient[];
+  /** Ids of its clients that are gone. */
+  goneClients: string[];
+  /** What clients of this master want to receive from now on. */
+  wanted: ClusterInterest[];
+  /** What they no longer want. */
+  unwanted: ClusterInterest[];
+  /** Values that stand, asked for by what was wanted. */
+  values: ClusterRecords | undefined;
+  /** Records that were just published. */
+  records: ClusterRecords | undefined;
+  /** All that was there when the stream began was told. */
+  complete: boolean;
+}
+
+/**
+ * Encoded records, in publishing order. The lists stand side by side.
+ *
+ * `ubii.extension.ClusterRecords`
+ */
+export interface ClusterRecords {
+  /** Encoded TopicDataRecords. */
+  records: Uint8Array[];
+  /** Stamp of each: what makes the newest of all masters the value of a topic. Rule CU-12. */
+  stamps: number[];
+  /** Place of the publisher of each in the list of their ids. */
+  publishers: number[];
+  /** Ids of publishers. */
+  publisherIds: string[];
+}
+
+/**
+ * The reply to a call.
+ *
+ * `ubii.extension.ClusterReply`
+ */
+export interface ClusterReply {
+  /** Number of the call. */
+  number: number;
+  /** Encoded ServiceReply. */
+  reply: Uint8Array;
+}
+
+/**
  * Topics that demuxers of a node made, and whose values end.
  *
  * `ubii.extension.EndedTopics`
@@ -4634,6 +4802,16 @@ export interface MessageTypes {
   'ubii.extension.ClientSubscription': ClientSubscription;
   'ubii.extension.ClientThrottle': ClientThrottle;
   'ubii.extension.ClientThrottleRequest': ClientThrottleRequest;
+  'ubii.extension.ClusterCall': ClusterCall;
+  'ubii.extension.ClusterClient': ClusterClient;
+  'ubii.extension.ClusterGoodbye': ClusterGoodbye;
+  'ubii.extension.ClusterHello': ClusterHello;
+  'ubii.extension.ClusterInterest': ClusterInterest;
+  'ubii.extension.ClusterListen': ClusterListen;
+  'ubii.extension.ClusterMessage': ClusterMessage;
+  'ubii.extension.ClusterPart': ClusterPart;
+  'ubii.extension.ClusterRecords': ClusterRecords;
+  'ubii.extension.ClusterReply': ClusterReply;
   'ubii.extension.EndedTopics': EndedTopics;
   'ubii.extension.FlightRecorder': FlightRecorder;
   'ubii.extension.FlightRecorderKeepRequest': FlightRecorderKeepRequest;

@@ -571,6 +571,60 @@ message ubii.extension.ClientThrottleRequest
 2 target_id string
 3 records_per_second double
 4 reason string
+message ubii.extension.ClusterCall
+1 number int32
+2 request bytes
+3 standing string
+4 place string
+5 address string
+6 bearer string
+message ubii.extension.ClusterClient
+1 client ubii.clients.Client
+2 is_extension bool
+3 node ubii.extension.NodeExtension
+4 library string
+5 role ubii.extension.AccessRole
+6 grant_id string
+7 here_since_ms double
+8 connected bool
+message ubii.extension.ClusterGoodbye
+message ubii.extension.ClusterHello
+1 version int32
+2 name string
+3 addresses string *
+message ubii.extension.ClusterInterest
+1 topic string
+2 pattern string
+3 profile ubii.devices.Component
+4 everything bool
+5 max_rate_hz double
+message ubii.extension.ClusterListen
+1 stream int32
+message ubii.extension.ClusterMessage
+1 hello ubii.extension.ClusterHello type
+2 goodbye ubii.extension.ClusterGoodbye type
+3 listen ubii.extension.ClusterListen type
+4 part ubii.extension.ClusterPart type
+5 call ubii.extension.ClusterCall type
+6 reply ubii.extension.ClusterReply type
+message ubii.extension.ClusterPart
+1 stream int32
+2 number int32
+3 clients ubii.extension.ClusterClient *
+4 gone_clients string *
+5 wanted ubii.extension.ClusterInterest *
+6 unwanted ubii.extension.ClusterInterest *
+7 values ubii.extension.ClusterRecords
+8 records ubii.extension.ClusterRecords
+9 complete bool
+message ubii.extension.ClusterRecords
+1 records bytes *
+2 stamps double *
+3 publishers int32 *
+4 publisher_ids string *
+message ubii.extension.ClusterReply
+1 number int32
+2 reply bytes
 message ubii.extension.EndedTopics
 1 topics string *
 message ubii.extension.FlightRecorder

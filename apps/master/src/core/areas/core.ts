@@ -1,4 +1,5 @@
 import { createAccess, type AccessArea } from './access.ts';
+import { createCluster, type ClusterArea } from './cluster.ts';
 import { createClients, type ClientArea } from './clients.ts';
 import { createFoundation, type Foundation } from './foundation.ts';
 import { createLibrary, type LibraryArea } from './library.ts';
@@ -31,6 +32,7 @@ export interface Core
     RecordingArea,
     ReplayArea,
     StudyArea,
+    ClusterArea,
     MonitoringArea {}
 
 /** Creates the areas of a master in order. Each is given the parts of those before it. */
@@ -45,5 +47,6 @@ export function createCore(ports: MasterPorts, settings: MasterSettings): Core {
   const recordings = { ...access, ...createRecordings(access) };
   const replays = { ...recordings, ...createReplays(recordings) };
   const studies = { ...replays, ...createStudies(replays) };
-  return { ...studies, ...createMonitoring(studies) };
+  const cluster = { ...studies, ...createCluster(studies) };
+  return { ...cluster, ...createMonitoring(cluster) };
 }

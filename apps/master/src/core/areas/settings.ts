@@ -11,6 +11,8 @@ import type { PreciseClock } from '@ubii/timing';
 import type { AssetSets } from '../ports/asset-sets.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
+import type { ClusterBus } from '../ports/cluster-bus.ts';
+import type { OwnerStore } from '../ports/owner-store.ts';
 import type { DocumentStore, SessionStorage, StudyStorage } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Lan } from '../ports/lan.ts';
@@ -55,8 +57,17 @@ export interface MasterPorts {
   readonly recorder: Recorder;
   /** Reads recordings to be played; the core closes it. */
   readonly replayFiles: ReplayFiles;
+  /** The other masters of the cluster. Default: this master is alone. [CU-1] */
+  readonly cluster?: ClusterPorts;
   /** Trusted modules: those that came with the program, and the operator's [PM-51]. The same list as long as nothing changes. */
   readonly library: () => readonly ProcessingModule[];
+}
+
+/** How the masters of a cluster reach each other. */
+export interface ClusterPorts {
+  readonly name: string;
+  readonly bus: ClusterBus;
+  readonly owners: OwnerStore;
 }
 
 /** Addresses of this master. */

@@ -1,7 +1,7 @@
 import { encode, ServiceError, StatusEventKind, type Client as ClientMessage } from '@ubii/proto';
 import type { PatternCompiler } from '@ubii/patterns';
 import { TokenBucket, type Clock } from '@ubii/timing';
-import type { ClientAccess } from '../access/caller.ts';
+import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
 import { shareOf } from '../access/share-of.ts';
 import { topicRightsOf } from '../access/topic-rights.ts';
 import { areEqual } from '../topics/equal-bytes.ts';
@@ -20,7 +20,7 @@ import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { SubscriberFactory } from '../topics/subscriber-factory.ts';
 import { quote } from '../texts/quote.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
-import { Client, specOf, type ClientSpec } from './client.ts';
+import { Client, specOf, type ClientHome, type ClientSpec } from './client.ts';
 import type { Dismissal, Dismissals } from './dismissals.ts';
 import { leastMissed } from './least-missed.ts';
 import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
@@ -41,6 +41,14 @@ export interface ClientContext {
   readonly createSubscriber: SubscriberFactory;
   readonly patterns: PatternCompiler;
   readonly dismissals: Dismissals;
+}
+
+/** What is fixed of a client of another master. */
+export interface ForeignParts {
+  readonly home: ClientHome;
+  readonly spec: ClientSpec;
+  readonly isExtension: boolean;
+  readonly hereSinceMs: number;
 }
 
 /** Every registered client, and what becomes of it. */
@@ -100,6 +108,7 @@ export class ClientRegistry {
   ): { client: Client; isResumed: boolean; isKnown: boolean } {
     const earlierId = this.provenId(message);
     const known = earlierId === undefined ? undefined : this.#clients.get(earlierId);
+    if (known?.home !== undefined) this.#takeOver(known, access); // [CU-21]
     const client = known ?? this.#create(message, earlierId ?? this.#context.ids.uuid(), access);
     this.#describe(client, message);
     this.#admit(client, access);
@@ -125,6 +134,61 @@ export class ClientRegistry {
     const token = extension?.resumeToken ?? '';
     if (id === '' || token === '') return undefined;
     return this.#context.tokens.verify(id, token) ? id : undefined;
+  }
+
+  /**
+   * Adds a client of another master.
+   *
+   * @param hereSinceMs when it came there, epoch milliseconds
+   */
+  addForeign(id: string, { home, spec, isExtension, hereSinceMs }: ForeignParts): Client {
+    const { accounts, clock, createSubscriber } = this.#context;
+    const account = accounts.createForeign(id);
+    const nowMs = clock.monotonicMs();
+    const { recordsPerSecond, publishedBytesPerSecond } = this.#context.limits.limits;
+    const client = new Client({
+      ...{ id, spec, isExtension, account, nowMs },
+      subscriber: createSubscriber(id, isExtension, account),
+      recordBudget: new TokenBucket(recordsPerSecond, nowMs),
+      byteBudget: new TokenBucket(publishedBytesPerSecond, nowMs),
+      epochMs: hereSinceMs,
+    });
+    client.home = home;
+    this.#clients.set(id, client);
+    account.add(RESOURCE.clients, 1);
+    return client;
+  }
+
+  /** What its master says of a client of another master is so. */
+  setForeign(client: Client, { spec, status }: { spec: ClientSpec; status: ClientStatus }): void {
+    client.spec = spec;
+    client.ownName = spec.name;
+    client.registrationRevision++;
+    if (client.status !== status) client.statusSinceMs = this.#context.clock.monotonicMs();
+    client.status = status;
+    this.#context.info.announceClient(client);
+    this.onPresence.emit(client);
+  }
+
+  /** A client that was here is at another master now: its connection ends, and nothing else of it. [CU-22] */
+  giveAway(client: Client, home: ClientHome): void {
+    const { kept, topics, subscriptions, accounts } = this.#context;
+    client.home = home;
+    client.socket?.close('superseded');
+    for (const entry of [...client.ownedTopics]) topics.deleteValue(entry);
+    kept.deleteOf(client.id);
+    subscriptions.unsubscribeAll(client.subscriber);
+    client.subscriber.outbox.discard();
+    client.subscriber.sampler.discard();
+    client.publishRights = undefined;
+    client.subscriber.readRights = undefined;
+    accounts.moveOut(client.account);
+  }
+
+  /** Its master is lost: it has to come back, to this master or to another one. [CU-21] */
+  handleHomeLost(client: Client): void {
+    client.lastSignMs = this.#context.clock.monotonicMs();
+    this.handleEvent(client, 'socket closed');
   }
 
   /** The client was active [CL-11]. */
@@ -178,6 +242,18 @@ export class ClientRegistry {
       this.handleEvent(client, 'expired');
       if (hasRoom()) return;
     }
+  }
+
+  /** A client of another master has come here. @throws ServiceError when there would be too many */
+  #takeOver(client: Client, access: ClientAccess): void {
+    const { accounts, clock } = this.#context;
+    accounts.require(accounts.ofShare(shareOf(access)), RESOURCE.clients, 1);
+    client.home = undefined;
+    client.access = TRUSTED_ACCESS; // whose rights it has until it is admitted
+    client.hereSinceMs = Math.max(clock.nowMs(), client.hereSinceMs + 1);
+    accounts.move(client.account, shareOf(access));
+    const text = `${client.label} came from another master`;
+    this.#context.events.add(StatusEventKind.CLIENT_RETURNED, text, client.id);
   }
 
   #create(message: ClientMessage, id: string, access: ClientAccess): Client {

@@ -38,6 +38,13 @@ export interface Peer {
   readonly addressKind: AddressKind | undefined;
 }
 
+/** Another master, which a client is connected to. [CU-20] */
+export interface ClientHome {
+  readonly masterId: string;
+  /** It does not answer any more: the client has to come to another master. */
+  isLost: boolean;
+}
+
 /** A registered client. Times are monotonic milliseconds. */
 export class Client implements PublishingClient {
   readonly id: string;
@@ -65,6 +72,10 @@ export class Client implements PublishingClient {
   socketOpenedMs = 0;
   /** When it registered, epoch milliseconds. */
   readonly firstSeenMs: number;
+  /** The master it is connected to; undefined: this one. */
+  home: ClientHome | undefined = undefined;
+  /** When it came to its master, epoch milliseconds: its newest place counts. [CU-22] */
+  hereSinceMs: number;
   throttle: Throttle | undefined = undefined;
   /** Kind of access and role. [AC-20] */
   access: ClientAccess = TRUSTED_ACCESS;
@@ -92,6 +103,7 @@ export class Client implements PublishingClient {
     this.spec = parts.spec;
     this.ownName = parts.spec.name;
     this.firstSeenMs = parts.epochMs;
+    this.hereSinceMs = parts.epochMs;
     this.isExtension = parts.isExtension;
     this.account = parts.account;
     this.subscriber = parts.subscriber;

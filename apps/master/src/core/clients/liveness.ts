@@ -43,6 +43,7 @@ export class Liveness {
   }
 
   #look(client: Client, nowMs: number): void {
+    if (client.home?.isLost === false) return; // [CU-20]
     const silentMs = nowMs - client.lastSignMs;
     if (silentMs >= LOST_AFTER_MS) this.#clients.handleEvent(client, 'lost');
     else if (silentMs >= SILENT_AFTER_MS) this.#clients.handleEvent(client, 'silent');

@@ -128,8 +128,8 @@ export class SocketAdmission {
   #refusal(client: Client | undefined, claim: ClientClaim): Dismissal | undefined {
     const { tokens, limits, limitWatch, dismissals } = this.#context;
     const { clientId = '', token } = claim;
-    if (client === undefined) {
-      return dismissals.of(clientId) ?? UNKNOWN_CLIENT; // [EX-30] [AC-15] [TD-6]
+    if (client === undefined || client.home !== undefined) {
+      return dismissals.of(clientId) ?? UNKNOWN_CLIENT; // [EX-30] [AC-15] [TD-6] [CU-21]
     }
     if (client.isExtension && !tokens.verify(client.id, token ?? '')) return NOT_THIS_CLIENT; // [EX-4]
     if (client.socket !== undefined) return undefined;

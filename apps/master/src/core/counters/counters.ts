@@ -8,6 +8,10 @@ export class Counters {
   /** Records handed to connections, once for each subscriber. */
   recordsOut = 0;
   bytesOut = 0;
+  /** Records that other masters sent for subscribers of this one [CU-10]. */
+  recordsFromMasters = 0;
+  /** Records that were sent to other masters, once for each. */
+  recordsToMasters = 0;
   /** Records that slow subscribers did not get [TD-34]. */
   dropped = 0;
   /** Records, requests and connections refused, by reason [TD-17]. */

@@ -7,6 +7,8 @@ import type { ClientSubscriber } from '../topics/subscriber.ts';
 /** The client that a device belongs to, as devices need it. */
 export interface DeviceOwner extends TopicOwner {
   readonly status: string;
+  /** The master that it is connected to; undefined: this one. */
+  readonly home: object | undefined;
   readonly access: ClientAccess;
   readonly subscriber: ClientSubscriber;
   readonly publishRights: PublishRights | undefined;

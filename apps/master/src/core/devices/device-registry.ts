@@ -197,7 +197,8 @@ export class DeviceRegistry {
       subscriptions.addComponent(component);
     }
     info.announceDevice(device); // [CL-30]
-    return device.deviceType === DeviceType.WATCHER
+    // What watchers of other masters get, those masters ask for. [CU-10]
+    return device.deviceType === DeviceType.WATCHER && client.home === undefined
       ? subscriptions.watch(client.subscriber, device.id) // [DV-3]
       : [];
   }

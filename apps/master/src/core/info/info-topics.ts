@@ -10,6 +10,7 @@ import type { Limits } from '../limits/index.ts';
 import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { MasterPublisher } from './master-publisher.ts';
+import { Hook } from '../hooks/hook.ts';
 import { PacedNews } from './paced-news.ts';
 
 /** Seconds of news of one client that may come at once. */
@@ -25,6 +26,10 @@ export interface AnnouncedClient {
 
 /** Announces who comes, changes and goes. */
 export class InfoTopics {
+  /** A client came or changed. */
+  readonly onClient = new Hook<[client: AnnouncedClient]>();
+  /** A client is gone. */
+  readonly onClientGone = new Hook<[client: AnnouncedClient]>();
   readonly #publisher: MasterPublisher;
   readonly #limits: Limits;
   readonly #ofClients: PacedNews;
@@ -50,6 +55,7 @@ export class InfoTopics {
   /** [CL-31] [EX-74] [EX-75] */
   announceClient(client: AnnouncedClient): void {
     const topic = clientTopic(client.id);
+    this.onClient.emit(client);
     this.#ofClients.tell(client.id, () =>
       this.#publisher.publishChange(topic, { client: this.#messageOf(client) }),
     );
@@ -58,6 +64,7 @@ export class InfoTopics {
   /** The last news of a client, which is removed [CL-31]. */
   announceClientGone(client: AnnouncedClient): void {
     const topic = clientTopic(client.id);
+    this.onClientGone.emit(client);
     this.#ofClients.forget(client.id);
     this.#publisher.publish(topic, { client: this.#messageOf(client) });
     this.#publisher.deleteValue(topic);

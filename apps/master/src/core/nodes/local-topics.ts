@@ -266,6 +266,7 @@ function localSubscriber(
   const { patternMatchMs, patternMatchMsPerSecond } = limits;
   return {
     clientId,
+    isPeer: false,
     isExtension: true,
     outbox,
     account,

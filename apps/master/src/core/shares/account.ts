@@ -85,12 +85,12 @@ export class Account {
   }
 
   /** From now on it counts for another account, with all it uses [AC-18]. */
-  moveTo(parent: Account, max: Float64Array): void {
+  moveTo(parent: Account | undefined, max: Float64Array): void {
     this.#max = max;
     if (parent === this.#parent) return;
     for (const resource of RESOURCES) {
       this.#parent?.add(resource, -this.#used[resource]!);
-      parent.add(resource, this.#used[resource]!);
+      parent?.add(resource, this.#used[resource]!);
     }
     this.#parent = parent;
   }

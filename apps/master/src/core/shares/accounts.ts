@@ -90,6 +90,11 @@ export class Accounts {
     });
   }
 
+  /** An account for a client of another master, which bounds it. [CU-20] */
+  createForeign(id: string): Account {
+    return new Account({ kind: 'client', id, max: unlimited() });
+  }
+
   /** An account for a session. @param max its limits; what is left out has none of its own */
   createSession(id: string, max: { readonly [R in Resource]?: number } = {}): Account {
     return new Account({
@@ -104,6 +109,13 @@ export class Accounts {
   move(account: Account, share: Share): void {
     const before = account.parent;
     account.moveTo(this.ofShare(share), this.#maxOfClient(share));
+    if (before !== undefined) this.#forgetIfIdle(before);
+  }
+
+  /** The client is at another master now: it counts for nobody here. [CU-22] */
+  moveOut(account: Account): void {
+    const before = account.parent;
+    account.moveTo(undefined, unlimited());
     if (before !== undefined) this.#forgetIfIdle(before);
   }
 

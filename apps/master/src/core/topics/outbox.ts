@@ -12,6 +12,9 @@ import { WaitingRecords } from './waiting-records.ts';
 /** Records of this size are large [TD-35], bytes. */
 const LARGE_RECORD_BYTES = 16 * 1024;
 
+/** What an outbox needs of a connection. */
+export type BatchSink = Pick<ClientConnection, 'send' | 'queuedBytes'>;
+
 /** Dependencies of an outbox. */
 export interface OutboxContext {
   readonly clock: Clock;
@@ -29,7 +32,7 @@ export class Outbox implements TurnTask {
   readonly #context: OutboxContext;
   // Members used for every record come first, next to each other: with many subscribers, each further cache line is an
   // access to slower memory.
-  #connection: ClientConnection | undefined = undefined;
+  #connection: BatchSink | undefined = undefined;
   #batch: BatchNode | undefined = undefined;
   #isTouched = false;
   #handedBytes = 0;
@@ -79,7 +82,7 @@ export class Outbox implements TurnTask {
    * [TD-7] [TD-24].
    * @param sequence Sequence number of the newest record of all.
    */
-  open(connection: ClientConnection, sequence: number): void {
+  open(connection: BatchSink, sequence: number): void {
     this.#moveBatchToWaiting();
     this.#connection = connection;
     this.#openedSequence = sequence;

@@ -12,6 +12,7 @@ import { REFUSALS, type Refusal } from './refusals.ts';
 import type { LiveRule, ReplayedTopics } from './replayed-topics.ts';
 import { isEventField } from './topic-entry.ts';
 import { topicFault } from './topic-names.ts';
+import { nextStamp } from './stamps.ts';
 import type { TopicTable } from './topic-table.ts';
 
 /** Dependencies of publishing. */
@@ -139,7 +140,7 @@ function checkRetainedBytes(
   publication: Publication,
 ): Refusal | undefined {
   const { entry, client } = publication;
-  if (entry?.isKept === true) return checkAdoption(context, publication);
+  if (entry?.isAdoptable === true) return checkAdoption(context, publication);
   const growth = publication.byteLength - (entry?.record?.byteLength ?? 0);
   if (growth <= 0) return undefined;
   // A record on a topic of another client is charged to the owner of the topic.
@@ -167,7 +168,7 @@ function checkAdoption(context: PublishContext, publication: Publication): Refus
 /** A topic without value gets one, and with it an owner, who pays for it: there may be too many [AC-80]. */
 function checkTopicCount(context: PublishContext, publication: Publication): Refusal | undefined {
   const { entry, client } = publication;
-  if (entry?.record !== undefined && !entry.isKept) return undefined;
+  if (entry?.record !== undefined && !entry.isAdoptable) return undefined;
   const { account } = client!;
   const resource = RESOURCE.topics;
   if (account.shortage(resource, 1, entry?.payer) === undefined) return undefined;
@@ -185,7 +186,7 @@ function createTopic({ topics }: PublishContext, publication: Publication): void
 function takeOwnership({ topics, kept }: PublishContext, { entry, client }: Publication): void {
   if (entry!.record === undefined)
     topics.own(entry!, client!); // [TD-19]
-  else if (entry!.isKept) kept.handleAdopted(entry!, client!);
+  else if (entry!.isAdoptable) kept.handleAdopted(entry!, client!);
 }
 
 function countIn({ counters }: PublishContext, publication: Publication): void {
@@ -206,6 +207,8 @@ function storeAndDeliver(context: PublishContext, publication: Publication): voi
   context.topics.store(entry, record, valueField, publication.nowMs);
   const { client } = publication;
   entry.publisherId = client?.id ?? '';
+  entry.originId = '';
+  entry.stamp = nextStamp(entry.stamp, publication.nowMs);
   context.tap.taker?.take(entry, record); // [RC-50]
   if (client !== undefined) {
     const { traffic } = client; // [EX-27]

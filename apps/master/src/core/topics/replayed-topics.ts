@@ -49,6 +49,11 @@ export class ReplayedTopics {
     });
   }
 
+  /** Whether a replay plays this topic. */
+  has(topic: string): boolean {
+    return this.isActive && this.#topics.has(topic);
+  }
+
   /** The rule for a record of a client; undefined for all but live records on replayed topics. */
   ruleFor({ topic, client }: Publication): LiveRule | undefined {
     const rule = this.#topics.get(topic)?.rule;

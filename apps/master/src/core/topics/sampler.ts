@@ -37,15 +37,18 @@ export interface SamplerContext {
 export class Sampler implements TopicSampler {
   readonly #outbox: Outbox;
   readonly #context: SamplerContext;
+  readonly #isPeers: boolean;
   readonly #holding = new Set<Sample>();
   #cancelTimer: Cancel | undefined = undefined;
   #timerDueMs = Number.POSITIVE_INFINITY;
   /** When the first record was delivered: from then on the ticks of every interval count. */
   #firstMs: number | undefined = undefined;
 
-  constructor(outbox: Outbox, context: SamplerContext) {
+  /** @param isPeers it is of another master, which gets no value that came from a master [CU-11] */
+  constructor(outbox: Outbox, context: SamplerContext, isPeers = false) {
     this.#outbox = outbox;
     this.#context = context;
+    this.#isPeers = isPeers;
   }
 
   handleRecord(sample: Sample, nowMs: number): void {
@@ -84,7 +87,7 @@ export class Sampler implements TopicSampler {
 
   #deliver(sample: Sample, nowMs: number): void {
     const { entry } = sample;
-    if (entry.record === undefined) return;
+    if (entry.record === undefined || (this.#isPeers && entry.originId !== '')) return;
     sample.dueMs = this.#tickAfter(nowMs, sample.intervalMs);
     this.#outbox.deliver(entry, entry.record, isEventField(entry.valueField));
   }

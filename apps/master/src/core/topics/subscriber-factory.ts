@@ -18,11 +18,12 @@ export interface SubscriberParts {
   readonly topics: TopicTable;
 }
 
-/** Makes the subscriber of a new client. */
+/** Makes the subscriber of a new client, or of another master. */
 export type SubscriberFactory = (
   clientId: string,
   isExtension: boolean,
   account: Account,
+  isPeer?: boolean,
 ) => ClientSubscriber;
 
 /** All subscribers share the end of the turn. */
@@ -47,15 +48,16 @@ export function subscriberFactory(parts: SubscriberParts): SubscriberFactory {
     refreshTargets: (entry) => void topics.targetsOf(entry),
   };
   const { patternMatchMs, patternMatchMsPerSecond } = limits;
-  return (clientId, isExtension, account) => {
+  return (clientId, isExtension, account, isPeer = false) => {
     const outbox = new Outbox(outboxContext, account);
     return {
       clientId,
+      isPeer,
       isExtension,
       outbox,
       account,
       readRights: undefined,
-      sampler: new Sampler(outbox, samplerContext),
+      sampler: new Sampler(outbox, samplerContext, isPeer),
       patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),
       topics: new Set(),
       patterns: new Set(),

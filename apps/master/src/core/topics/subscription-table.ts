@@ -1,5 +1,6 @@
 import { ServiceError, type Component } from '@ubii/proto';
 import type { Accounts } from '../shares/accounts.ts';
+import { Hook } from '../hooks/hook.ts';
 import { charge } from '../shares/charge.ts';
 import { RESOURCE, type Resource } from '../shares/resources.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
@@ -7,7 +8,7 @@ import type { ComponentSelection } from './component-selection.ts';
 import type { Pattern } from './pattern.ts';
 import type { PatternTable } from './pattern-table.ts';
 import type { SelectionTable } from './selection-table.ts';
-import type { SharedSubscription, Subscriber, TopicEntry } from './topic-entry.ts';
+import type { SharedPattern, SharedSelection, Subscriber, TopicEntry } from './topic-entry.ts';
 import { quote } from '../texts/quote.ts';
 import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
@@ -21,8 +22,13 @@ export interface SubscriptionContext {
   readonly accounts: Accounts;
 }
 
+/** Something whose subscribers of this master changed; `everything` are those that get every topic. */
+export type SubscriptionChange = TopicEntry | SharedPattern | SharedSelection | 'everything';
+
 /** All subscriptions by client and topic [TD-20]. Subscribing returns the topics whose retained record is to be sent [TD-24]. */
 export class SubscriptionTable {
+  /** Subscribers of this master, or their rates, changed: other masters need to know. [CU-10] */
+  readonly onChange = new Hook<[changed: SubscriptionChange]>();
   readonly #context: SubscriptionContext;
 
   constructor(context: SubscriptionContext) {
@@ -57,6 +63,7 @@ export class SubscriptionTable {
     if (!isSubscribed) account.add(RESOURCE.subscriptions, 1);
     topics.settlePayer(entry);
     topics.markSubscribersChanged(entry);
+    if (!subscriber.isPeer) this.onChange.emit(entry);
     return !isSubscribed && this.#reaches(subscriber, entry) ? [entry] : [];
   }
 
@@ -110,6 +117,7 @@ export class SubscriptionTable {
     if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.cancelReplay(entry);
     this.#context.topics.markSubscribersChanged(entry);
     this.#context.topics.forgetIfUnused(entry);
+    if (!subscriber.isPeer) this.onChange.emit(entry);
   }
 
   unsubscribePattern(subscriber: Subscriber, source: string): void {
@@ -138,12 +146,14 @@ export class SubscriptionTable {
     subscriber.watchers.add(deviceId);
     const { topics } = this.#context;
     if (!topics.addWatcher(subscriber)) return [];
+    if (!subscriber.isPeer) this.onChange.emit('everything');
     return [...topics.values()].filter((entry) => this.#reaches(subscriber, entry));
   }
 
   unwatch(subscriber: Subscriber, deviceId: string): void {
     if (!subscriber.watchers.delete(deviceId) || subscriber.watchers.size > 0) return;
     this.#context.topics.removeWatcher(subscriber);
+    if (!subscriber.isPeer) this.onChange.emit('everything');
   }
 
   /** A component was registered: profiles may select its topic [TD-27]. */
@@ -207,7 +217,7 @@ export class SubscriptionTable {
     this.#context.topics.markAllSubscribersChanged();
   }
 
-  #subscribe<S extends SharedSubscription>(
+  #subscribe<S extends SharedPattern | SharedSelection>(
     subscriber: Subscriber,
     subscribed: S,
     own: Set<S>,
@@ -217,13 +227,15 @@ export class SubscriptionTable {
     if (subscribed.subscribers.get(subscriber) === rateHz) return []; // [TD-23]
     subscribed.subscribers.set(subscriber, rateHz);
     own.add(subscribed);
+    if (!subscriber.isPeer) this.onChange.emit(subscribed);
     for (const entry of subscribed.entries) this.#context.topics.markSubscribersChanged(entry);
     if (!isNew || !subscriber.isExtension) return [];
     return [...subscribed.entries].filter((entry) => this.#reaches(subscriber, entry)); // [TD-24]
   }
 
-  #unsubscribe(subscriber: Subscriber, subscribed: SharedSubscription): void {
+  #unsubscribe(subscriber: Subscriber, subscribed: SharedPattern | SharedSelection): void {
     subscribed.subscribers.delete(subscriber);
+    if (!subscriber.isPeer) this.onChange.emit(subscribed);
     for (const entry of subscribed.entries) {
       if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.cancelReplay(entry);
       this.#context.topics.markSubscribersChanged(entry);
@@ -246,6 +258,7 @@ export class SubscriptionTable {
   }
 
   #reaches(subscriber: Subscriber, entry: TopicEntry): boolean {
+    if (subscriber.isPeer && entry.originId !== '') return false; // [CU-11]
     if (entry.isExtension && !subscriber.isExtension) return false; // [TD-26]
     return subscriber.readRights?.mayRead(entry.topic) !== false; // [AC-25]
   }

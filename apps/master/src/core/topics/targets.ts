@@ -36,12 +36,15 @@ export function ratesBySubscriber(
 export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>): Targets {
   const direct: Receiver[] = [];
   const sampled: Sample[] = [];
+  const rates = ratesBySubscriber(entry, watchers);
+  const peers = [...rates].filter(([{ isPeer }]) => isPeer);
+  for (const [peer] of peers) rates.delete(peer);
   const before = new Map<TopicSampler, Sample>();
   for (const sample of entry.targets?.sampled ?? []) before.set(sample.sampler, sample);
-  for (const [{ outbox, sampler }, rateHz] of ratesBySubscriber(entry, watchers)) {
+  const add = ({ outbox, sampler }: Subscriber, rateHz: number): void => {
     if (sampler === undefined) {
       direct.push(outbox);
-      continue;
+      return;
     }
     const sample = before.get(sampler);
     before.delete(sampler);
@@ -53,7 +56,11 @@ export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>
       kept.intervalMs = 1000 / rateHz;
       sampled.push(kept);
     }
-  }
+  };
+  for (const [subscriber, rateHz] of rates) add(subscriber, rateHz);
+  const ownDirect = direct.length;
+  const ownSampled = sampled.length;
+  for (const [peer, rateHz] of peers) add(peer, rateHz);
   for (const sample of before.values()) sample.cancel();
-  return { direct, sampled };
+  return { direct, sampled, ownDirect, ownSampled };
 }

@@ -53,6 +53,10 @@ export class TopicEntry {
   /** When the retained record came, epoch milliseconds. */
   publishedMs = 0;
   publisherId = '';
+  /** Id of the master that the value came from; empty: it was published here. [CU-10] */
+  originId = '';
+  /** Order of the values of this topic among all masters: the greatest counts. [CU-12] */
+  stamp = 0;
   /** The value outlives its publisher, and ends when its time is over [TD-43]. */
   isKept = false;
   /** Sequence of the record that the search for expired values saw here last [TD-47]. */
@@ -87,6 +91,11 @@ export class TopicEntry {
     this.isExtension = isExtensionTopic(topic);
     this.isNews = this.isMasters && !this.isExtension;
   }
+
+  /** Whoever publishes here next owns the value, which nobody present owns. */
+  get isAdoptable(): boolean {
+    return this.isKept || (this.originId !== '' && this.owner === undefined);
+  }
 }
 
 /** Subscription shared by several subscribers: a pattern or a component profile, and its topics. */
@@ -106,9 +115,11 @@ export interface SharedSelection extends SharedSubscription {
   readonly profile: Component;
 }
 
-/** A subscriber: a client, or a module on the master. */
+/** A subscriber: a client, a module on the master, or another master for its own subscribers. */
 export interface Subscriber {
   readonly clientId: string;
+  /** Another master: gets what was published here, and nothing that came from masters. [CU-11] */
+  readonly isPeer: boolean;
   /** Gets topics under /ubii/, and retained records for patterns and profiles [TD-24] [TD-26]. */
   readonly isExtension: boolean;
   readonly outbox: Receiver;
@@ -141,12 +152,15 @@ export interface Receiver {
   cancelReplay(entry: TopicEntry): void;
 }
 
-/** Subscribers that receive a record of a topic, each client once [TD-14]. */
+/** Subscribers that receive a record of a topic, each client once [TD-14]. Other masters come last. */
 export interface Targets {
   /** Get every record. */
   readonly direct: readonly Receiver[];
   /** Get the newest one, at most so often [TD-28]. */
   readonly sampled: readonly Sample[];
+  /** How many of each are of this master. */
+  readonly ownDirect: number;
+  readonly ownSampled: number;
 }
 
 /** One topic that one client gets at most so often [TD-28]. */

@@ -124,8 +124,34 @@ export class TopicTable {
     entry.payer?.add(RESOURCE.retainedBytes, bytes);
   }
 
-  /** Deletes the value; subscriptions stand [TD-25]. */
+  /**
+   * Deletes the value; subscriptions stand [TD-25]. One that came from another master ends there: here it only
+   * loses its owner. [CU-14]
+   */
   deleteValue(entry: TopicEntry): void {
+    if (entry.record === undefined) return;
+    if (entry.originId !== '' && entry.owner !== undefined) this.#disown(entry);
+    else this.#deleteValue(entry);
+  }
+
+  /** Deletes a value that came from another master, whoever owns it here. */
+  dropForeign(entry: TopicEntry): void {
+    if (entry.record === undefined || entry.originId === '') return;
+    if (entry.owner !== undefined) this.#disown(entry);
+    this.#deleteValue(entry);
+  }
+
+  /** Gives a value that came from another master to nobody: the master pays for it. */
+  #disown(entry: TopicEntry): void {
+    const bytes = entry.record!.byteLength;
+    entry.payer?.add(RESOURCE.retainedBytes, -bytes);
+    entry.owner!.ownedTopics.delete(entry);
+    entry.owner = undefined;
+    this.settlePayer(entry);
+    entry.payer?.add(RESOURCE.retainedBytes, bytes);
+  }
+
+  #deleteValue(entry: TopicEntry): void {
     if (entry.record === undefined) return;
     this.#retainedBytes -= entry.record.byteLength;
     entry.payer?.add(RESOURCE.retainedBytes, -entry.record.byteLength);
@@ -134,8 +160,11 @@ export class TopicTable {
     entry.owner = undefined;
     this.settlePayer(entry);
     entry.changedEpoch = this.#epoch;
-    // Modules that use it are told, here and on nodes. [TD-42]
-    for (const receiver of this.targetsOf(entry).direct) receiver.handleGone(entry);
+    // Modules that use it are told, here and on nodes, and masters whose subscribers have it. [TD-42] [CU-14]
+    const { direct, ownDirect } = this.targetsOf(entry);
+    const count = entry.originId === '' ? direct.length : ownDirect;
+    for (let i = 0; i < count; i++) direct[i]!.handleGone(entry);
+    entry.originId = '';
     this.onEnd.emit(entry);
     this.forgetIfUnused(entry);
   }
@@ -169,6 +198,12 @@ export class TopicTable {
     return new Set(
       [...ratesBySubscriber(entry, this.#watchers).keys()].map(({ clientId }) => clientId),
     );
+  }
+
+  /** Whether a subscriber of this master receives every topic. */
+  get isWatched(): boolean {
+    for (const { isPeer } of this.#watchers) if (!isPeer) return true;
+    return false;
   }
 
   /** Makes the subscriber receive every topic. Returns false when it does already. */

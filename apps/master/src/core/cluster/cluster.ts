@@ -1,0 +1,180 @@
+import {
+  decode,
+  DecodeError,
+  type ClusterClient,
+  type ClusterMessage,
+  type Init,
+} from '@ubii/proto';
+import type { Cancel } from '@ubii/timing';
+import { LOST_AFTER_MS } from '../clients/liveness.ts';
+import type { InfoTopics } from '../info/info-topics.ts';
+import type { BusListener } from '../ports/cluster-bus.ts';
+import { endForeign } from '../topics/foreign-records.ts';
+import { describeClient, Directory, type DirectoryContext } from './directory.ts';
+import { HELLO_MS, Members, type Member } from './members.ts';
+import { OwnInterest, type InterestContext } from './own-interest.ts';
+import type { PeerContext } from './peer-subscriber.ts';
+import { Peer } from './peer.ts';
+import { ToldRecords, type ToldContext } from './told-records.ts';
+
+/** Time in which changes of clients are collected, milliseconds. */
+const NEWS_MS = 20;
+
+/** Dependencies of a cluster. */
+export interface ClusterContext
+  extends PeerContext, ToldContext, Omit<DirectoryContext, 'log'>, InterestContext {
+  readonly info: Pick<InfoTopics, 'onClient' | 'onClientGone'>;
+  readonly subscriptions: PeerContext['subscriptions'];
+  readonly self: () => Omit<Member, 'id'>;
+}
+
+/** This master among the masters of its cluster: clients and topics of all of them are one world. [CU-1] */
+export class Cluster implements BusListener {
+  readonly members: Members;
+  readonly #context: ClusterContext;
+  readonly #directory: Directory;
+  readonly #interest: OwnInterest;
+  readonly #told: ToldRecords;
+  readonly #peers = new Map<string, Peer>();
+  /** Masters whose values end when they stay away, with that time; monotonic milliseconds. */
+  readonly #absent = new Map<string, number>();
+  /** Ids of clients that changed, or are gone. */
+  readonly #news = new Set<string>();
+  #cancelNews: Cancel | undefined = undefined;
+  readonly #cancelSweep: Cancel;
+  /** Whether the bus can be reached. */
+  isReachable = false;
+
+  constructor(context: ClusterContext) {
+    this.#context = context;
+    const { clock, bus, self } = context;
+    this.members = new Members({ clock, bus, self });
+    this.#directory = new Directory(context);
+    this.#interest = new OwnInterest(context);
+    this.#told = new ToldRecords(context);
+    this.#interest.onChange.add((wanted, unwanted) => {
+      for (const peer of this.#peers.values()) peer.tellInterest(wanted, unwanted);
+      if (unwanted.length > 0) this.#endUnwanted();
+    });
+    this.members.onLost.add(({ id }) => this.#handleLost(id));
+    context.info.onClient.add(({ id }) => this.#tell(id));
+    context.info.onClientGone.add(({ id }) => this.#tell(id));
+    this.#cancelSweep = clock.every(HELLO_MS, () => this.#sweep());
+    bus.listen(context.id, this);
+  }
+
+  get gaps(): number {
+    let gaps = 0;
+    for (const peer of this.#peers.values()) gaps += peer.gaps;
+    return gaps;
+  }
+
+  handleReach(isReachable: boolean): void {
+    this.isReachable = isReachable;
+    const text = isReachable ? 'the bus of the cluster is there' : 'the bus of the cluster is lost';
+    this.#context.log[isReachable ? 'info' : 'warn'](text);
+    if (isReachable) this.members.sayHello();
+  }
+
+  handleMessage(from: string, bytes: Uint8Array): void {
+    if (from === this.#context.id) return;
+    try {
+      this.#handle(from, decode('ubii.extension.ClusterMessage', bytes));
+    } catch (error) {
+      if (!(error instanceof DecodeError)) throw error;
+      this.#context.counters.protocolErrors++;
+      this.#context.log.warn('a message of another master cannot be read', {
+        master: from,
+        reason: error.message,
+      });
+    }
+  }
+
+  close(): void {
+    this.members.sayGoodbye();
+    this.#cancelSweep();
+    this.#cancelNews?.();
+    for (const peer of this.#peers.values()) peer.close();
+    this.#peers.clear();
+  }
+
+  #handle(from: string, { hello, goodbye, listen, part }: ClusterMessage): void {
+    if (goodbye !== undefined) return this.members.handleGoodbye(from);
+    if (hello !== undefined) this.members.handleHello(from, hello);
+    else this.members.handleSign(from);
+    if (this.members.get(from) === undefined) {
+      // It was heard before it said who it is: it says so within a second, and is listened to then.
+      if (listen !== undefined) this.members.sayHello();
+      return;
+    }
+    const peer = this.#peers.get(from) ?? this.#join(from);
+    if (listen !== undefined) peer.handleListen(listen.stream);
+    if (part !== undefined) peer.handlePart(part);
+  }
+
+  #join(id: string): Peer {
+    const parts = { directory: this.#directory, interest: this.#interest, told: this.#told };
+    const peer = new Peer({ ...this.#context, ...parts }, id);
+    this.#peers.set(id, peer);
+    this.#absent.delete(id);
+    // It may not have heard of this master yet.
+    this.members.sayHello();
+    peer.listen();
+    return peer;
+  }
+
+  #handleLost(id: string): void {
+    this.#peers.get(id)?.close();
+    this.#peers.delete(id);
+    this.#directory.handleLost(id);
+    this.#absent.set(id, this.#context.clock.monotonicMs() + LOST_AFTER_MS);
+  }
+
+  #sweep(): void {
+    this.members.sayHello();
+    this.members.sweep();
+    for (const peer of this.#peers.values()) peer.sweep();
+    const nowMs = this.#context.clock.monotonicMs();
+    for (const [id, endMs] of this.#absent) {
+      if (nowMs < endMs) continue;
+      this.#absent.delete(id);
+      this.#endValuesOf(id);
+    }
+  }
+
+  /** The values of a master that stays away end. [CU-14] */
+  #endValuesOf(id: string): void {
+    const { topics } = this.#context;
+    for (const entry of topics.values()) endForeign(topics, entry, id);
+  }
+
+  /** Values that nobody here wants any more would not be kept up to date. [CU-13] */
+  #endUnwanted(): void {
+    const { topics } = this.#context;
+    for (const entry of topics.values()) {
+      if (entry.originId === '') continue;
+      const { ownDirect, ownSampled } = topics.targetsOf(entry);
+      if (ownDirect + ownSampled === 0) topics.dropForeign(entry);
+    }
+  }
+
+  #tell(id: string): void {
+    this.#news.add(id);
+    this.#cancelNews ??= this.#context.clock.after(NEWS_MS, () => this.#tellNews());
+  }
+
+  #tellNews(): void {
+    this.#cancelNews = undefined;
+    const { clients } = this.#context;
+    const changed: Init<ClusterClient>[] = [];
+    const gone: string[] = [];
+    for (const id of this.#news) {
+      const client = clients.get(id);
+      if (client === undefined) gone.push(id);
+      else if (client.home === undefined) changed.push(describeClient(client));
+    }
+    this.#news.clear();
+    if (changed.length + gone.length === 0) return;
+    for (const peer of this.#peers.values()) peer.tellClients(changed, gone);
+  }
+}

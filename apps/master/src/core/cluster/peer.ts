@@ -1,0 +1,163 @@
+import type { ClusterClient, ClusterInterest, ClusterPart, Init } from '@ubii/proto';
+import type { EndOfTurn } from '@ubii/timing';
+import { endForeign } from '../topics/foreign-records.ts';
+import type { TopicTable } from '../topics/topic-table.ts';
+import type { Directory } from './directory.ts';
+import { describeClient } from './directory.ts';
+import { interestKey } from './interest-key.ts';
+import type { OwnInterest } from './own-interest.ts';
+import { PeerSubscriber, type PeerContext } from './peer-subscriber.ts';
+import { IncomingStream, OutgoingStream } from './streams.ts';
+import type { ToldRecords } from './told-records.ts';
+
+/** Clients in one message. */
+const CLIENTS_PER_PART = 50;
+/** Looks at a stream without a part, after which it is asked for again. */
+const SILENT_LOOKS = 4;
+/** Subscriptions in one message. */
+const INTERESTS_PER_PART = 500;
+
+/** Dependencies of a peer. */
+export interface PeerParts extends PeerContext {
+  readonly topics: TopicTable;
+  readonly endOfTurn: EndOfTurn;
+  readonly directory: Directory;
+  readonly interest: OwnInterest;
+  readonly told: ToldRecords;
+}
+
+/** What was told since a stream began, until it said all: the rest of what is known is not so any more. */
+interface FirstTold {
+  readonly clients: Set<string>;
+  readonly interests: Set<string>;
+  readonly topics: Set<string>;
+}
+
+/** Another master: what it is told, and what it tells. */
+export class Peer {
+  readonly id: string;
+  readonly #parts: PeerParts;
+  readonly #outgoing: OutgoingStream;
+  readonly #incoming: IncomingStream;
+  readonly #subscriber: PeerSubscriber;
+  readonly #interests = new Map<string, ClusterInterest>();
+  #first: FirstTold | undefined = undefined;
+  #silentLooks = 0;
+  /** Times that something that it told was missing. */
+  gaps = 0;
+
+  constructor(parts: PeerParts, id: string) {
+    this.id = id;
+    this.#parts = parts;
+    this.#outgoing = new OutgoingStream(parts.bus, id);
+    this.#incoming = new IncomingStream(parts.bus, id);
+    this.#subscriber = new PeerSubscriber(parts, id, this.#outgoing);
+  }
+
+  /** Asks it for all it has. */
+  listen(): void {
+    this.#first = { clients: new Set(), interests: new Set(), topics: new Set() };
+    this.#silentLooks = 0;
+    this.#incoming.listen();
+  }
+
+  /** It asks for all that this master has. [CU-5] */
+  handleListen(stream: number): void {
+    this.#outgoing.restart(stream);
+    for (const clients of chunks(this.#parts.directory.own(), CLIENTS_PER_PART)) {
+      this.#outgoing.send({ clients: clients.map(describeClient) });
+    }
+    for (const wanted of chunks(this.#parts.interest.list(), INTERESTS_PER_PART)) {
+      this.#outgoing.send({ wanted });
+    }
+    this.#subscriber.replayAll();
+    this.#subscriber.handleEndOfTurn();
+    this.#outgoing.send({ complete: true });
+  }
+
+  /** It tells something. @throws DecodeError when a record cannot be read */
+  handlePart(part: ClusterPart): void {
+    const place = this.#incoming.place(part);
+    if (place === 'next') {
+      this.#silentLooks = 0;
+      this.#apply(part);
+    } else if (place === 'gap') this.#listenAgain();
+  }
+
+  tellClients(clients: readonly Init<ClusterClient>[], goneClients: readonly string[]): void {
+    this.#outgoing.send({ clients: [...clients], goneClients: [...goneClients] });
+  }
+
+  tellInterest(
+    wanted: readonly Init<ClusterInterest>[],
+    unwanted: readonly Init<ClusterInterest>[],
+  ): void {
+    this.#outgoing.send({ wanted: [...wanted], unwanted: [...unwanted] });
+  }
+
+  /** To be called about once a second: says that this master is there, and notices when the other is not. */
+  sweep(): void {
+    this.#outgoing.keepAlive();
+    if (++this.#silentLooks >= SILENT_LOOKS) this.#listenAgain();
+  }
+
+  close(): void {
+    this.#subscriber.close();
+  }
+
+  #apply(part: ClusterPart): void {
+    const { directory, told } = this.#parts;
+    const first = this.#first;
+    for (const client of part.clients) {
+      directory.set(this.id, client);
+      first?.clients.add(client.client?.id ?? '');
+    }
+    for (const id of part.goneClients) directory.delete(this.id, id);
+    for (const interest of part.wanted) this.#want(interest);
+    for (const interest of part.unwanted) this.#endWant(interestKey(interest));
+    if (part.values !== undefined) {
+      for (const topic of told.publish(this.id, part.values, true)) first?.topics.add(topic);
+    }
+    if (part.records !== undefined) told.publish(this.id, part.records, false);
+    if (part.complete && first !== undefined) this.#endOthers(first);
+  }
+
+  /** [CU-7] */
+  #listenAgain(): void {
+    this.gaps++;
+    this.listen();
+  }
+
+  #want(interest: ClusterInterest): void {
+    const key = interestKey(interest);
+    this.#first?.interests.add(key);
+    this.#interests.set(key, interest);
+    this.#subscriber.want(interest);
+  }
+
+  #endWant(key: string): void {
+    const interest = this.#interests.get(key);
+    if (interest === undefined) return;
+    this.#interests.delete(key);
+    this.#subscriber.endWant(interest);
+  }
+
+  /** What was known before the stream began, and was not told in it, is over. */
+  #endOthers(first: FirstTold): void {
+    this.#first = undefined;
+    const { directory, topics } = this.#parts;
+    for (const id of directory.idsOf(this.id)) {
+      if (!first.clients.has(id)) directory.delete(this.id, id);
+    }
+    for (const key of [...this.#interests.keys()]) {
+      if (!first.interests.has(key)) this.#endWant(key);
+    }
+    for (const entry of topics.values()) {
+      if (!first.topics.has(entry.topic)) endForeign(topics, entry, this.id);
+    }
+  }
+}
+
+function* chunks<T>(all: readonly T[], size: number): Iterable<T[]> {
+  for (let start = 0; start < all.length; start += size) yield all.slice(start, start + size);
+}

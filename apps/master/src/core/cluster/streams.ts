@@ -1,0 +1,79 @@
+import { encode, type ClusterMessage, type ClusterPart, type Init } from '@ubii/proto';
+import type { ClusterBus } from '../ports/cluster-bus.ts';
+
+/** Content of one message of a stream. */
+export type PartContent = Omit<Init<ClusterPart>, 'stream' | 'number'>;
+
+/** What this master tells another one, in numbered parts. [CU-6] */
+export class OutgoingStream {
+  readonly #bus: ClusterBus;
+  readonly #peerId: string;
+  #stream = 0;
+  #next = 0;
+  #sentSince = false;
+
+  constructor(bus: ClusterBus, peerId: string) {
+    this.#bus = bus;
+    this.#peerId = peerId;
+  }
+
+  /** Whether the other master listens. */
+  get isOpen(): boolean {
+    return this.#stream !== 0;
+  }
+
+  /** Begins again, with the number that the listener chose. */
+  restart(stream: number): void {
+    this.#stream = stream;
+    this.#next = 0;
+  }
+
+  send(content: PartContent): void {
+    if (!this.isOpen) return;
+    this.#sentSince = true;
+    const part = { ...content, stream: this.#stream, number: this.#next++ };
+    sendTo(this.#bus, this.#peerId, { part });
+  }
+
+  /** Sends an empty part if nothing was sent since the last call, so that a loss is noticed. */
+  keepAlive(): void {
+    if (!this.#sentSince) this.send({});
+    this.#sentSince = false;
+  }
+}
+
+/** Place of a part in a stream, as the listener finds it. */
+export type PartPlace = 'next' | 'old' | 'gap';
+
+/** What another master tells this one. */
+export class IncomingStream {
+  readonly #bus: ClusterBus;
+  readonly #peerId: string;
+  #stream = 0;
+  #next = 0;
+
+  constructor(bus: ClusterBus, peerId: string) {
+    this.#bus = bus;
+    this.#peerId = peerId;
+  }
+
+  /** Asks for all from the start. */
+  listen(): void {
+    this.#stream++;
+    this.#next = 0;
+    sendTo(this.#bus, this.#peerId, { listen: { stream: this.#stream } });
+  }
+
+  /** Counts a part. @returns whether it is the next one, of an earlier stream, or others are missing before it */
+  place({ stream, number }: Pick<ClusterPart, 'stream' | 'number'>): PartPlace {
+    if (stream !== this.#stream || number < this.#next) return 'old';
+    if (number > this.#next) return 'gap';
+    this.#next++;
+    return 'next';
+  }
+}
+
+/** Sends a message to one master. */
+export function sendTo(bus: ClusterBus, masterId: string, message: Init<ClusterMessage>): void {
+  bus.send(masterId, encode('ubii.extension.ClusterMessage', message));
+}

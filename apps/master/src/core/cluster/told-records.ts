@@ -1,0 +1,55 @@
+import type { ClusterRecords } from '@ubii/proto';
+import { readRecordHead } from '@ubii/proto/wire';
+import { TextCache } from '@ubii/proto/wire';
+import type { Clock, EndOfTurn } from '@ubii/timing';
+import { publishForeign, type ForeignContext } from '../topics/foreign-records.ts';
+import { Publication } from '../topics/publication.ts';
+
+/** Dependencies of records that were told. */
+export interface ToldContext extends ForeignContext {
+  readonly clock: Clock;
+  readonly endOfTurn: EndOfTurn;
+}
+
+const NO_BYTES = new Uint8Array(0);
+
+/** Gives the records of other masters to the topics of this one. */
+export class ToldRecords {
+  readonly #context: ToldContext;
+  readonly #publication = new Publication();
+  readonly #texts = new TextCache();
+
+  constructor(context: ToldContext) {
+    this.#context = context;
+  }
+
+  /**
+   * @param masterId where they were published
+   * @param isValues they are values that stand, and not new
+   * @returns their topics
+   * @throws DecodeError when one cannot be read, after those before it
+   */
+  publish(masterId: string, told: ClusterRecords, isValues: boolean): string[] {
+    const { clock } = this.#context;
+    const publication = this.#publication;
+    publication.nowMs = clock.nowMs();
+    publication.monotonicMs = clock.monotonicMs();
+    const topics: string[] = [];
+    for (const [i, record] of told.records.entries()) {
+      const { topic, valueField } = readRecordHead(record, this.#texts);
+      publication.topic = topic;
+      publication.frame = record;
+      publication.end = record.byteLength;
+      publication.valueField = valueField;
+      publishForeign(this.#context, publication, {
+        masterId,
+        publisherId: told.publisherIds[told.publishers[i] ?? -1] ?? '',
+        stamp: told.stamps[i] ?? 0,
+        isValue: isValues,
+      });
+      if (isValues) topics.push(topic);
+    }
+    publication.frame = NO_BYTES;
+    return topics;
+  }
+}
