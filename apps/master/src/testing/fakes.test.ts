@@ -1,5 +1,6 @@
 import {
   auditStoreSuite,
+  clusterBusSuite,
   documentStoreSuite,
   idSourceSuite,
   logSuite,
@@ -10,6 +11,7 @@ import {
   FixedUsage,
   MemoryAudit,
   MemoryDocuments,
+  MemoryHub,
   PlainTokens,
   RecordingLog,
   SequentialIds,
@@ -39,4 +41,16 @@ documentStoreSuite('MemoryDocuments', () => {
     },
     reopen: () => store,
   };
+});
+
+clusterBusSuite('MemoryBus', () => {
+  const hub = new MemoryHub();
+  return Promise.resolve({
+    open: () => Promise.resolve(hub.bus()),
+    setReachable(masterId, isReachable) {
+      hub.setReachable(masterId, isReachable);
+      return Promise.resolve();
+    },
+    close: () => Promise.resolve(),
+  });
 });

@@ -1,5 +1,6 @@
 export { MemoryAudit } from './memory-audit.ts';
 export { MemoryFolder } from './memory-folder.ts';
+export { MemoryBus, MemoryHub } from './memory-bus.ts';
 export { openMemoryChannel } from './memory-channel.ts';
 export type { MemoryChannel, MemoryDial, MemoryPeer } from './memory-channel.ts';
 export { MemoryDocuments, MemoryStorage, MemoryStudyStorage } from './memory-documents.ts';

@@ -13,6 +13,7 @@ export {
   runningJob,
   type RecorderParts,
 } from './recorder-suite.ts';
+export { clusterBusSuite, type BusBench } from './cluster-bus-suite.ts';
 export { resourceUsageSuite } from './resource-usage-suite.ts';
 export { resumeTokensSuite } from './resume-tokens-suite.ts';
 export { documentStoreSuite, type StoreParts } from './document-store-suite.ts';
