@@ -64,6 +64,7 @@ export {
   isMasterTopic,
   preflightTopic,
   moduleEventTopic,
+  MASTERS_TOPIC,
   RECORDING_STATUS_TOPIC,
   REPLAYS_TOPIC,
   STUDY_STATUS_TOPIC,

@@ -77,6 +77,12 @@ export function moduleEventTopic(sessionId: string): string {
   return `${EXTENSION_PREFIX}session/${sessionId}/events`;
 }
 
+/**
+ * The topic on which a master names the others of its cluster: a stringList with their addresses, of each the best
+ * first. [CU-26]
+ */
+export const MASTERS_TOPIC = `${EXTENSION_PREFIX}masters`;
+
 /** The topic on which the master says what is recorded, about once a second. [RC-8] */
 export const RECORDING_STATUS_TOPIC = `${EXTENSION_PREFIX}recordings`;
 

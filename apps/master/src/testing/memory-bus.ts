@@ -36,6 +36,11 @@ export class MemoryHub {
     this.#toLose += count;
   }
 
+  /** Loses nothing any more. */
+  loseNothing(): void {
+    this.#toLose = 0;
+  }
+
   /** Takes the bus away from one master, or gives it back. */
   setReachable(masterId: string, isReachable: boolean): void {
     if (isReachable) this.#away.delete(masterId);

@@ -15,7 +15,7 @@ import type { Limits } from '../core/limits/index.ts';
 import type { Master } from '../core/master/master.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import { LogTail } from '../core/counters/log-tail.ts';
-import type { MasterEndpoints, MasterSettings } from '../core/areas/settings.ts';
+import type { ClusterPorts, MasterEndpoints, MasterSettings } from '../core/areas/settings.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
 import { FakeClock } from '@ubii/timing/testing';
@@ -64,6 +64,9 @@ export interface TestMasterOptions {
   readonly library?: readonly ProcessingModule[];
   /** Asset sets of trusted modules. Default: none. */
   readonly assets?: AssetStore;
+  /** Other masters. Default: none. */
+  readonly cluster?: ClusterPorts;
+  readonly name?: string;
 }
 
 /** A whole master in memory, with fakes all around and clients that talk to it directly. */
@@ -111,6 +114,7 @@ export class TestMaster {
         assetSets: this.assetSets,
         sandboxes: sandboxes ?? createInlineSandboxes(),
         ...(options.assets && { assets: options.assets }),
+        ...(options.cluster && { cluster: options.cluster }),
         storage: this.storage,
         recorder: new RecorderEngine({
           folder: this.recordings,
@@ -122,6 +126,7 @@ export class TestMaster {
       },
       {
         version: '1.2.3',
+        ...(options.name !== undefined && { name: options.name }),
         limits,
         flightRecorder: options.flightRecorder ?? { isOn: false },
         ...(options.checks && { checks: options.checks }),

@@ -1705,6 +1705,11 @@ export interface ClientExtension {
   role: AccessRole;
   /** Master to client: it answers a numbered PING with its time. Rule TS-1. */
   tellsTime: boolean;
+  /**
+   * Master to client: addresses of the other masters of its cluster, where it can come back when this one is lost; the
+   * best of each first. Rule CU-26.
+   */
+  masters: string[];
   /** Master to all, in an announcement: what is large was left out; client_get_list has it. Rule EX-74. */
   abridged: boolean;
   /** Master to all, in an abridged announcement: grows when what was left out changes. Rule EX-74. */
@@ -1911,7 +1916,7 @@ export interface ClusterMessage {
   listen?: ClusterListen | undefined;
   /** To one: what it listens to. Rule CU-6. */
   part?: ClusterPart | undefined;
-  /** To one: a service request of a client that is elsewhere. Rule CU-30. */
+  /** To one: a service request of a client that is elsewhere. Rule CU-28. */
   call?: ClusterCall | undefined;
   /** To one: the reply to it. */
   reply?: ClusterReply | undefined;
@@ -1941,6 +1946,8 @@ export interface ClusterPart {
   records: ClusterRecords | undefined;
   /** All that was there when the stream began was told. */
   complete: boolean;
+  /** What became of sessions that this master runs, in order. Rule CU-30. */
+  sessionNews: ClusterSessionNews[];
 }
 
 /**
@@ -1969,6 +1976,18 @@ export interface ClusterReply {
   number: number;
   /** Encoded ServiceReply. */
   reply: Uint8Array;
+}
+
+/**
+ * News of a session, for clients of other masters.
+ *
+ * `ubii.extension.ClusterSessionNews`
+ */
+export interface ClusterSessionNews {
+  /** The topic on which it is told to clients; empty for a session as it is when the stream begins. */
+  topic: string;
+  /** The whole session. */
+  session: Session | undefined;
 }
 
 /**
@@ -4812,6 +4831,7 @@ export interface MessageTypes {
   'ubii.extension.ClusterPart': ClusterPart;
   'ubii.extension.ClusterRecords': ClusterRecords;
   'ubii.extension.ClusterReply': ClusterReply;
+  'ubii.extension.ClusterSessionNews': ClusterSessionNews;
   'ubii.extension.EndedTopics': EndedTopics;
   'ubii.extension.FlightRecorder': FlightRecorder;
   'ubii.extension.FlightRecorderKeepRequest': FlightRecorderKeepRequest;

@@ -541,6 +541,7 @@ message ubii.extension.ClientExtension
 11 credential_expires_ms double
 12 role ubii.extension.AccessRole
 20 tells_time bool
+25 masters string *
 30 abridged bool
 31 registration_revision int32
 message ubii.extension.ClientRenameRequest
@@ -617,6 +618,7 @@ message ubii.extension.ClusterPart
 7 values ubii.extension.ClusterRecords
 8 records ubii.extension.ClusterRecords
 9 complete bool
+10 session_news ubii.extension.ClusterSessionNews *
 message ubii.extension.ClusterRecords
 1 records bytes *
 2 stamps double *
@@ -625,6 +627,9 @@ message ubii.extension.ClusterRecords
 message ubii.extension.ClusterReply
 1 number int32
 2 reply bytes
+message ubii.extension.ClusterSessionNews
+1 topic string
+2 session ubii.sessions.Session
 message ubii.extension.EndedTopics
 1 topics string *
 message ubii.extension.FlightRecorder

@@ -92,7 +92,7 @@ export class ClientRegistry {
 
   countByStatus(): Record<Exclude<ClientStatus, 'removed'>, number> {
     const counts = { active: 0, inactive: 0, unavailable: 0, removed: 0 };
-    for (const { status } of this.#clients.values()) counts[status]++;
+    for (const { status, home } of this.#clients.values()) if (home === undefined) counts[status]++;
     return counts;
   }
 

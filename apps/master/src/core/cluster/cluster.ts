@@ -1,12 +1,14 @@
 import {
   decode,
   DecodeError,
+  MASTERS_TOPIC,
   type ClusterClient,
   type ClusterMessage,
   type Init,
 } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
+import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
 import type { BusListener } from '../ports/cluster-bus.ts';
 import { endForeign } from '../topics/foreign-records.ts';
@@ -24,6 +26,7 @@ const NEWS_MS = 20;
 export interface ClusterContext
   extends PeerContext, ToldContext, Omit<DirectoryContext, 'log'>, InterestContext {
   readonly info: Pick<InfoTopics, 'onClient' | 'onClientGone'>;
+  readonly publisher: Pick<MasterPublisher, 'publishChange'>;
   readonly subscriptions: PeerContext['subscriptions'];
   readonly self: () => Omit<Member, 'id'>;
 }
@@ -56,7 +59,11 @@ export class Cluster implements BusListener {
       for (const peer of this.#peers.values()) peer.tellInterest(wanted, unwanted);
       if (unwanted.length > 0) this.#endUnwanted();
     });
-    this.members.onLost.add(({ id }) => this.#handleLost(id));
+    this.members.onJoined.add(() => this.#publishAddresses());
+    this.members.onLost.add(({ id }) => {
+      this.#handleLost(id);
+      this.#publishAddresses();
+    });
     context.info.onClient.add(({ id }) => this.#tell(id));
     context.info.onClientGone.add(({ id }) => this.#tell(id));
     this.#cancelSweep = clock.every(HELLO_MS, () => this.#sweep());
@@ -67,6 +74,11 @@ export class Cluster implements BusListener {
     let gaps = 0;
     for (const peer of this.#peers.values()) gaps += peer.gaps;
     return gaps;
+  }
+
+  /** Of other masters, of each the best first. [CU-26] */
+  addresses(): string[] {
+    return this.members.list().flatMap(({ addresses }) => addresses);
   }
 
   handleReach(isReachable: boolean): void {
@@ -156,6 +168,11 @@ export class Cluster implements BusListener {
       const { ownDirect, ownSampled } = topics.targetsOf(entry);
       if (ownDirect + ownSampled === 0) topics.dropForeign(entry);
     }
+  }
+
+  #publishAddresses(): void {
+    const stringList = { elements: this.addresses() };
+    this.#context.publisher.publishChange(MASTERS_TOPIC, { stringList });
   }
 
   #tell(id: string): void {

@@ -4,9 +4,9 @@ import { Hook } from '../hooks/hook.ts';
 import type { ClusterBus } from '../ports/cluster-bus.ts';
 
 /** Interval at which a master says that it is there, milliseconds. [CU-2] */
-export const HELLO_MS = 1_000;
+export const HELLO_MS = 500;
 /** Silence after which a master counts as lost, milliseconds. [CU-3] */
-export const LOST_MS = 3_500;
+export const LOST_MS = 2_500;
 /** Version of the messages of a cluster. */
 export const CLUSTER_VERSION = 1;
 

@@ -13,7 +13,7 @@ import type { ToldRecords } from './told-records.ts';
 /** Clients in one message. */
 const CLIENTS_PER_PART = 50;
 /** Looks at a stream without a part, after which it is asked for again. */
-const SILENT_LOOKS = 4;
+const SILENT_LOOKS = 5;
 /** Subscriptions in one message. */
 const INTERESTS_PER_PART = 500;
 

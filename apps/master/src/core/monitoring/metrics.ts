@@ -1,10 +1,15 @@
 import type { Core } from '../areas/core.ts';
+import { readClusterMetrics } from './cluster-metrics.ts';
+import { counter, family, gauge } from './make-families.ts';
 import type { MasterMetrics, MetricFamily } from './metric-family.ts';
 import { SESSION_LIVES } from '../sessions/session-states.ts';
 
 /** Dependencies of metrics. */
 type MetricParts = Pick<Core, 'counters' | 'limits' | 'limitWatch' | 'topics' | 'clients'> &
-  Pick<Core, 'devices' | 'sockets' | 'connections' | 'bodies' | 'sessions' | 'localNode'>;
+  Pick<
+    Core,
+    'devices' | 'sockets' | 'connections' | 'bodies' | 'sessions' | 'localNode' | 'masters'
+  >;
 
 /** Every metric. Labels come from closed lists: limits, codes, states, services; never ids or topics. */
 export function readMetrics(core: MetricParts): MasterMetrics {
@@ -96,6 +101,7 @@ export function readMetrics(core: MetricParts): MasterMetrics {
       'Records queued for slow sockets.',
       waiting.reduce((sum, count) => sum + count, 0),
     ),
+    ...readClusterMetrics(core),
   ];
 }
 
@@ -130,27 +136,4 @@ function moduleTotals({ sessions }: MetricParts): MetricFamily[] {
       sum('outputsRefused'),
     ),
   ];
-}
-
-function counter(name: string, help: string, value: number): MetricFamily {
-  return { name, help, kind: 'counter', values: [{ labels: {}, value }] };
-}
-
-function gauge(name: string, help: string, value: number): MetricFamily {
-  return { name, help, kind: 'gauge', values: [{ labels: {}, value }] };
-}
-
-function family(
-  name: string,
-  help: string,
-  kind: MetricFamily['kind'],
-  label: string,
-  values: readonly (readonly [string, number])[],
-): MetricFamily {
-  return {
-    name,
-    help,
-    kind,
-    values: values.map(([key, value]) => ({ labels: { [label]: key }, value })),
-  };
 }

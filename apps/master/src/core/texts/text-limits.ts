@@ -78,6 +78,7 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
   'ubii.extension.ClientExtension.master_version': OF_MASTER,
   'ubii.extension.ClientExtension.library': WORD,
   'ubii.extension.ClientExtension.credential': OF_MASTER,
+  'ubii.extension.ClientExtension.masters': OF_MASTER,
   'ubii.extension.NodeExtension.libraries': WORD,
 
   'ubii.devices.Device.id': ID,

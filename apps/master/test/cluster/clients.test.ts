@@ -1,0 +1,146 @@
+import { describe, expect, it } from 'vitest';
+import type { TestMaster } from '../../src/testing/index.ts';
+import { ClusterWorld, clusterOf } from './cluster-world.ts';
+
+async function namesAt(master: TestMaster): Promise<string[]> {
+  const { clientList } = await master.call({ topic: '/services/client/get_list', clientList: {} });
+  return (clientList?.elements ?? []).map(({ name }) => name).sort();
+}
+
+describe('clients of a cluster', () => {
+  it('[CU-20] are in the lists of every master, with their devices and their state', async () => {
+    const [world, a, b, c] = await clusterOf(3);
+    await a!.extension('phone', { devices: [{ name: 'sensor', components: [{ topic: '/s' }] }] });
+    await b!.legacy('robot');
+    await world.pass();
+    for (const master of [a!, b!, c!]) {
+      expect(await namesAt(master)).toEqual(['phone', 'robot']);
+      const { deviceList } = await master.call({
+        topic: '/services/device/get_list',
+        deviceList: {},
+      });
+      expect(deviceList?.elements.map(({ name }) => name)).toEqual(['sensor']);
+    }
+  });
+
+  it('[CU-20] are told to a master that starts later', async () => {
+    const [world, a] = await clusterOf(1);
+    for (let i = 0; i < 120; i++) await a!.extension(`client ${i}`);
+    const late = await world.add();
+    expect(await namesAt(late)).toHaveLength(120);
+  });
+
+  it('[CU-20] are announced and removed everywhere', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const page = await b!.extension('page');
+    await page.subscribe({
+      subscribeTopicRegexp: ['^/ubii/client/.*'],
+      subscribeTopics: ['/info/device/new'],
+    });
+    page.takeValues();
+    const phone = await a!.extension('phone', { devices: [{ name: 'sensor' }] });
+    await world.pass();
+    const topics = page.takeRecords().map(({ topic }) => topic);
+    expect(topics).toContain(`/ubii/client/${phone.id}`);
+    expect(topics).toContain('/info/device/new');
+    phone.drop('left');
+    await world.pass();
+    expect(await namesAt(b!)).toEqual(['page']);
+  });
+
+  it('[CU-21] whose master is lost come back as themselves at another one', async () => {
+    const [world, a, b, c] = await clusterOf(3);
+    const phone = await a!.extension('phone', {
+      devices: [{ name: 'sensor', components: [{ topic: '/s' }] }],
+    });
+    await world.pass();
+    world.hub.setReachable(a!.master.id, false);
+    await world.pass(5_000);
+    const back = await b!.register({
+      name: 'phone',
+      id: phone.id,
+      extension: { resumeToken: phone.token! },
+    });
+    expect(back.id).toBe(phone.id);
+    expect(back.registered.extension?.resumed).toBe(true);
+    expect(back.open()).toBe(true);
+    await world.pass(20_000);
+    for (const master of [b!, c!]) expect(await namesAt(master)).toEqual(['phone']);
+    const subscriber = await c!.extension('screen');
+    await subscriber.subscribe({ subscribeTopics: ['/s'] });
+    await world.pass();
+    back.publish('/s', 'double', 1);
+    await world.pass();
+    expect(subscriber.takeValues()).toEqual([['/s', 1]]);
+  });
+
+  it('[CU-26] are told where else they can go, and when that changes', async () => {
+    const world = new ClusterWorld();
+    const at = (port: number) => ({
+      endpoints: { addresses: [{ url: `http://127.0.0.1:${port}` }] },
+    });
+    const a = await world.add(at(1));
+    const phone = await a.extension('phone');
+    expect(phone.registered.extension?.masters).toEqual([]);
+    await phone.subscribe({ subscribeTopics: ['/ubii/masters'] });
+    await world.add(at(2));
+    expect(phone.takeValues()).toEqual([['/ubii/masters', { elements: ['http://127.0.0.1:2'] }]]);
+    const other = await a.extension('other');
+    expect(other.registered.extension?.masters).toEqual(['http://127.0.0.1:2']);
+  });
+
+  it('[CU-21] that do not come back are removed like absent ones', async () => {
+    const world = new ClusterWorld();
+    const a = await world.add();
+    const b = await world.add({ limits: { unavailableRetentionMs: 60_000 } });
+    await a.extension('phone');
+    await world.pass();
+    world.hub.setReachable(a.master.id, false);
+    await world.pass(4_000);
+    expect(await namesAt(b)).toEqual(['phone']);
+    await world.pass(80_000);
+    expect(await namesAt(b)).toEqual([]);
+  });
+
+  it('[CU-22] are at the master they came to last, when both were apart', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const phone = await a!.extension('phone');
+    await world.pass();
+    world.hub.cut(a!.master.id, b!.master.id);
+    await world.pass(5_000);
+    const back = await b!.register({
+      name: 'phone',
+      id: phone.id,
+      extension: { resumeToken: phone.token! },
+    });
+    back.open();
+    world.hub.heal();
+    await world.pass(5_000);
+    expect(phone.closed?.reason).toBe('superseded');
+    expect(back.closed).toBeUndefined();
+    for (const master of [a!, b!]) expect(await namesAt(master)).toEqual(['phone']);
+  });
+
+  it('[CU-21] have no more rights at a new master than their role gives', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const phone = await a!.register(
+      { name: 'phone', extension: {} },
+      { standing: 'network', isHere: false, place: 'x', bearer: undefined },
+    );
+    phone.open();
+    await world.pass();
+    world.hub.setReachable(a!.master.id, false);
+    await world.pass(5_000);
+    const back = await b!.register(
+      { name: 'phone', id: phone.id, extension: { resumeToken: phone.token! } },
+      { standing: 'network', isHere: false, place: 'x', bearer: undefined },
+    );
+    back.open();
+    back.publish('/someone-else/x', 'double', 1);
+    const { clientReport } = await b!.call({
+      topic: '/services/ubii/client_report',
+      clientReportRequest: {},
+    });
+    expect(clientReport?.clients.find(({ clientId }) => clientId === phone.id)?.role).toBe(2);
+  });
+});

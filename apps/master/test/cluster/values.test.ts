@@ -1,0 +1,131 @@
+import { describe, expect, it } from 'vitest';
+import { clusterOf } from './cluster-world.ts';
+
+describe('values of topics in a cluster', () => {
+  it('[CU-12] stand for subscribers that come later, at every master', async () => {
+    const [world, a, b, c] = await clusterOf(3);
+    const publisher = await a!.extension('publisher');
+    publisher.publish('/a', 'double', 1);
+    publisher.publish('/b', 'double', 2);
+    for (const master of [b!, c!]) {
+      const late = await master.extension('late');
+      await late.subscribe({ subscribeTopicRegexp: ['/.*'] });
+      await world.pass();
+      expect(late.takeValues()).toEqual([
+        ['/a', 1],
+        ['/b', 2],
+      ]);
+      await late.subscribe({ subscribeTopics: ['/a'] });
+      await world.pass();
+      // The value again for the new subscription is the master's own: it has it.
+      expect(late.takeValues()).toEqual([['/a', 1]]);
+    }
+  });
+
+  it('[CU-12] are the newest of all masters, the same everywhere', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const one = await a!.extension('one');
+    const other = await b!.extension('other');
+    one.publish('/a', 'double', 1);
+    await world.pass();
+    other.publish('/a', 'double', 2);
+    await world.pass();
+    for (const master of [a!, b!]) {
+      const late = await master.extension('late');
+      await late.subscribe({ subscribeTopics: ['/a'] });
+      await world.pass();
+      expect(late.takeValues().at(-1)).toEqual(['/a', 2]);
+    }
+  });
+
+  it('[CU-12] agree after both published in the same moment', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const one = await a!.extension('one');
+    const other = await b!.extension('other');
+    await one.subscribe({ subscribeTopics: ['/a'] });
+    await other.subscribe({ subscribeTopics: ['/a'] });
+    await world.pass();
+    one.publish('/a', 'double', 1);
+    other.publish('/a', 'double', 2);
+    await world.pass();
+    // Each got both, and each has the same one in the end.
+    expect(one.takeValues().sort()).toEqual(other.takeValues().sort());
+    const values: unknown[] = [];
+    for (const master of [a!, b!]) {
+      const late = await master.extension('late');
+      await late.subscribe({ subscribeTopics: ['/a'] });
+      values.push(late.takeValues().at(-1)?.[1]);
+    }
+    expect(values[0]).toBe(values[1]);
+  });
+
+  it('[CU-13] are not remembered at a master where nobody wants them', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const publisher = await a!.extension('publisher');
+    const subscriber = await b!.extension('subscriber');
+    await subscriber.subscribe({ subscribeTopics: ['/a'] });
+    await world.pass();
+    publisher.publish('/a', 'double', 1);
+    await world.pass();
+    await subscriber.subscribe({ unsubscribeTopics: ['/a'] });
+    await world.pass();
+    subscriber.takeValues();
+    publisher.publish('/a', 'double', 2);
+    await world.pass();
+    await subscriber.subscribe({ subscribeTopics: ['/a'] });
+    await world.pass();
+    expect(subscriber.takeValues()).toEqual([['/a', 2]]);
+  });
+
+  it('[CU-14] end where they came from, for those that have them', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const publisher = await a!.extension('publisher');
+    const subscriber = await b!.extension('subscriber');
+    await subscriber.subscribe({ subscribeTopics: ['/a'] });
+    publisher.publish('/a', 'double', 1);
+    await world.pass();
+    publisher.drop('left');
+    await world.pass();
+    const late = await b!.extension('late');
+    await late.subscribe({ subscribeTopics: ['/a'] });
+    await world.pass();
+    expect(late.takeValues()).toEqual([]);
+  });
+
+  it('[CU-14] end when their master stays away', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const publisher = await a!.extension('publisher');
+    const subscriber = await b!.extension('subscriber');
+    await subscriber.subscribe({ subscribeTopics: ['/a'] });
+    publisher.publish('/a', 'double', 1);
+    await world.pass();
+    world.hub.setReachable(a!.master.id, false);
+    await world.pass(20_000);
+    const late = await b!.extension('late');
+    await late.subscribe({ subscribeTopics: ['/a'] });
+    expect(late.takeValues()).toEqual([]);
+  });
+
+  it('[TD-19] belong to the client here that publishes after another master', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const one = await a!.extension('one');
+    const other = await b!.extension('other');
+    await other.subscribe({ subscribeTopics: ['/a'] });
+    await world.pass();
+    one.publish('/a', 'double', 1);
+    await world.pass();
+    other.publish('/a', 'double', 2);
+    await world.pass();
+    one.drop('left');
+    await world.pass();
+    other.takeValues();
+    const late = await b!.extension('late');
+    await late.subscribe({ subscribeTopics: ['/a'] });
+    expect(late.takeValues()).toEqual([['/a', 2]]);
+    other.drop('left');
+    await world.pass();
+    const later = await b!.extension('later');
+    await later.subscribe({ subscribeTopics: ['/a'] });
+    expect(later.takeValues()).toEqual([]);
+  });
+});
