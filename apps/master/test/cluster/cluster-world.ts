@@ -3,10 +3,11 @@ import type { MasterMetrics } from '../../src/core/monitoring/metric-family.ts';
 import {
   MemoryDocuments,
   MemoryHub,
+  MemoryStorage,
   TestMaster,
   type TestMasterOptions,
 } from '../../src/testing/index.ts';
-import { MemoryOwners } from './memory-owners.ts';
+import { MemoryOwnerTable, type MemoryOwners } from '../../src/testing/memory-owners.ts';
 
 /** Ids that the masters before a master may have given. */
 const IDS_PER_MASTER = 10_000;
@@ -15,24 +16,35 @@ const IDS_PER_MASTER = 10_000;
 export class ClusterWorld {
   readonly clock = new FakeClock();
   readonly hub = new MemoryHub();
-  readonly owners = new MemoryOwners();
+  readonly owners = new MemoryOwnerTable();
+  readonly storage = new MemoryStorage();
   readonly grants = new MemoryDocuments();
   readonly masters: TestMaster[] = [];
+  readonly #owners = new Map<TestMaster, MemoryOwners>();
 
   /** Starts one more master, and waits until all know each other. */
   async add(options: TestMasterOptions = {}): Promise<TestMaster> {
     const number = this.masters.length;
+    const owners = this.owners.open();
     const master = new TestMaster({
       clock: this.clock,
       idsGiven: number * IDS_PER_MASTER,
       grants: this.grants,
-      cluster: { name: 'test', bus: this.hub.bus(), owners: this.owners },
+      storage: this.storage,
+      cluster: { name: 'test', bus: this.hub.bus(), owners },
       name: `master ${number + 1}`,
       ...options,
     });
     this.masters.push(master);
+    this.#owners.set(master, owners);
     await this.pass(50);
     return master;
+  }
+
+  /** Takes all that masters share away from one of them, or gives it back: to others it is lost. */
+  setReachable(master: TestMaster, isReachable: boolean): void {
+    this.hub.setReachable(master.master.id, isReachable);
+    this.#owners.get(master)!.setReachable(isReachable);
   }
 
   /** Records that were sent to other masters so far, once for each. */

@@ -496,6 +496,12 @@ export const StatusEventKind = {
   CLIENT_THROTTLED: 11,
   /** The master, a publisher or a module takes more than the machine can give. Rule EX-45. */
   OVERLOAD: 12,
+  /** Another master of the cluster is there. */
+  MASTER_JOINED: 13,
+  /** Another master of the cluster ended, or is not heard any more. */
+  MASTER_LOST: 14,
+  /** A session is run by another master than before. */
+  SESSION_MOVED: 15,
 } as const;
 export type StatusEventKind = (typeof StatusEventKind)[keyof typeof StatusEventKind];
 
@@ -1826,6 +1832,8 @@ export interface ClusterCall {
   address: string;
   /** The token, code or credential that it shows; empty without one. */
   bearer: string;
+  /** It is on the machine of the master that it called. */
+  isHere: boolean;
 }
 
 /**
@@ -1850,6 +1858,18 @@ export interface ClusterClient {
   hereSinceMs: number;
   /** It has a connection. */
   connected: boolean;
+}
+
+/**
+ * Bytes for a client, or from it.
+ *
+ * `ubii.extension.ClusterClientBytes`
+ */
+export interface ClusterClientBytes {
+  /** Id of the client. */
+  clientId: string;
+  /** Encoded TopicData for it, or encoded NodeMessage of it. */
+  bytes: Uint8Array;
 }
 
 /**
@@ -1948,6 +1968,10 @@ export interface ClusterPart {
   complete: boolean;
   /** What became of sessions that this master runs, in order. Rule CU-30. */
   sessionNews: ClusterSessionNews[];
+  /** For clients of the master that listens, of whom this one runs modules. Rule CU-24. */
+  frames: ClusterClientBytes[];
+  /** From clients of this master, which are nodes. Rule CU-24. */
+  nodeMessages: ClusterClientBytes[];
 }
 
 /**
@@ -4823,6 +4847,7 @@ export interface MessageTypes {
   'ubii.extension.ClientThrottleRequest': ClientThrottleRequest;
   'ubii.extension.ClusterCall': ClusterCall;
   'ubii.extension.ClusterClient': ClusterClient;
+  'ubii.extension.ClusterClientBytes': ClusterClientBytes;
   'ubii.extension.ClusterGoodbye': ClusterGoodbye;
   'ubii.extension.ClusterHello': ClusterHello;
   'ubii.extension.ClusterInterest': ClusterInterest;

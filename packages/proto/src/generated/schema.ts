@@ -156,6 +156,9 @@ enum ubii.extension.StatusEvent.Kind
 10 CLIENT_DISCONNECTED
 11 CLIENT_THROTTLED
 12 OVERLOAD
+13 MASTER_JOINED
+14 MASTER_LOST
+15 SESSION_MOVED
 enum ubii.extension.StatusProblem.Severity
 0 WARNING
 1 ERROR
@@ -579,6 +582,7 @@ message ubii.extension.ClusterCall
 4 place string
 5 address string
 6 bearer string
+7 is_here bool
 message ubii.extension.ClusterClient
 1 client ubii.clients.Client
 2 is_extension bool
@@ -588,6 +592,9 @@ message ubii.extension.ClusterClient
 6 grant_id string
 7 here_since_ms double
 8 connected bool
+message ubii.extension.ClusterClientBytes
+1 client_id string
+2 bytes bytes
 message ubii.extension.ClusterGoodbye
 message ubii.extension.ClusterHello
 1 version int32
@@ -619,6 +626,8 @@ message ubii.extension.ClusterPart
 8 records ubii.extension.ClusterRecords
 9 complete bool
 10 session_news ubii.extension.ClusterSessionNews *
+11 frames ubii.extension.ClusterClientBytes *
+12 node_messages ubii.extension.ClusterClientBytes *
 message ubii.extension.ClusterRecords
 1 records bytes *
 2 stamps double *

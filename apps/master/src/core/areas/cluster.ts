@@ -2,30 +2,39 @@ import { Cluster } from '../cluster/cluster.ts';
 import type { AccessArea } from './access.ts';
 import type { ClientArea } from './clients.ts';
 import type { Foundation } from './foundation.ts';
-import { nameOf, type ClusterPorts, type MasterPorts } from './settings.ts';
+import type { NodeArea } from './nodes.ts';
+import type { SessionArea } from './sessions.ts';
+import { nameOf, type MasterPorts } from './settings.ts';
 import type { TopicArea } from './topics.ts';
 
 /** This master among others. */
-export type ClusterArea = ReturnType<typeof createCluster>;
+export interface ClusterArea {
+  /** Undefined: this master is alone. */
+  readonly masters: Cluster | undefined;
+}
 
-export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log'> & {
-  readonly cluster?: ClusterPorts;
-} & Pick<Foundation, 'id' | 'settings' | 'limits' | 'counters' | 'onClose'> &
+export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'> &
+  Pick<Foundation, 'id' | 'settings' | 'limits' | 'counters' | 'events' | 'onClose'> &
   TopicArea &
   Pick<ClientArea, 'clients' | 'devices' | 'info'> &
+  Pick<NodeArea, 'sessionTable'> &
+  Pick<SessionArea, 'sessions' | 'reports' | 'sessionNews' | 'foreignSessions'> &
   Pick<AccessArea, 'access'>;
 
-/** Nothing is told and asked without a cluster. */
-export function createCluster(dependencies: ClusterDependencies): { masters: Cluster | undefined } {
-  const { cluster, settings, access } = dependencies;
+/** Without a cluster, nothing is told and asked. */
+export function createCluster(dependencies: ClusterDependencies): ClusterArea {
+  const { cluster, settings, access, sessionNews } = dependencies;
   if (cluster === undefined) return { masters: undefined };
+  const { bus, owners } = cluster;
   const masters = new Cluster({
     ...dependencies,
-    bus: cluster.bus,
+    bus,
+    owners,
     grants: access.grants,
+    onSessionNews: sessionNews.onNews,
     self: () => ({
       name: nameOf(settings),
-      addresses: settings.endpoints().addresses.map(({ url }) => url ?? ''),
+      addresses: settings.endpoints().addresses.flatMap(({ url }) => url ?? []),
     }),
   });
   dependencies.onClose.add(() => masters.close());

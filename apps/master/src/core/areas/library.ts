@@ -12,7 +12,7 @@ export type LibraryArea = ReturnType<typeof createLibrary>;
 
 export type LibraryDependencies = Pick<
   MasterPorts,
-  'clock' | 'ids' | 'log' | 'storage' | 'library'
+  'clock' | 'ids' | 'log' | 'storage' | 'library' | 'cluster'
 > &
   Pick<Foundation, 'id' | 'events' | 'onClose'>;
 
@@ -24,7 +24,10 @@ export function createLibrary(dependencies: LibraryDependencies) {
   const files = new FileNews({ log, events }, [stored, storedModules, running]);
   const history = new ModuleHistory({ store: storage.history, clock, log });
   const unwatchModules = watchModuleFiles(history, storedModules);
-  const sessionLibrary = new SessionLibrary({ stored, running, masterId: id, log, ids });
+  const sessionLibrary = new SessionLibrary({
+    ...{ stored, running, masterId: id, log, ids },
+    remembersAll: dependencies.cluster !== undefined,
+  });
 
   dependencies.onClose.add(() => {
     files.close();

@@ -9,6 +9,8 @@ import { handleNodeBack, handleNodeGone } from '../sessions/node-changes.ts';
 import { NodeReports } from '../sessions/node-reports.ts';
 import { ModuleReload } from '../sessions/reload-modules.ts';
 import { RunTroubles } from '../sessions/run-troubles.ts';
+import { ForeignSessions } from '../sessions/foreign-sessions.ts';
+import { SessionClaims } from '../sessions/session-claims.ts';
 import { MASTER_ALIAS } from '../sessions/session-library.ts';
 import { SessionNews } from '../sessions/session-news.ts';
 import { Sessions } from '../sessions/sessions.ts';
@@ -27,7 +29,7 @@ export type SessionArea = ReturnType<typeof createSessions>;
 
 export type SessionDependencies = Pick<
   MasterPorts,
-  'clock' | 'ids' | 'log' | 'patterns' | 'sandboxes'
+  'clock' | 'ids' | 'log' | 'patterns' | 'sandboxes' | 'cluster'
 > &
   Pick<Foundation, 'limits' | 'limitWatch' | 'events' | 'onClose'> &
   Pick<TopicArea, 'topics' | 'subscriptions' | 'publisher'> &
@@ -73,6 +75,11 @@ export function createSessions(dependencies: SessionDependencies) {
     table: sessionTable,
     drafts: draftContext(dependencies),
     life,
+    claims: new SessionClaims({
+      masterId: dependencies.nodes.masterId,
+      owners: dependencies.cluster?.owners,
+      log: dependencies.log,
+    }),
     library: sessionLibrary,
     topics: dependencies.localTopics,
   });
@@ -89,7 +96,14 @@ export function createSessions(dependencies: SessionDependencies) {
   dependencies.onClose.add(() => {
     for (const part of [news, reload, supervision, lockstep]) part.close();
   });
-  return { sessions, reports, reload };
+  return {
+    sessions,
+    reports,
+    reload,
+    sessionNews: news,
+    /** Sessions that other masters run. */
+    foreignSessions: new ForeignSessions(),
+  };
 }
 
 function createLife(dependencies: SessionDependencies, news: SessionNews): LifeContext {
@@ -156,7 +170,8 @@ function listen(
   life.onModules.add((session) => {
     const { isLive, description } = session;
     const isKnown = sessionTable.get(session.id) === session;
-    sessionLibrary.remember(session, isKnown && isLive && description.startWithMaster); // [SE-24]
+    const isToStart = isLive && description.startWithMaster;
+    sessionLibrary.remember(session, isKnown && (sessionLibrary.remembersAll || isToStart)); // [SE-24] [CU-33]
   });
   const { masterId } = nodes;
   localNode.onStarted.add((moduleId) => void reports.handleRuntime(masterId, moduleId, true));

@@ -55,6 +55,8 @@ export interface ForeignParts {
 export class ClientRegistry {
   /** Called when a client can be reached, or no longer: it may be a node [SE-31]. */
   readonly onPresence = new Hook<[client: Client]>();
+  /** Sends a frame to a client of another master. [CU-24] */
+  sendForeign: (client: Client, frame: Uint8Array) => void = () => undefined;
   readonly #context: ClientContext;
   readonly #clients = new Map<string, Client>();
 
@@ -88,6 +90,12 @@ export class ClientRegistry {
       'not_found',
       `The ${member} ${quote(id)} is not the id of a registered client. Register first.`,
     );
+  }
+
+  /** Sends a frame of topic data to a client, at whatever master it is; to one that is absent, none. */
+  sendFrame(client: Client, frame: Uint8Array): void {
+    if (client.home === undefined) client.socket?.sendFrame(frame);
+    else this.sendForeign(client, frame);
   }
 
   countByStatus(): Record<Exclude<ClientStatus, 'removed'>, number> {

@@ -2,21 +2,32 @@ import {
   decode,
   DecodeError,
   MASTERS_TOPIC,
+  StatusEventKind,
   type ClusterClient,
   type ClusterMessage,
   type Init,
+  type ServiceReply,
+  type ServiceRequest,
 } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
+import type { Client } from '../clients/client.ts';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
+import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { BusListener } from '../ports/cluster-bus.ts';
+import type { NodeReports } from '../sessions/node-reports.ts';
+import type { SessionNews } from '../sessions/session-news.ts';
+import { quote } from '../texts/quote.ts';
 import { endForeign } from '../topics/foreign-records.ts';
+import { Calls, type Answer } from './calls.ts';
 import { describeClient, Directory, type DirectoryContext } from './directory.ts';
 import { HELLO_MS, Members, type Member } from './members.ts';
 import { OwnInterest, type InterestContext } from './own-interest.ts';
 import type { PeerContext } from './peer-subscriber.ts';
 import { Peer } from './peer.ts';
+import { SessionMirror, type MirrorContext } from './session-mirror.ts';
+import { Takeover, type TakeoverContext } from './takeover.ts';
 import { ToldRecords, type ToldContext } from './told-records.ts';
 
 /** Time in which changes of clients are collected, milliseconds. */
@@ -24,9 +35,18 @@ const NEWS_MS = 20;
 
 /** Dependencies of a cluster. */
 export interface ClusterContext
-  extends PeerContext, ToldContext, Omit<DirectoryContext, 'log'>, InterestContext {
+  extends
+    PeerContext,
+    ToldContext,
+    Omit<DirectoryContext, 'log' | 'grants'>,
+    InterestContext,
+    Omit<MirrorContext, 'publisher'>,
+    Omit<TakeoverContext, 'grants'> {
+  readonly grants: DirectoryContext['grants'] & TakeoverContext['grants'];
   readonly info: Pick<InfoTopics, 'onClient' | 'onClientGone'>;
-  readonly publisher: Pick<MasterPublisher, 'publishChange'>;
+  readonly publisher: Pick<MasterPublisher, 'publish' | 'publishChange'>;
+  readonly onSessionNews: SessionNews['onNews'];
+  readonly reports: Pick<NodeReports, 'handleMessage' | 'onBytes'>;
   readonly subscriptions: PeerContext['subscriptions'];
   readonly self: () => Omit<Member, 'id'>;
 }
@@ -38,6 +58,9 @@ export class Cluster implements BusListener {
   readonly #directory: Directory;
   readonly #interest: OwnInterest;
   readonly #told: ToldRecords;
+  readonly #mirror: SessionMirror;
+  readonly #calls: Calls;
+  readonly #takeover: Takeover;
   readonly #peers = new Map<string, Peer>();
   /** Masters whose values end when they stay away, with that time; monotonic milliseconds. */
   readonly #absent = new Map<string, number>();
@@ -47,6 +70,9 @@ export class Cluster implements BusListener {
   readonly #cancelSweep: Cancel;
   /** Whether the bus can be reached. */
   isReachable = false;
+  /** Answers requests of clients of other masters; set by who can. */
+  answer: Answer = () =>
+    Promise.reject(new Error('nothing answers the requests of other masters yet'));
 
   constructor(context: ClusterContext) {
     this.#context = context;
@@ -55,17 +81,26 @@ export class Cluster implements BusListener {
     this.#directory = new Directory(context);
     this.#interest = new OwnInterest(context);
     this.#told = new ToldRecords(context);
+    this.#mirror = new SessionMirror(context);
+    this.#calls = new Calls(context);
+    this.#takeover = new Takeover(context, this.members);
+    context.onSessionNews.add((topic, session) => {
+      for (const peer of this.#peers.values()) peer.tellSession({ topic, session });
+    });
     this.#interest.onChange.add((wanted, unwanted) => {
       for (const peer of this.#peers.values()) peer.tellInterest(wanted, unwanted);
       if (unwanted.length > 0) this.#endUnwanted();
     });
     this.members.onJoined.add(() => this.#publishAddresses());
-    this.members.onLost.add(({ id }) => {
-      this.#handleLost(id);
+    this.members.onLost.add((member) => {
+      this.#handleLost(member);
       this.#publishAddresses();
     });
     context.info.onClient.add(({ id }) => this.#tell(id));
     context.info.onClientGone.add(({ id }) => this.#tell(id));
+    context.reports.onBytes.add((node, message) => this.#handleNodeMessage(node, message));
+    context.clients.sendForeign = ({ id, home }, frame) =>
+      this.#peers.get(home?.masterId ?? '')?.sendFrame(id, frame);
     this.#cancelSweep = clock.every(HELLO_MS, () => this.#sweep());
     bus.listen(context.id, this);
   }
@@ -85,6 +120,7 @@ export class Cluster implements BusListener {
     this.isReachable = isReachable;
     const text = isReachable ? 'the bus of the cluster is there' : 'the bus of the cluster is lost';
     this.#context.log[isReachable ? 'info' : 'warn'](text);
+    this.#takeover.handleReach(isReachable);
     if (isReachable) this.members.sayHello();
   }
 
@@ -106,11 +142,26 @@ export class Cluster implements BusListener {
     this.members.sayGoodbye();
     this.#cancelSweep();
     this.#cancelNews?.();
+    this.#calls.close();
     for (const peer of this.#peers.values()) peer.close();
     this.#peers.clear();
   }
 
-  #handle(from: string, { hello, goodbye, listen, part }: ClusterMessage): void {
+  /** Has a service request answered by another master. @throws ServiceError when it does not answer */
+  call(masterId: string, request: ServiceRequest, facts: CallerFacts): Promise<ServiceReply> {
+    return this.#calls.call(masterId, request, facts);
+  }
+
+  /** A node says something: masters that run modules there are told, if it is at this master. [CU-24] */
+  #handleNodeMessage({ id: nodeId, home }: Client, message: Uint8Array): void {
+    if (home !== undefined) return;
+    for (const masterId of this.#context.foreignSessions.mastersUsing(nodeId)) {
+      this.#peers.get(masterId)?.tellNodeMessage(nodeId, message);
+    }
+  }
+
+  #handle(from: string, message: ClusterMessage): void {
+    const { hello, goodbye, listen, part, call, reply } = message;
     if (goodbye !== undefined) return this.members.handleGoodbye(from);
     if (hello !== undefined) this.members.handleHello(from, hello);
     else this.members.handleSign(from);
@@ -122,12 +173,27 @@ export class Cluster implements BusListener {
     const peer = this.#peers.get(from) ?? this.#join(from);
     if (listen !== undefined) peer.handleListen(listen.stream);
     if (part !== undefined) peer.handlePart(part);
+    if (reply !== undefined) this.#calls.handleReply(from, reply);
+    if (call !== undefined) this.#calls.handleCall(from, call, (...asked) => this.answer(...asked));
   }
 
   #join(id: string): Peer {
-    const parts = { directory: this.#directory, interest: this.#interest, told: this.#told };
+    const parts = {
+      directory: this.#directory,
+      interest: this.#interest,
+      told: this.#told,
+      mirror: this.#mirror,
+      onFrame: (clientId: string, frame: Uint8Array) =>
+        this.#context.clients.get(clientId)?.socket?.sendFrame(frame),
+      onNodeMessage: (nodeId: string, message: Uint8Array) => {
+        const node = this.#context.clients.get(nodeId);
+        if (node !== undefined) this.#context.reports.handleMessage(node, message);
+      },
+    };
     const peer = new Peer({ ...this.#context, ...parts }, id);
     this.#peers.set(id, peer);
+    const text = `The master ${quote(this.members.get(id)?.name ?? id)} is there`;
+    this.#context.events.add(StatusEventKind.MASTER_JOINED, text);
     this.#absent.delete(id);
     // It may not have heard of this master yet.
     this.members.sayHello();
@@ -135,10 +201,14 @@ export class Cluster implements BusListener {
     return peer;
   }
 
-  #handleLost(id: string): void {
+  #handleLost({ id, name }: Member): void {
+    const text = `The master ${quote(name)} is lost`;
+    this.#context.events.add(StatusEventKind.MASTER_LOST, text);
     this.#peers.get(id)?.close();
     this.#peers.delete(id);
     this.#directory.handleLost(id);
+    this.#calls.handleLost(id);
+    this.#takeover.handleLost(id);
     this.#absent.set(id, this.#context.clock.monotonicMs() + LOST_AFTER_MS);
   }
 
@@ -146,6 +216,7 @@ export class Cluster implements BusListener {
     this.members.sayHello();
     this.members.sweep();
     for (const peer of this.#peers.values()) peer.sweep();
+    this.#takeover.look();
     const nowMs = this.#context.clock.monotonicMs();
     for (const [id, endMs] of this.#absent) {
       if (nowMs < endMs) continue;

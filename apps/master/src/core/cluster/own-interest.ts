@@ -1,6 +1,7 @@
 import type { ClusterInterest, Init } from '@ubii/proto';
 import type { EndOfTurn, TurnTask } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
+import { crosses } from '../topics/crossing.ts';
 import type { SubscriptionChange, SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Subscriber } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -63,8 +64,7 @@ export class OwnInterest implements TurnTask {
   }
 
   #handleChange(changed: SubscriptionChange): void {
-    // What masters say themselves, each says to its own clients. [CU-16]
-    if (changed !== 'everything' && 'topic' in changed && changed.isMasters) return;
+    if (changed !== 'everything' && 'topic' in changed && !crosses(changed.topic)) return; // [CU-16]
     const key = interestKey(interestOf(changed));
     if (this.#changed.size === 0) this.#context.endOfTurn.add(this);
     this.#changed.set(key, changed);

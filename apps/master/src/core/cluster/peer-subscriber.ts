@@ -1,5 +1,4 @@
 import {
-  isMasterTopic,
   ServiceError,
   type ClusterInterest,
   type ClusterRecords,
@@ -11,6 +10,7 @@ import type { BatchEncoder, RecordBatch } from '../ports/record-batch.ts';
 import type { ClusterBus } from '../ports/cluster-bus.ts';
 import type { Log } from '../ports/log.ts';
 import type { Accounts } from '../shares/accounts.ts';
+import { crosses } from '../topics/crossing.ts';
 import type { BatchNode } from '../topics/batch-node.ts';
 import type { BatchSink } from '../topics/outbox.ts';
 import type { ReadRights } from '../topics/rights.ts';
@@ -191,8 +191,8 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
   }
 }
 
-/** What masters say themselves, each says to its own clients. [CU-16] */
-const OTHERS_TOPICS: ReadRights = { mayRead: (topic) => !isMasterTopic(topic) };
+/** [CU-16] */
+const OTHERS_TOPICS: ReadRights = { mayRead: crosses };
 
 /** The records of a batch, made once for all masters that get them. */
 const DESCRIBED: BatchEncoder<Init<ClusterRecords>> = {

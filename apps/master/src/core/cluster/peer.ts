@@ -1,4 +1,10 @@
-import type { ClusterClient, ClusterInterest, ClusterPart, Init } from '@ubii/proto';
+import type {
+  ClusterClient,
+  ClusterInterest,
+  ClusterPart,
+  ClusterSessionNews,
+  Init,
+} from '@ubii/proto';
 import type { EndOfTurn } from '@ubii/timing';
 import { endForeign } from '../topics/foreign-records.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -7,6 +13,7 @@ import { describeClient } from './directory.ts';
 import { interestKey } from './interest-key.ts';
 import type { OwnInterest } from './own-interest.ts';
 import { PeerSubscriber, type PeerContext } from './peer-subscriber.ts';
+import type { SessionMirror } from './session-mirror.ts';
 import { IncomingStream, OutgoingStream } from './streams.ts';
 import type { ToldRecords } from './told-records.ts';
 
@@ -24,6 +31,10 @@ export interface PeerParts extends PeerContext {
   readonly directory: Directory;
   readonly interest: OwnInterest;
   readonly told: ToldRecords;
+  readonly mirror: SessionMirror;
+  /** Bytes for a client of this master, and from a node of the other one. [CU-24] */
+  readonly onFrame: (clientId: string, frame: Uint8Array) => void;
+  readonly onNodeMessage: (clientId: string, message: Uint8Array) => void;
 }
 
 /** What was told since a stream began, until it said all: the rest of what is known is not so any more. */
@@ -31,6 +42,7 @@ interface FirstTold {
   readonly clients: Set<string>;
   readonly interests: Set<string>;
   readonly topics: Set<string>;
+  readonly sessions: Set<string>;
 }
 
 /** Another master: what it is told, and what it tells. */
@@ -56,7 +68,12 @@ export class Peer {
 
   /** Asks it for all it has. */
   listen(): void {
-    this.#first = { clients: new Set(), interests: new Set(), topics: new Set() };
+    this.#first = {
+      clients: new Set(),
+      interests: new Set(),
+      topics: new Set(),
+      sessions: new Set(),
+    };
     this.#silentLooks = 0;
     this.#incoming.listen();
   }
@@ -67,6 +84,7 @@ export class Peer {
     for (const clients of chunks(this.#parts.directory.own(), CLIENTS_PER_PART)) {
       this.#outgoing.send({ clients: clients.map(describeClient) });
     }
+    for (const news of this.#parts.mirror.own()) this.#outgoing.send({ sessionNews: [news] });
     for (const wanted of chunks(this.#parts.interest.list(), INTERESTS_PER_PART)) {
       this.#outgoing.send({ wanted });
     }
@@ -86,6 +104,20 @@ export class Peer {
 
   tellClients(clients: readonly Init<ClusterClient>[], goneClients: readonly string[]): void {
     this.#outgoing.send({ clients: [...clients], goneClients: [...goneClients] });
+  }
+
+  tellSession(news: Init<ClusterSessionNews>): void {
+    this.#outgoing.send({ sessionNews: [news] });
+  }
+
+  /** Has bytes sent to one of its clients. */
+  sendFrame(clientId: string, frame: Uint8Array): void {
+    this.#outgoing.send({ frames: [{ clientId, bytes: frame }] });
+  }
+
+  /** A node of this master, of whom it runs modules, says something. */
+  tellNodeMessage(clientId: string, message: Uint8Array): void {
+    this.#outgoing.send({ nodeMessages: [{ clientId, bytes: message }] });
   }
 
   tellInterest(
@@ -113,6 +145,14 @@ export class Peer {
       first?.clients.add(client.client?.id ?? '');
     }
     for (const id of part.goneClients) directory.delete(this.id, id);
+    for (const news of part.sessionNews) {
+      this.#parts.mirror.handleNews(this.id, news);
+      first?.sessions.add(news.session?.id ?? '');
+    }
+    for (const { clientId, bytes } of part.frames) this.#parts.onFrame(clientId, bytes);
+    for (const { clientId, bytes } of part.nodeMessages) {
+      this.#parts.onNodeMessage(clientId, bytes);
+    }
     for (const interest of part.wanted) this.#want(interest);
     for (const interest of part.unwanted) this.#endWant(interestKey(interest));
     if (part.values !== undefined) {
@@ -148,6 +188,10 @@ export class Peer {
     const { directory, topics } = this.#parts;
     for (const id of directory.idsOf(this.id)) {
       if (!first.clients.has(id)) directory.delete(this.id, id);
+    }
+    const { mirror } = this.#parts;
+    for (const id of mirror.idsOf(this.id)) {
+      if (!first.sessions.has(id)) mirror.delete(this.id, id);
     }
     for (const key of [...this.#interests.keys()]) {
       if (!first.interests.has(key)) this.#endWant(key);

@@ -21,7 +21,10 @@ import type { Master, MasterMetrics, ServiceAnswer, TerminalAccess } from './mas
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
   const core = createCore(ports, settings);
   core.events.add(StatusEventKind.MASTER_STARTED, 'The master started');
-  core.sessions.restore((grantId) => core.access.grants.isGood(grantId)); // [SE-24]
+  const { masters } = core;
+  if (masters !== undefined) {
+    masters.answer = (request, facts) => answerRequest(core, request, facts); // [CU-28]
+  } else core.sessions.restore((grantId) => core.access.grants.isGood(grantId)); // [SE-24]
   core.onClose.add(watchGrants(core));
   return {
     id: core.id,
@@ -90,6 +93,8 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
       await core.recordings.close();
       await core.localNode.close();
       await ports.sandboxes.close();
+      ports.cluster?.owners.close();
+      await ports.cluster?.bus.close();
     },
   };
 }

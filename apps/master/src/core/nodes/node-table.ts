@@ -122,7 +122,7 @@ function nodeOf(client: Client): Node {
     label: client.label,
     extension: client.node,
     isDedicated: client.spec.isDedicatedProcessingNode,
-    isAvailable: client.status === 'active' && client.home === undefined, // [CU-24]
+    isAvailable: client.status === 'active',
     modules: client.spec.processingModules,
   };
 }

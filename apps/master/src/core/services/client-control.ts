@@ -21,6 +21,7 @@ export const CLIENT_CONTROL_SERVICES = [
   define('clientRename', {
     roles: PARTICIPANTS,
     subject: ({ clientId }) => clientId,
+    target: ({ targetId }) => ({ clientId: targetId }),
     auditObject: (core, { targetId, name }) => `${nameOf(core, targetId)} → ${name}`,
     handle(core, payload, call) {
       const { clientId, targetId, name } = payload;
@@ -45,6 +46,7 @@ export const CLIENT_CONTROL_SERVICES = [
   define('clientDisconnect', {
     roles: PARTICIPANTS,
     subject: ({ clientId }) => clientId,
+    target: ({ targetId }) => ({ clientId: targetId }),
     auditObject: (core, { targetId }) => nameOf(core, targetId),
     handle(core, payload, call) {
       const { clientId, targetId, reason } = payload;
@@ -65,6 +67,7 @@ export const CLIENT_CONTROL_SERVICES = [
   define('clientThrottle', {
     roles: ADMINS,
     subject: ({ clientId }) => clientId,
+    target: ({ targetId }) => ({ clientId: targetId }),
     auditObject(core, { targetId, recordsPerSecond }) {
       const to = recordsPerSecond === 0 ? 'no limit' : `${recordsPerSecond} records/s`;
       return `${nameOf(core, targetId)} → ${to}`;

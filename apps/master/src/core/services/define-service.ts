@@ -29,6 +29,8 @@ export interface ServiceDefinition<S extends ServiceName, P extends keyof Core> 
   readonly roles: ServiceRight['roles'];
   /** The id of the client that asks, if the request names it. It has to be the caller [AC-22]. */
   readonly subject?: (payload: NonNullable<ServicePayload<S>>) => string;
+  /** What the call is about, when that may be at another master: there it is answered [CU-28]. */
+  readonly target?: (payload: NonNullable<ServicePayload<S>>) => CallTarget;
   /** True when `subject` may be another client than the caller. Default: false. */
   readonly mayNameOthers?: boolean;
   /** False when the handler itself says what the request means for the client [CL-11]. Default: true. */
@@ -43,6 +45,13 @@ export interface ServiceDefinition<S extends ServiceName, P extends keyof Core> 
   ) => Init<ServiceReplyOf<S>> | Promise<Init<ServiceReplyOf<S>>>;
 }
 
+/** A client, a session or a module by its id; empty and absent ids mean nothing. */
+export interface CallTarget {
+  readonly clientId?: string;
+  readonly session?: { readonly id: string; readonly name: string };
+  readonly moduleId?: string;
+}
+
 /** A defined service, for those who do not know its types. */
 export interface Service extends ServiceRight {
   readonly name: ServiceName;
@@ -50,6 +59,8 @@ export interface Service extends ServiceRight {
   readonly isSignOfLife: boolean;
   /** The id of the client that asks, as far as the request says it [CL-11]; else empty. */
   subjectOf(request: ServiceRequest): string;
+  /** What the call is about; the client that asks, for services that act for it. */
+  targetOf(request: ServiceRequest): CallTarget;
   /** A name or id of what an audited call changes; may be empty. */
   auditObjectOf(core: Core, request: ServiceRequest): string;
   handle(core: Core, request: ServiceRequest, call: ServiceCall): Promise<Init<ServiceReply>>;
@@ -66,7 +77,7 @@ function defineService<S extends ServiceName, P extends keyof Core>(
   definition: ServiceDefinition<S, P>,
 ): Service {
   const { roles, subject, mayNameOthers = false, isSignOfLife = true } = definition;
-  const { auditObject, handle } = definition;
+  const { auditObject, target, handle } = definition;
   const info: ServiceInfo = SERVICES[name];
   const given = (request: ServiceRequest) =>
     payloadOf(info, request) as NonNullable<ServicePayload<S>> | undefined;
@@ -80,6 +91,12 @@ function defineService<S extends ServiceName, P extends keyof Core>(
     subjectOf(request) {
       const payload = given(request);
       return payload === undefined ? '' : (subject?.(payload) ?? '');
+    },
+    targetOf(request) {
+      const payload = given(request);
+      if (payload === undefined) return {};
+      if (target !== undefined) return target(payload);
+      return mayNameOthers ? {} : { clientId: subject?.(payload) ?? '' };
     },
     auditObjectOf(core, request) {
       const payload = given(request);

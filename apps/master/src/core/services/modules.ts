@@ -15,7 +15,7 @@ import { matchesModule } from '../library/module-profiles.ts';
 import { unknownModule, withOrigin } from '../library/module-library.ts';
 import { moduleProblems } from '@ubii/pm-sandbox';
 import { quote } from '../texts/quote.ts';
-import { definer, success } from './define-service.ts';
+import { definer, success, type CallTarget } from './define-service.ts';
 import { requireElements, requireProfiles } from './list-limits.ts';
 import { moduleVersionList } from './module-versions.ts';
 import type { ServiceCall } from './service-call.ts';
@@ -91,15 +91,18 @@ export const MODULE_SERVICES = [
   // [SE-32]
   define('processingModuleRuntimeAdd', {
     roles: PARTICIPANTS,
+    target: ofModules,
     handle: (core, list, call) => report(core, list, call, true),
   }),
   // [SE-32]
   define('processingModuleRuntimeRemove', {
     roles: PARTICIPANTS,
+    target: ofModules,
     handle: (core, list, call) => report(core, list, call, false),
   }),
   define('processingModuleRuntimeGet', {
     roles: READERS,
+    target: ({ id }) => ({ moduleId: id }),
     handle({ sessions }, { id }) {
       const found = sessions.findModule(id);
       if (found === undefined) {
@@ -120,6 +123,11 @@ export const MODULE_SERVICES = [
     handle: ({ sessions }) => ({ elements: sessions.nodes() }),
   }),
 ];
+
+/** A report is about modules of one session: nodes report each by itself. */
+function ofModules({ elements }: ProcessingModuleList): CallTarget {
+  return { moduleId: elements[0]?.id ?? '' };
+}
 
 function report(
   { sessions, reports, limitWatch }: Parts,

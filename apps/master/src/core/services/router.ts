@@ -6,6 +6,7 @@ import type { ServiceAnswer } from './service-answer.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import { boundTexts } from '../texts/bound-texts.ts';
 import { quote } from '../texts/quote.ts';
+import { forward } from './forward.ts';
 import { findService } from './all-services.ts';
 import { openAuditOf, writeResult } from './audit.ts';
 import type { Service } from './define-service.ts';
@@ -62,11 +63,32 @@ export function refuse(core: Core, thrown: unknown, call?: Call): ServiceAnswer 
   };
 }
 
-/** Handles a request, and writes its result to the audit log if the service is audited [EX-90]. */
-function audited(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
+/**
+ * Handles a request, and writes its result to the audit log if the service is audited [EX-90]. What another master
+ * is to answer, that master writes into its own.
+ */
+async function audited(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
   const service = findService(request.topic);
+  const answered = service && forwarded(core, service, request, call);
+  if (answered !== undefined) return answered;
   const write = openAuditOf(core, service, request, call.caller);
   return writeResult(write, () => handle(core, service, request, call));
+}
+
+/** The answer of another master; undefined: it is this one's. [CU-28] */
+function forwarded(
+  core: Core,
+  service: Service,
+  request: ServiceRequest,
+  call: Call,
+): Promise<ServiceAnswer> | undefined {
+  if (core.masters === undefined) return undefined;
+  // Nothing is carried for callers who may not ask.
+  core.access.authorize(call.caller, service, request.topic, service.subjectOf(request));
+  return forward(core, service, request, call.facts)?.then((reply) => ({
+    reply,
+    afterReply: () => call.finish(),
+  }));
 }
 
 async function handle(
@@ -149,7 +171,7 @@ class Call implements ServiceCall {
   readonly isHere: boolean;
   readonly address: string | undefined;
   readonly #core: Core;
-  readonly #facts: CallerFacts;
+  readonly facts: CallerFacts;
   #caller: Caller | undefined = undefined;
   #afterReply: (() => void)[] = [];
   #isFinished = false;
@@ -157,7 +179,7 @@ class Call implements ServiceCall {
 
   constructor(core: Core, facts: CallerFacts, known?: Caller) {
     this.#core = core;
-    this.#facts = facts;
+    this.facts = facts;
     // Admitted callers are identified again: their access may have been revoked while the body arrived.
     if (known?.kind === 'stranger') this.#caller = known;
     this.place = facts.place;
@@ -168,7 +190,7 @@ class Call implements ServiceCall {
 
   /** Found once: a wrong code counts once. */
   get caller(): Caller {
-    return (this.#caller ??= this.#core.access.identify(this.#facts));
+    return (this.#caller ??= this.#core.access.identify(this.facts));
   }
 
   afterReply(fn: () => void): void {

@@ -20,6 +20,9 @@ const listStoredSessions = ({ sessionLibrary }: Parts) => ({
 export const STORED_SESSION_SERVICES = [
   define('sessionDatabaseSave', {
     roles: PARTICIPANTS,
+    // A session that is open is stored as it is where it is open. [CU-28]
+    target: ({ session }) =>
+      session === undefined ? {} : { session: { id: session.id, name: '' } },
     auditObject: (core, { session, sessionList }) =>
       session === undefined ? namesOf(sessionList?.elements ?? []) : nameOfSession(core, session),
     async handle(core, { session, sessionList }, { caller }) {
@@ -36,6 +39,7 @@ export const STORED_SESSION_SERVICES = [
   }),
   define('sessionDatabaseDelete', {
     roles: PARTICIPANTS,
+    target: (session) => ({ session }),
     auditObject: nameOfSession,
     async handle({ sessions, sessionLibrary }, { id, name }) {
       // The id may be that of the session that was made of the stored one.

@@ -4,21 +4,26 @@ import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import { definer, success } from './define-service.ts';
 
-type Parts = Pick<Core, 'sessions' | 'sessionLibrary'>;
+type Parts = Pick<Core, 'sessions' | 'sessionLibrary' | 'foreignSessions'>;
 const define = definer<keyof Parts>();
 
+/** Of every service that is about a session. */
+const ABOUT = { target: (session: SessionMessage) => ({ session }) };
 /** Of every service that changes sessions. */
-const CHANGE = { roles: PARTICIPANTS, auditObject: nameOfSession };
+const CHANGE = { ...ABOUT, roles: PARTICIPANTS, auditObject: nameOfSession };
 
 /** Services on sessions that the master knows, running or not. */
 export const SESSION_SERVICES = [
   // [SE-1]
   define('sessionRuntimeAdd', {
     ...CHANGE,
-    handle: async ({ sessions }, message, { caller }) =>
-      (await sessions.add(message, makerOf(caller))).toMessage(),
+    async handle(parts, message, { caller }) {
+      const session = await parts.sessions.add(message, makerOf(caller));
+      return whenRemembered(parts, session.id, session.toMessage());
+    },
   }),
   define('sessionRuntimeGet', {
+    ...ABOUT,
     roles: READERS,
     handle({ sessions, sessionLibrary }, { id }) {
       // Reading changes nothing: what is only stored is answered as it is stored [SE-27].
@@ -31,8 +36,12 @@ export const SESSION_SERVICES = [
   }),
   define('sessionRuntimeGetList', {
     roles: READERS,
-    handle: ({ sessions }) => ({
-      elements: sessions.list().map((session) => session.toMessage()),
+    // [CU-30]
+    handle: ({ sessions, foreignSessions }) => ({
+      elements: [
+        ...sessions.list().map((session) => session.toMessage()),
+        ...foreignSessions.list(),
+      ],
     }),
   }),
   // [SE-11]
@@ -101,7 +110,11 @@ export function nameOfSession(
 }
 
 /** The reply, once it is on the disk what starts with the next master: what was answered, stands [SE-24]. */
-async function whenRemembered<R>({ sessionLibrary }: Parts, id: string, reply: R): Promise<R> {
+async function whenRemembered<R>(
+  { sessionLibrary }: Pick<Core, 'sessionLibrary'>,
+  id: string,
+  reply: R,
+): Promise<R> {
   await sessionLibrary.remembered(id);
   return reply;
 }

@@ -36,6 +36,8 @@ export interface NodeReportsContext {
 /** Takes what nodes say: answers of passes, and how their modules do [EX-20]. The master is one of the nodes. */
 export class NodeReports {
   readonly #context: NodeReportsContext;
+  /** Called with the bytes of each message, before it is read. */
+  readonly onBytes = new Hook<[client: Client, bytes: Uint8Array]>();
   /** Called with each message: what is not about sessions is handled by others. */
   readonly onMessage = new Hook<[client: Client, message: EncodedNodeMessage]>();
 
@@ -45,6 +47,7 @@ export class NodeReports {
 
   /** @throws DecodeError when the bytes are no message of a node */
   handleMessage(client: Client, bytes: Uint8Array): void {
+    this.onBytes.emit(client, bytes);
     const message = readNodeMessage(bytes);
     const { lockstepReply, moduleReports, endedTopics } = message;
     if (lockstepReply !== undefined) {

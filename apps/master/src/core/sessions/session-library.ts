@@ -1,4 +1,10 @@
-import { isUuid, ServiceError, toJson, type Session as SessionMessage } from '@ubii/proto';
+import {
+  isUuid,
+  ServiceError,
+  SessionStatus,
+  toJson,
+  type Session as SessionMessage,
+} from '@ubii/proto';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Log } from '../ports/log.ts';
 import type { Session } from './session.ts';
@@ -15,6 +21,8 @@ export class SessionLibrary {
   readonly #masterId: string;
   readonly #log: Log;
   readonly #ids: Pick<IdSource, 'named'>;
+  /** Every open session is remembered, for other masters: which run, their status says. [CU-33] */
+  readonly remembersAll: boolean;
   /** Cache of `list`, valid while the documents are unchanged. */
   #listed: { readonly documents: unknown; readonly byId: ReadonlyMap<string, SessionMessage> } = {
     documents: undefined,
@@ -30,12 +38,14 @@ export class SessionLibrary {
     readonly masterId: string;
     readonly log: Log;
     readonly ids: Pick<IdSource, 'named'>;
+    readonly remembersAll: boolean;
   }) {
     this.stored = parts.stored;
     this.#running = parts.running;
     this.#masterId = parts.masterId;
     this.#log = parts.log;
     this.#ids = parts.ids;
+    this.remembersAll = parts.remembersAll;
   }
 
   list(): SessionMessage[] {
@@ -118,12 +128,12 @@ export class SessionLibrary {
     this.#isClosed = true;
   }
 
-  /** Remembers, or forgets, that a session is to be started with the next master [SE-24]. */
+  /** Remembers, or forgets, that a session is to be started with the next master [SE-24], or by another one. */
   remember(session: Session, isToStart: boolean): void {
     if (this.#isClosed) return;
     const { store } = this.#running;
     const done = isToStart
-      ? store.write(session.id, this.#toJson(session))
+      ? store.write(session.id, this.#toJson(session, this.remembersAll && session.isLive))
       : store.documents().has(session.id)
         ? store.delete(session.id)
         : Promise.resolve();
@@ -153,12 +163,12 @@ export class SessionLibrary {
   }
 
   /** The specification alone: nothing of how the session is now. */
-  #toJson(session: Session): ReturnType<typeof toJson> {
+  #toJson(session: Session, isRunning = false): ReturnType<typeof toJson> {
     const message = session.toMessage();
     const { startWithMaster, lockstepHertz, editorJson } = session.description;
     return toJson('ubii.sessions.Session', {
       ...message,
-      status: 0,
+      status: isRunning ? SessionStatus.RUNNING : SessionStatus.CREATED,
       processingModules: session.modules.map(({ spec, wishedNodeId }) => ({
         ...spec,
         nodeId: wishedNodeId === this.#masterId ? MASTER_ALIAS : wishedNodeId,

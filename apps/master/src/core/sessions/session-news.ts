@@ -5,11 +5,13 @@ import {
   sessionStatisticsTopic,
   timestampFromMs,
   type ModuleEvent,
+  type Session as SessionMessage,
   type SessionStatistics,
 } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
+import { Hook } from '../hooks/hook.ts';
 import { PacedNews } from '../info/paced-news.ts';
 import type { Limits } from '../limits/index.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
@@ -30,6 +32,8 @@ const BURST_SECONDS = 4;
 
 /** Tells everybody what becomes of sessions, each time with the whole session [SE-8]. */
 export class SessionNews {
+  /** The same is told to other masters, for their clients. [CU-30] */
+  readonly onNews = new Hook<[topic: string, session: SessionMessage]>();
   readonly #context: NewsContext;
   readonly #changes: PacedNews;
 
@@ -46,9 +50,7 @@ export class SessionNews {
 
   /** [EX-75] */
   announceChange(session: Session): void {
-    this.#changes.tell(session.id, () =>
-      this.#context.publisher.publish(INFO_TOPICS.changeSession, { session: session.toMessage() }),
-    );
+    this.#changes.tell(session.id, () => this.#tell(INFO_TOPICS.changeSession, session));
   }
 
   /** Tells nodes to run their modules [SE-11]. */
@@ -109,8 +111,14 @@ export class SessionNews {
     client.subscriber.outbox.deliver(entry, record, true);
   }
 
+  #tell(topic: string, session: Session): number {
+    const message = session.toMessage();
+    this.onNews.emit(topic, message);
+    return this.#context.publisher.publish(topic, { session: message });
+  }
+
   #publish(topic: string, session: Session): void {
-    const bytes = this.#context.publisher.publish(topic, { session: session.toMessage() });
+    const bytes = this.#tell(topic, session);
     // Commands to start and stop are never delayed; they use up the budget of change announcements.
     if (topic !== INFO_TOPICS.deleteSession) this.#changes.spend(session.id, bytes);
   }

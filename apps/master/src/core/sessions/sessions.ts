@@ -4,6 +4,7 @@ import {
   isUuid,
   ModuleVersionOrigin,
   ServiceError,
+  SessionStatus,
   type NodeInfo,
   type ProcessingModule,
   type Session as SessionMessage,
@@ -25,6 +26,7 @@ import { RestoredSessions, type SessionsAtStop } from './restored-sessions.ts';
 import { Session } from './session.ts';
 import { pauseSession, resumeSession, startSession, stopSession } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
+import type { SessionClaims } from './session-claims.ts';
 import type { SessionTable } from './session-table.ts';
 import { StartPace } from './start-pace.ts';
 import { updateSession } from './update-session.ts';
@@ -36,6 +38,7 @@ export interface SessionsContext {
   readonly table: SessionTable;
   readonly drafts: DraftContext;
   readonly life: LifeContext;
+  readonly claims: SessionClaims;
   readonly library: SessionLibrary;
   readonly history: ModuleHistory;
   /** Topics of modules on the master. */
@@ -232,7 +235,18 @@ export class Sessions {
     table.delete(session);
     life.onLife.emit(session);
     this.#context.topics.endSession(session.id);
+    this.#context.claims.release(session.id);
     life.news.announceGone(session);
+  }
+
+  /** Another master runs the session: here it ends, and nobody is told, because it goes on. [CU-34] */
+  giveUp(session: Session): void {
+    const { life, table, topics } = this.#context;
+    table.delete(session);
+    session.life = 'stopped';
+    life.local.sync(session.id, []);
+    topics.endSession(session.id);
+    life.onLife.emit(session);
   }
 
   /**
@@ -240,32 +254,60 @@ export class Sessions {
    * @param isGood Whether those who joined with a grant may be here.
    */
   restore(isGood: (grantId: string) => boolean): void {
-    const { library, drafts, table, life } = this.#context;
-    for (const message of library.interrupted()) {
-      const { draft } = completeDraft(drafts, message);
-      const grantIds = message.extension?.grantIds ?? [];
-      const isStored = library.get(message.name) !== undefined;
-      const session = new Session(message.id, draft, isStored, grantIds);
-      session.revision = (message.extension?.revision ?? 0) + 1;
-      session.byteLength = encode('ubii.sessions.Session', message).byteLength;
-      table.add(session);
-      life.news.announceNew(session);
-      this.recheck(session, false);
-      const mayRun = grantIds.every((grantId) => isGood(grantId));
-      if (session.modules.length > 0 && mayRun) {
-        session.isRestored = true;
-        this.restored.note(session);
-        startSession(life, session);
-      } else {
-        this.restored.note(
-          session,
-          mayRun
-            ? 'It has no modules.'
-            : 'The invitation of the client that created or changed it has ended. Start it to run it again.',
-        );
-        life.onModules.emit(session);
-      }
+    for (const message of this.#context.library.interrupted()) {
+      const session = this.#reopen(message);
+      this.#context.life.news.announceNew(session);
+      this.#startRestored(session, isGood);
     }
+  }
+
+  /**
+   * Goes on with a session of a master that is lost, which this master owns now: what ran starts again. [CU-32]
+   *
+   * @returns undefined when nothing is known of it
+   */
+  takeOver(sessionId: string, isGood: (grantId: string) => boolean): Session | undefined {
+    const { library, life } = this.#context;
+    const message = library.interrupted().find(({ id }) => id === sessionId);
+    if (message === undefined) return undefined;
+    const session = this.#reopen(message);
+    if (message.status === SessionStatus.RUNNING) this.#startRestored(session, isGood);
+    else {
+      this.recheck(session, false);
+      life.onModules.emit(session);
+    }
+    life.news.announceChange(session);
+    return session;
+  }
+
+  #reopen(message: SessionMessage): Session {
+    const { library, drafts, table } = this.#context;
+    const { draft } = completeDraft(drafts, message);
+    const isStored = library.get(message.name) !== undefined;
+    const session = new Session(message.id, draft, isStored, message.extension?.grantIds);
+    session.revision = (message.extension?.revision ?? 0) + 1;
+    session.byteLength = encode('ubii.sessions.Session', message).byteLength;
+    table.add(session);
+    return session;
+  }
+
+  #startRestored(session: Session, isGood: (grantId: string) => boolean): void {
+    const { life } = this.#context;
+    this.recheck(session, false);
+    const mayRun = [...session.grantIds].every((grantId) => isGood(grantId));
+    if (session.modules.length > 0 && mayRun) {
+      session.isRestored = true;
+      this.restored.note(session);
+      startSession(life, session);
+      return;
+    }
+    this.restored.note(
+      session,
+      mayRun
+        ? 'It has no modules.'
+        : 'The invitation of the client that created or changed it has ended. Start it to run it again.',
+    );
+    life.onModules.emit(session);
   }
 
   /** Looks again at what is doubtful about its surroundings, and tells if that has changed [SE-5]. */
@@ -355,10 +397,12 @@ export class Sessions {
     const { ids, table, life, drafts } = this.#context;
     this.#requireRoom();
     const { draft, warnings } = await makeDraft(drafts, message);
+    const isFree = isUuid(as.id) && table.get(as.id) === undefined;
+    const id = isFree ? as.id : ids.uuid();
+    await this.#context.claims.claim(id);
     this.#requireRoom();
     const byteLength = this.#requireSpace(message);
-    const isFree = isUuid(as.id) && table.get(as.id) === undefined;
-    const session = new Session(isFree ? as.id : ids.uuid(), draft, as.isStored, as.grantIds);
+    const session = new Session(id, draft, as.isStored, as.grantIds);
     session.revision = Math.max(1, as.revision);
     this.#noteMakers(session, draft, '');
     session.byteLength = byteLength;
@@ -366,6 +410,7 @@ export class Sessions {
     table.add(session);
     for (const module of session.modules) assignNode(life, module);
     life.news.announceNew(session);
+    if (this.#context.claims.isShared) life.onModules.emit(session); // [CU-33]
     return session;
   }
 

@@ -1,6 +1,6 @@
-import { isMasterTopic } from '@ubii/proto';
 import type { Counters } from '../counters/counters.ts';
 import type { Limits } from '../limits/index.ts';
+import { crosses } from './crossing.ts';
 import { isNewer } from './stamps.ts';
 import type { Publication } from './publication.ts';
 import type { RecordTap } from './record-tap.ts';
@@ -43,7 +43,7 @@ export function publishForeign(
 ): void {
   const { topics, replayed } = context;
   const { topic, valueField } = publication;
-  if (isMasterTopic(topic) || topicFault(topic, context.limits.topicBytes) !== undefined) return;
+  if (!crosses(topic) || topicFault(topic, context.limits.topicBytes) !== undefined) return;
   if (valueField === 0) return endForeign(topics, topics.get(topic), origin.masterId); // [CU-14]
   if (replayed.has(topic)) return; // [CU-15]
   const entry = topics.getOrCreate(topic);

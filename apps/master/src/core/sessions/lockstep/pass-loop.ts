@@ -178,7 +178,10 @@ export class PassLoop {
       sessionId: this.#session.id,
     };
     const encoded = records.map(({ bytes }) => bytes);
-    clients.get(share.nodeId)?.socket?.sendFrame(encodeLockstepRequestFrame(head, encoded));
+    const client = clients.get(share.nodeId);
+    if (client !== undefined) {
+      clients.sendFrame(client, encodeLockstepRequestFrame(head, encoded));
+    }
   }
 
   #endIfComplete(): void {

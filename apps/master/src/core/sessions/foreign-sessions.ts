@@ -1,0 +1,54 @@
+import type { Session as SessionMessage } from '@ubii/proto';
+
+interface ForeignSession {
+  readonly masterId: string;
+  readonly message: SessionMessage;
+}
+
+/** Sessions that other masters run, as those told them last. [CU-30] */
+export class ForeignSessions {
+  readonly #sessions = new Map<string, ForeignSession>();
+
+  list(): SessionMessage[] {
+    return [...this.#sessions.values()].map(({ message }) => message);
+  }
+
+  /** Id of the master that runs this session; undefined for sessions that none does. */
+  masterOf(sessionId: string): string | undefined {
+    return this.#sessions.get(sessionId)?.masterId;
+  }
+
+  /** The same of a session that has this module. */
+  masterOfModule(moduleId: string): string | undefined {
+    for (const { masterId, message } of this.#sessions.values()) {
+      if (message.processingModules.some(({ id }) => id === moduleId)) return masterId;
+    }
+    return undefined;
+  }
+
+  /** Masters with a session that has modules on this node. */
+  mastersUsing(nodeId: string): Set<string> {
+    const masters = new Set<string>();
+    for (const { masterId, message } of this.#sessions.values()) {
+      if (message.processingModules.some((module) => module.nodeId === nodeId)) {
+        masters.add(masterId);
+      }
+    }
+    return masters;
+  }
+
+  idsOf(masterId: string): string[] {
+    return [...this.#sessions].flatMap(([id, session]) =>
+      session.masterId === masterId ? [id] : [],
+    );
+  }
+
+  set(masterId: string, message: SessionMessage): void {
+    this.#sessions.set(message.id, { masterId, message });
+  }
+
+  /** It is gone from this master; of one that another master runs meanwhile nothing is known to be gone. */
+  delete(masterId: string, id: string): void {
+    if (this.masterOf(id) === masterId) this.#sessions.delete(id);
+  }
+}

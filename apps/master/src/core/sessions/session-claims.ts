@@ -1,0 +1,56 @@
+import { ServiceError } from '@ubii/proto';
+import type { Log } from '../ports/log.ts';
+import type { OwnerStore } from '../ports/owner-store.ts';
+
+/** Dependencies of claims. */
+export interface ClaimsContext {
+  readonly masterId: string;
+  /** Undefined: there are no other masters. */
+  readonly owners: OwnerStore | undefined;
+  readonly log: Log;
+}
+
+/** Which sessions this master runs, as all masters of a cluster agree. Without others, all are its own. [CU-31] */
+export class SessionClaims {
+  readonly #context: ClaimsContext;
+
+  constructor(context: ClaimsContext) {
+    this.#context = context;
+  }
+
+  /** Whether what is known of open sessions outlives this master. */
+  get isShared(): boolean {
+    return this.#context.owners !== undefined;
+  }
+
+  /**
+   * Makes a session this master's own before it is opened.
+   *
+   * @throws ServiceError when another master was faster
+   */
+  async claim(sessionId: string): Promise<void> {
+    const { masterId, owners, log } = this.#context;
+    if (owners === undefined || owners.owners().get(sessionId) === masterId) return;
+    let isClaimed: boolean;
+    try {
+      isClaimed = await owners.claim(sessionId, masterId, undefined);
+    } catch (error) {
+      // Each side of a cluster that is apart goes on. [CU-34]
+      log.warn('a session could not be claimed', { session: sessionId, reason: String(error) });
+      return;
+    }
+    if (isClaimed || owners.owners().get(sessionId) === masterId) return;
+    throw new ServiceError(
+      'unavailable',
+      'Another master is opening this session. Send the request again.',
+    );
+  }
+
+  /** The session is removed. */
+  release(sessionId: string): void {
+    const { masterId, owners, log } = this.#context;
+    owners?.release(sessionId, masterId).catch((error: unknown) => {
+      log.warn('a session could not be given up', { session: sessionId, reason: String(error) });
+    });
+  }
+}
