@@ -67,6 +67,7 @@ export interface TestMasterOptions {
   /** Other masters. Default: none. */
   readonly cluster?: ClusterPorts;
   readonly name?: string;
+  readonly installation?: string;
 }
 
 /** A whole master in memory, with fakes all around and clients that talk to it directly. */
@@ -127,6 +128,7 @@ export class TestMaster {
       {
         version: '1.2.3',
         ...(options.name !== undefined && { name: options.name }),
+        ...(options.installation !== undefined && { installation: options.installation }),
         limits,
         flightRecorder: options.flightRecorder ?? { isOn: false },
         ...(options.checks && { checks: options.checks }),

@@ -120,27 +120,4 @@ describe('clients of a cluster', () => {
     expect(back.closed).toBeUndefined();
     for (const master of [a!, b!]) expect(await namesAt(master)).toEqual(['phone']);
   });
-
-  it('[CU-21] have no more rights at a new master than their role gives', async () => {
-    const [world, a, b] = await clusterOf(2);
-    const phone = await a!.register(
-      { name: 'phone', extension: {} },
-      { standing: 'network', isHere: false, place: 'x', bearer: undefined },
-    );
-    phone.open();
-    await world.pass();
-    world.hub.setReachable(a!.master.id, false);
-    await world.pass(5_000);
-    const back = await b!.register(
-      { name: 'phone', id: phone.id, extension: { resumeToken: phone.token! } },
-      { standing: 'network', isHere: false, place: 'x', bearer: undefined },
-    );
-    back.open();
-    back.publish('/someone-else/x', 'double', 1);
-    const { clientReport } = await b!.call({
-      topic: '/services/ubii/client_report',
-      clientReportRequest: {},
-    });
-    expect(clientReport?.clients.find(({ clientId }) => clientId === phone.id)?.role).toBe(2);
-  });
 });

@@ -47,6 +47,13 @@ export class ClusterWorld {
     this.#owners.get(master)!.setReachable(isReachable);
   }
 
+  /** Tells every master of the invitations that others changed, as their store does. */
+  tellGrants(): void {
+    for (const [key, { json }] of this.grants.documents()) {
+      this.grants.edit(key, JSON.stringify(json));
+    }
+  }
+
   /** Records that were sent to other masters so far, once for each. */
   crossed(): number {
     return this.masters.reduce((sum, { master }) => sum + crossedOf(master.metrics()), 0);

@@ -1856,8 +1856,8 @@ export interface ClusterClient {
   grantId: string;
   /** When it came to this master: milliseconds since the Unix epoch. The newest place counts. Rule CU-22. */
   hereSinceMs: number;
-  /** It has a connection. */
-  connected: boolean;
+  /** How it came in: local, network or grant. Rule AC-20. */
+  accessKind: string;
 }
 
 /**

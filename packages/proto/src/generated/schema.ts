@@ -591,7 +591,7 @@ message ubii.extension.ClusterClient
 5 role ubii.extension.AccessRole
 6 grant_id string
 7 here_since_ms double
-8 connected bool
+8 access_kind string
 message ubii.extension.ClusterClientBytes
 1 client_id string
 2 bytes bytes

@@ -95,6 +95,7 @@ describe('toJson [SV-4]', () => {
       resumed: false,
       masterVersion: '',
       library: '',
+      masters: [],
       role: 'ACCESS_ROLE_NONE',
       tellsTime: false,
       abridged: false,

@@ -20,6 +20,8 @@ export interface GrantSpec {
   readonly hereOnly: boolean;
   /** The grant of who made it, with which it ends; empty for the operator's [AC-93]. */
   readonly madeWith: string;
+  /** The installation whose terminal it is of; empty for all others, and for a master that is alone. [CU-27] */
+  readonly terminalOf: string;
 }
 
 /** An invitation: lets clients join [AC-10]. */
@@ -33,6 +35,8 @@ export interface Grant extends GrantSpec {
   codeExpiresMs: number;
   /** 0 while it stands. */
   revokedMs: number;
+  /** What was made with it went to the operator when it was revoked, and did not stop [AC-92]. */
+  isHandedOver: boolean;
   joins: number;
   /** The end of the last of its credentials; 0 when it gave none. */
   credentialsEndMs: number;
@@ -96,7 +100,8 @@ export function grantToJson(grant: Grant): JsonObject {
 }
 
 /** Members that grants of earlier versions do not have. */
-type LaterMember = 'hereOnly' | 'madeWith' | 'staysUntilMs' | 'isOver';
+type LaterMember = 'hereOnly' | 'madeWith' | 'staysUntilMs' | 'isOver' | LaterOfCluster;
+type LaterOfCluster = 'terminalOf' | 'isHandedOver';
 
 /** A grant as it was kept; undefined when this is none. */
 export function grantFromJson(json: unknown): Grant | undefined {
@@ -114,6 +119,8 @@ export function grantFromJson(json: unknown): Grant | undefined {
     typeof kept.isTerminal === 'boolean' &&
     (kept.hereOnly === undefined || typeof kept.hereOnly === 'boolean') &&
     (kept.madeWith === undefined || typeof kept.madeWith === 'string') &&
+    (kept.terminalOf === undefined || typeof kept.terminalOf === 'string') &&
+    (kept.isHandedOver === undefined || typeof kept.isHandedOver === 'boolean') &&
     (kept.staysUntilMs === undefined || Number.isFinite(kept.staysUntilMs)) &&
     isTextList(kept.readTopics) &&
     isTextList(kept.writeTopics);
@@ -121,7 +128,11 @@ export function grantFromJson(json: unknown): Grant | undefined {
   const grant = json as Omit<Grant, LaterMember> & Partial<Pick<Grant, LaterMember>>;
   // Grants of earlier versions are good everywhere, and last as long as what they gave.
   const staysUntilMs = Math.max(grant.expiresMs, grant.credentialsEndMs);
-  return { hereOnly: false, madeWith: '', isOver: false, staysUntilMs, ...grant };
+  return {
+    ...{ hereOnly: false, madeWith: '', isOver: false, terminalOf: '', isHandedOver: false },
+    staysUntilMs,
+    ...grant,
+  };
 }
 
 function isTextList(value: unknown): value is readonly string[] {

@@ -1,4 +1,5 @@
 import type { Clock } from '@ubii/timing';
+import { Hook } from '../hooks/hook.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { DocumentStore } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';
@@ -19,6 +20,10 @@ export interface GrantsContext {
   readonly store: DocumentStore;
   readonly limits: LimitWatch;
   readonly log: Log;
+  /** Other masters have the same grants, and change them. [CU-27] */
+  readonly isShared: boolean;
+  /** Tells installations apart that share grants. */
+  readonly installation: string;
 }
 
 /** A grant with its secrets, which cannot be read again later [AC-11]. */
@@ -30,6 +35,8 @@ export interface NewGrant {
 
 /** Every grant that is kept, found by id, token and code [AC-10] [AC-19]. */
 export class Grants {
+  /** Another master revoked a grant. [CU-27] */
+  readonly onRevoked = new Hook<[grant: Grant]>();
   readonly #context: GrantsContext;
   readonly #grants = new Map<string, Grant>();
   readonly #byToken = new Map<string, Grant>();
@@ -50,6 +57,12 @@ export class Grants {
         });
       }
     }
+    if (context.isShared) context.store.onChange((keys) => keys.forEach((key) => this.#learn(key)));
+  }
+
+  /** Tells installations apart that share grants; empty for a master that is alone. */
+  get installation(): string {
+    return this.#context.installation;
   }
 
   get size(): number {
@@ -94,6 +107,7 @@ export class Grants {
       createdMs: clock.nowMs(),
       ...hashes,
       revokedMs: 0,
+      isHandedOver: false,
       joins: 0,
       credentialsEndMs: 0,
       closedMs: spec.expiresMs,
@@ -125,7 +139,8 @@ export class Grants {
   }
 
   /** Takes a grant back, permanently [AC-15]. It counts at once, and is kept when the promise is fulfilled. */
-  async revoke(grant: Grant): Promise<void> {
+  async revoke(grant: Grant, isHandedOver: boolean): Promise<void> {
+    grant.isHandedOver = isHandedOver;
     if (grant.revokedMs === 0) grant.revokedMs = this.#context.clock.nowMs();
     await this.#keep(grant);
   }
@@ -162,13 +177,18 @@ export class Grants {
   async closeTerminals(): Promise<void> {
     const nowMs = this.#context.clock.nowMs();
     for (const grant of this.list()) {
-      if (!grant.isTerminal || grant.hereOnly) continue;
+      if (!this.isOwnTerminals(grant) || grant.hereOnly) continue;
       if (grant.joins === 0) await this.#forget(grant);
       else if (grant.closedMs > nowMs) {
         grant.closedMs = nowMs;
         await this.#keep(grant);
       }
     }
+  }
+
+  /** Whether a terminal of this installation shows it, or showed it. */
+  isOwnTerminals({ isTerminal, terminalOf }: Grant): boolean {
+    return isTerminal && terminalOf === this.#context.installation;
   }
 
   /** When a credential given now ends; undefined when the grant gives none any more [AC-13]. */
@@ -223,6 +243,24 @@ export class Grants {
     this.#grants.set(grant.id, grant);
     this.#byToken.set(grant.token, grant);
     this.#byCode.set(grant.code, grant);
+  }
+
+  /** Another master made, changed or removed a grant. */
+  #learn(key: string): void {
+    const told = grantFromJson(this.#context.store.documents().get(key)?.json);
+    const known = this.#grants.get(key);
+    if (told === undefined || told.id !== key) {
+      if (known !== undefined) this.#unindex(known);
+      return;
+    }
+    if (known === undefined) return this.#index(told);
+    const wasGood = known.revokedMs === 0;
+    const joins = Math.max(known.joins, told.joins);
+    this.#unindex(known);
+    // Each master ends those who joined with it there.
+    Object.assign(known, told, { joins, isOver: known.isOver });
+    this.#index(known);
+    if (wasGood && known.revokedMs > 0) this.onRevoked.emit(known);
   }
 
   #keep(grant: Grant): Promise<void> {

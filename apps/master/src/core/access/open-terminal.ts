@@ -41,11 +41,11 @@ async function openAdmin({ access, clock }: TerminalContext): Promise<TerminalJo
   const expiresMs = clock.nowMs() + OPERATOR_LIFETIME_MS;
   const before = grants
     .list()
-    .find(({ isTerminal, hereOnly, revokedMs }) => isTerminal && hereOnly && revokedMs === 0);
+    .find((grant) => grants.isOwnTerminals(grant) && grant.hereOnly && grant.revokedMs === 0);
   const { token, code } =
     before === undefined
       ? await grants.create({
-          ...terminalSpec('This machine', 'admin', expiresMs),
+          ...terminalSpec(grants.installation, 'This machine', 'admin', expiresMs),
           hereOnly: true,
         })
       : await grants.renew(before, expiresMs);
@@ -55,13 +55,20 @@ async function openAdmin({ access, clock }: TerminalContext): Promise<TerminalJo
 /** Leave for others [AC-19]. */
 async function openJoin({ access, clock }: TerminalContext): Promise<TerminalJoin> {
   const expiresMs = clock.nowMs() + TERMINAL_LIFETIME_MS;
-  const spec = terminalSpec('Terminal', 'participant', expiresMs);
+  const { installation } = access.grants;
+  const spec = terminalSpec(installation, 'Terminal', 'participant', expiresMs);
   const { token, code } = await access.grants.create(spec, clock.nowMs() + TERMINAL_STAY_MS);
   return { token, code, expiresMs };
 }
 
-function terminalSpec(label: string, role: GrantSpec['role'], expiresMs: number): GrantSpec {
+function terminalSpec(
+  terminalOf: string,
+  label: string,
+  role: GrantSpec['role'],
+  expiresMs: number,
+): GrantSpec {
   return {
+    terminalOf,
     label,
     role,
     target: '',

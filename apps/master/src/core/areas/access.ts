@@ -16,9 +16,9 @@ export type AccessArea = ReturnType<typeof createAccess>;
 
 export type AccessDependencies = Pick<
   MasterPorts,
-  'clock' | 'ids' | 'log' | 'tokens' | 'accessSecrets' | 'grants'
+  'clock' | 'ids' | 'log' | 'tokens' | 'accessSecrets' | 'grants' | 'cluster'
 > &
-  Pick<Foundation, 'limits' | 'limitWatch' | 'counters' | 'onClose'> &
+  Pick<Foundation, 'settings' | 'limits' | 'limitWatch' | 'counters' | 'onClose'> &
   Pick<
     TopicArea,
     'accounts' | 'topics' | 'kept' | 'tap' | 'replayed' | 'subscriptions' | 'endOfTurn'
@@ -40,6 +40,8 @@ export function createAccess(dependencies: AccessDependencies) {
       secrets,
       store: dependencies.grants,
       limits: limitWatch,
+      isShared: dependencies.cluster !== undefined,
+      installation: dependencies.settings.installation ?? '',
     }),
     guesses: new GuessLimit(clock, limitWatch),
     accessOf: (clientId) => clients.get(clientId)?.access,

@@ -88,6 +88,8 @@ export interface MasterEndpoints {
 export interface MasterSettings {
   /** Name shown to clients. Default `master-node`, as the original calls itself. */
   readonly name?: string;
+  /** Tells this installation apart from others of its cluster, the same in later runs. Default: empty. */
+  readonly installation?: string;
   /** Version of the master, semantic versioning. */
   readonly version: string;
   /** Asked again for each reply: ports are known only once the master listens, networks come and go. */

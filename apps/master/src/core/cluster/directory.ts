@@ -13,6 +13,8 @@ import type { ClientStatus } from '../clients/client-states.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { Log } from '../ports/log.ts';
 
+const ACCESS_KINDS: readonly ClientAccess['kind'][] = ['local', 'network', 'grant'];
+
 /** Dependencies of a directory. */
 export interface DirectoryContext {
   readonly log: Log;
@@ -111,9 +113,9 @@ export class Directory {
     }
   }
 
-  #accessOf({ role, grantId }: ClusterClient): ClientAccess {
+  #accessOf({ role, grantId, accessKind }: ClusterClient): ClientAccess {
     const grant = grantId === '' ? undefined : this.#context.grants.get(grantId);
-    const kind = grantId === '' ? 'local' : 'grant';
+    const kind = ACCESS_KINDS.find((one) => one === accessKind) ?? 'grant';
     return { kind, role: givenRole(role) ?? 'none', grant, expiresMs: Number.POSITIVE_INFINITY };
   }
 
@@ -138,7 +140,7 @@ export function describeClient(client: Client): Init<ClusterClient> {
     role: wireRole(access.role),
     grantId: access.grant?.id ?? '',
     hereSinceMs,
-    connected: client.socket !== undefined,
+    accessKind: access.kind,
   };
 }
 

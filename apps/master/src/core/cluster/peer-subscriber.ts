@@ -1,9 +1,4 @@
-import {
-  ServiceError,
-  type ClusterInterest,
-  type ClusterRecords,
-  type Init,
-} from '@ubii/proto';
+import { ServiceError, type ClusterInterest, type ClusterRecords, type Init } from '@ubii/proto';
 import type { Cancel, Clock, EndOfTurn, TurnTask } from '@ubii/timing';
 import type { Counters } from '../counters/counters.ts';
 import type { BatchEncoder, RecordBatch } from '../ports/record-batch.ts';

@@ -96,7 +96,7 @@ export const ACCESS_SERVICES = [
       const isHandedOver = work === RevokedWork.REVOKED_WORK_HAND_OVER;
       await Promise.all(
         withDescendants(core, grant).map(async (one) => {
-          const revoked = core.access.grants.revoke(one);
+          const revoked = core.access.grants.revoke(one, isHandedOver);
           await endGrant(core, one, told, isHandedOver);
           core.log.info('invitation revoked', {
             invitation: one.label || one.id,
@@ -186,6 +186,7 @@ function specOf(core: Parts, wanted: AccessGrantCreateRequest, caller: Caller): 
     readTopics,
     writeTopics,
     isTerminal: false,
+    terminalOf: '',
     hereOnly: false,
     madeWith: makerOf(caller),
   };

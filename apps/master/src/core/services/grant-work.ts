@@ -56,7 +56,9 @@ export async function endGrant(
 ): Promise<void> {
   const { sessions, sessionLibrary, modules } = core;
   for (const id of clientIdsOf(core, grant)) {
-    core.clients.dismiss(core.clients.get(id)!, dismissal);
+    const client = core.clients.get(id)!;
+    // Each master ends those that are there. [CU-27]
+    if (client.home?.isLost !== false) core.clients.dismiss(client, dismissal);
   }
   core.kept.deleteOfInvitation(grant.id); // [TD-46]
   if (isHandedOver) {
@@ -75,7 +77,7 @@ export async function endGrant(
   }
 }
 
-/** Ends grants when their time is over [AC-91]. @returns what makes it stop */
+/** Ends grants when their time is over [AC-91], and those that another master revoked. @returns what makes it stop */
 export function watchGrants(core: GrantParts): Cancel {
   const look = (): void => {
     for (const grant of core.access.grants.takeOver()) {
@@ -84,5 +86,8 @@ export function watchGrants(core: GrantParts): Cancel {
     }
   };
   look();
+  core.access.grants.onRevoked.add((grant) => {
+    void endGrant(core, grant, { reason: 'revoked' }, grant.isHandedOver); // [CU-27]
+  });
   return core.clock.every(LOOK_INTERVAL_MS, look);
 }

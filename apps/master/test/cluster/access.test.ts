@@ -1,0 +1,127 @@
+import { AccessRole, JoinProblem } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { createGrant, join, NETWORK_CALLER, problemOf, revoke, stranger } from '../access-world.ts';
+import { ClusterWorld, clusterOf } from './cluster-world.ts';
+
+const { ACCESS_ROLE_PLAYER } = AccessRole;
+
+/** A world whose two masters do not hear each other any more, after they did. */
+async function apart(world: ClusterWorld): Promise<void> {
+  world.setReachable(world.masters[0]!, false);
+  await world.pass(5_000);
+}
+
+describe('access in a cluster', () => {
+  it('[CU-27] invitations are good at every master', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const { token } = await createGrant(a!, ACCESS_ROLE_PLAYER);
+    world.tellGrants();
+    const phone = await join(b!, token);
+    expect(phone.registered.extension?.role).toBe(ACCESS_ROLE_PLAYER);
+  });
+
+  it('[CU-27] what one master revokes ends at all', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const { token, grant } = await createGrant(a!, ACCESS_ROLE_PLAYER);
+    world.tellGrants();
+    const atA = await join(a!, token);
+    const atB = await join(b!, token);
+    await world.pass();
+    await revoke(a!, grant!.id);
+    world.tellGrants();
+    await world.pass();
+    expect([atA.closed?.reason, atB.closed?.reason]).toEqual(['revoked', 'revoked']);
+    expect(await problemOf(b!, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
+  });
+
+  it('[CU-21] a player has no more rights at a new master than its role gives', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const { token } = await createGrant(a!, ACCESS_ROLE_PLAYER);
+    world.tellGrants();
+    const phone = await join(a!, token);
+    await world.pass();
+    await apart(world);
+    const { credential, resumeToken } = phone.registered.extension!;
+    const back = await b!.register(
+      { name: 'phone', id: phone.id, extension: { resumeToken } },
+      stranger(credential),
+    );
+    expect([back.id, back.open()]).toEqual([phone.id, true]);
+    const screen = await b!.extension('screen');
+    await screen.subscribe({ subscribeTopicRegexp: ['.*'] });
+    back.publish('/elsewhere', 'double', 1);
+    back.publish(`/${phone.id}/pad`, 'double', 2);
+    await world.pass();
+    const topics = screen.takeValues().map(([topic]) => topic);
+    expect(topics).toContain(`/${phone.id}/pad`);
+    expect(topics).not.toContain('/elsewhere');
+    expect(back.takeErrors()[0]?.code).toBe('permission_denied');
+  });
+
+  it('[CU-21] a client of an admitted network comes back as what it was', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const phone = await a!.register({ name: 'phone', extension: {} }, NETWORK_CALLER);
+    phone.open();
+    await world.pass();
+    await apart(world);
+    const { resumeToken } = phone.registered.extension!;
+    const back = await b!.register(
+      { name: 'phone', id: phone.id, extension: { resumeToken } },
+      NETWORK_CALLER,
+    );
+    expect([back.id, back.open()]).toEqual([phone.id, true]);
+    expect(back.registered.extension?.role).toBe(AccessRole.ACCESS_ROLE_PARTICIPANT);
+  });
+
+  it('[CU-27] the terminal of one master does not close that of another', async () => {
+    const world = new ClusterWorld();
+    const a = await world.add({ installation: 'a' });
+    const { join: atA } = await a.master.openTerminal(true);
+    world.tellGrants();
+    const b = await world.add({ installation: 'b' });
+    await b.master.openTerminal(true);
+    world.tellGrants();
+    expect(await problemOf(a, stranger(atA!.token))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
+    const again = await world.add({ installation: 'a' });
+    await again.master.openTerminal(true);
+    world.tellGrants();
+    expect(await problemOf(b, stranger(atA!.token))).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
+  });
+
+  it('[CU-28] a request is refused where the caller asks, before it is carried', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const robot = await a!.extension('robot');
+    await world.pass();
+    const { error } = await b!.call(
+      {
+        topic: '/services/ubii/client_disconnect',
+        clientDisconnectRequest: { targetId: robot.id },
+      },
+      stranger(),
+    );
+    expect(error?.code).toBe('unauthenticated');
+    expect(robot.closed).toBeUndefined();
+  });
+
+  it('[CU-28] a client of another master is renamed and disconnected there', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const robot = await a!.extension('robot');
+    const admin = await b!.extension('admin');
+    await world.pass();
+    const ask = async (topic: string, payload: object) => {
+      const replied = admin.call({ topic, ...payload });
+      await world.pass(100);
+      return replied;
+    };
+    await ask('/services/ubii/client_rename', {
+      clientRenameRequest: { clientId: admin.id, targetId: robot.id, name: 'arm' },
+    });
+    await world.pass(100);
+    const { clientList } = await b!.call({ topic: '/services/client/get_list', clientList: {} });
+    expect(clientList?.elements.map(({ name }) => name).sort()).toEqual(['admin', 'arm']);
+    await ask('/services/ubii/client_disconnect', {
+      clientDisconnectRequest: { clientId: admin.id, targetId: robot.id, reason: 'test' },
+    });
+    expect(robot.closed?.reason).toBe('disconnected');
+  });
+});
