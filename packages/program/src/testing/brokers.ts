@@ -1,0 +1,2 @@
+export * from './cuttable-port.ts';
+export * from './start-nats.ts';

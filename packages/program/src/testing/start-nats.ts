@@ -1,0 +1,112 @@
+import { spawn, type ChildProcess } from 'node:child_process';
+import { existsSync, mkdtempSync } from 'node:fs';
+import { rm } from 'node:fs/promises';
+import { createServer, type AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
+import { delimiter, join } from 'node:path';
+
+const MISSING = `nats-server was not found on the PATH. It is needed by tests of several masters:
+  Debian, Ubuntu   apt-get install nats-server
+  elsewhere        https://github.com/nats-io/nats-server/releases`;
+
+/** A NATS server to be started. */
+export interface NatsOptions {
+  /** With the key-value stores, in a folder of its own that is removed at the end. Default: false */
+  readonly jetstream?: boolean;
+  /** Further arguments of the program, such as `--user`. */
+  readonly args?: readonly string[];
+}
+
+/** A NATS server of a test, on a port of loopback. */
+export interface NatsServer {
+  /** `nats://127.0.0.1:<port>`. */
+  readonly url: string;
+  readonly port: number;
+  /** Kills it, as `kill -9` does. */
+  kill(): Promise<void>;
+  /** Starts it again, on the same port and with what was stored. */
+  restart(): Promise<void>;
+  /** Removes what it stored, while it does not run. */
+  empty(): Promise<void>;
+  /** Ends it for good, and removes what it stored. */
+  stop(): Promise<void>;
+}
+
+/**
+ * Starts a NATS server and resolves when it listens.
+ *
+ * @throws Error that says how to get the program when it is missing
+ */
+export async function startNats({
+  jetstream = false,
+  args = [],
+}: NatsOptions = {}): Promise<NatsServer> {
+  const program = findNats();
+  const port = await freePort();
+  const folder = mkdtempSync(join(tmpdir(), 'ubii-nats-'));
+  const allArgs = ['-a', '127.0.0.1', '-p', String(port), ...args];
+  if (jetstream) allArgs.push('-js', '-sd', folder);
+  const start = (): Promise<ChildProcess> => startProgram(program, allArgs);
+  let running: ChildProcess | undefined = await start();
+  const end = async (signal: NodeJS.Signals): Promise<void> => {
+    const ended = running;
+    running = undefined;
+    if (ended !== undefined) await endProgram(ended, signal);
+  };
+  return {
+    url: `nats://127.0.0.1:${port}`,
+    port,
+    kill: () => end('SIGKILL'),
+    async restart() {
+      await end('SIGTERM');
+      running = await start();
+    },
+    async empty() {
+      await rm(folder, { recursive: true, force: true, maxRetries: 5 });
+    },
+    async stop() {
+      await end('SIGKILL');
+      await rm(folder, { recursive: true, force: true, maxRetries: 5 });
+    },
+  };
+}
+
+/** Debian has the program where only the PATH of root looks. */
+function findNats(): string {
+  const folders = [...(process.env.PATH ?? '').split(delimiter), '/usr/sbin', '/usr/local/sbin'];
+  const name = process.platform === 'win32' ? 'nats-server.exe' : 'nats-server';
+  const found = folders.map((folder) => join(folder, name)).find((path) => existsSync(path));
+  if (found === undefined) throw new Error(MISSING);
+  return found;
+}
+
+async function startProgram(program: string, args: readonly string[]): Promise<ChildProcess> {
+  const child = spawn(program, args, { stdio: ['ignore', 'ignore', 'pipe'] });
+  await new Promise<void>((resolve, reject) => {
+    let output = '';
+    child.stderr.on('data', (chunk: Buffer) => {
+      output += chunk.toString();
+      if (output.includes('Server is ready')) resolve();
+    });
+    child.once('error', reject);
+    child.once('exit', () => reject(new Error(`nats-server ended at its start:\n${output}`)));
+  });
+  child.stderr.removeAllListeners('data').resume();
+  return child;
+}
+
+async function endProgram(child: ChildProcess, signal: NodeJS.Signals): Promise<void> {
+  if (child.exitCode !== null || child.signalCode !== null) return;
+  const ended = new Promise((resolve) => child.once('exit', resolve));
+  child.kill(signal);
+  await ended;
+}
+
+/** A port that nothing listens on. */
+async function freePort(): Promise<number> {
+  const server = createServer();
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address() as AddressInfo;
+  await new Promise((resolve) => server.close(resolve));
+  return port;
+}
