@@ -12,8 +12,8 @@ const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-s
 /** Chromium and the fonts its pages need, as Debian calls them. */
 const browserPackages = ['chromium', 'fonts-liberation'];
 
-/** Commands that stories in a network of their own call, and Debian's packages with them. */
-const tools = { certutil: 'libnss3-tools', ip: 'iproute2' };
+/** Commands that tests call, in stories with a network of their own and in clusters, and Debian's packages with them. */
+const tools = { certutil: 'libnss3-tools', ip: 'iproute2', 'nats-server': 'nats-server' };
 
 const playwright = readJson(inRoot('e2e/package.json')).devDependencies['@playwright/test'];
 

@@ -4,6 +4,7 @@ import {
   documentStoreSuite,
   idSourceSuite,
   logSuite,
+  ownerStoreSuite,
   resourceUsageSuite,
   resumeTokensSuite,
 } from './acceptance/index.ts';
@@ -12,6 +13,8 @@ import {
   MemoryAudit,
   MemoryDocuments,
   MemoryHub,
+  MemoryOwnerTable,
+  type MemoryOwners,
   PlainTokens,
   RecordingLog,
   SequentialIds,
@@ -49,6 +52,23 @@ clusterBusSuite('MemoryBus', () => {
     open: () => Promise.resolve(hub.bus()),
     setReachable(masterId, isReachable) {
       hub.setReachable(masterId, isReachable);
+      return Promise.resolve();
+    },
+    close: () => Promise.resolve(),
+  });
+});
+
+ownerStoreSuite('MemoryOwners', () => {
+  const table = new MemoryOwnerTable();
+  let first: MemoryOwners | undefined;
+  return Promise.resolve({
+    open() {
+      const store = table.open();
+      first ??= store;
+      return Promise.resolve(store);
+    },
+    setFirstReachable(isReachable) {
+      first?.setReachable(isReachable);
       return Promise.resolve();
     },
     close: () => Promise.resolve(),

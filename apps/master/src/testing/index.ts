@@ -4,6 +4,7 @@ export { MemoryBus, MemoryHub } from './memory-bus.ts';
 export { openMemoryChannel } from './memory-channel.ts';
 export type { MemoryChannel, MemoryDial, MemoryPeer } from './memory-channel.ts';
 export { MemoryDocuments, MemoryStorage, MemoryStudyStorage } from './memory-documents.ts';
+export { MemoryOwners, MemoryOwnerTable } from './memory-owners.ts';
 export { FixedUsage } from './fixed-usage.ts';
 export { PlainSecrets } from './plain-secrets.ts';
 export { PlainTokens } from './plain-tokens.ts';

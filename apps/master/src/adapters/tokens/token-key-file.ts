@@ -1,11 +1,11 @@
-import { randomBytes } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { ConfigError, createAtomicallySync, SECRET_MODE } from '@ubii/program';
 
+import { createTokenKey, parseTokenKey, TOKEN_KEY_BYTES } from './token-key.ts';
+
 const FILE_NAME = 'resume-token.key';
-const KEY_BYTES = 32;
 
 /**
  * The secret key of this data directory, made at the first start and readable by its owner only.
@@ -18,7 +18,7 @@ export function readOrCreateTokenKey(dataDir: string): Uint8Array {
   const kept = readKey(file);
   if (kept !== undefined) return kept;
   // Two masters may start at once: the file of the first one stays.
-  createAtomicallySync(file, `${randomBytes(KEY_BYTES).toString('hex')}\n`, SECRET_MODE);
+  createAtomicallySync(file, `${createTokenKey()}\n`, SECRET_MODE);
   const key = readKey(file);
   if (key === undefined)
     throw new ConfigError(`The key file ${file} was removed while it was created.`);
@@ -33,10 +33,11 @@ function readKey(file: string): Uint8Array | undefined {
     if ((error as NodeJS.ErrnoException).code === 'ENOENT') return undefined;
     throw error;
   }
-  if (!/^[0-9a-f]{64}$/.test(text)) {
+  const key = parseTokenKey(text);
+  if (key === undefined) {
     throw new ConfigError(
-      `The key file ${file} must hold ${KEY_BYTES} bytes in hexadecimal, but does not. Delete it; every client then joins as a new one.`,
+      `The key file ${file} must hold ${TOKEN_KEY_BYTES} bytes in hexadecimal, but does not. Delete it; every client then joins as a new one.`,
     );
   }
-  return Buffer.from(text, 'hex');
+  return key;
 }

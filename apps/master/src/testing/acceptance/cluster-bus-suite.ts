@@ -4,8 +4,8 @@ import { Inbox } from './inbox.ts';
 
 /** A bus that several masters may join, and hands that take it away. */
 export interface BusBench {
-  /** A bus for one more master. */
-  readonly open: () => Promise<ClusterBus>;
+  /** A bus for this master, which does not listen yet. */
+  readonly open: (masterId: string) => Promise<ClusterBus>;
   /** Takes the bus away from this master, or gives it back. */
   readonly setReachable: (masterId: string, isReachable: boolean) => Promise<void>;
   readonly close: () => Promise<void>;
@@ -18,7 +18,7 @@ const NOBODY = '0a7d3f0e-5a53-4d6c-9f3c-999999999999';
 /** As large as a frame may be by default, and more than an engine takes at once. */
 const LARGE_BYTES = 5_000_000;
 
-/** Acceptance tests of what carries messages between masters. [CU-50] [CU-51] */
+/** Acceptance tests of what carries messages between masters. [CU-50] */
 export function clusterBusSuite(name: string, openBench: () => Promise<BusBench>): void {
   describe(`${name}, a ClusterBus`, () => {
     let bench: BusBench;
@@ -28,7 +28,7 @@ export function clusterBusSuite(name: string, openBench: () => Promise<BusBench>
     afterEach(() => bench.close());
 
     const join = async (masterId: string): Promise<Member> => {
-      const member = new Member(await bench.open());
+      const member = new Member(await bench.open(masterId));
       member.bus.listen(masterId, member);
       expect(await member.reach.next()).toBe(true);
       return member;

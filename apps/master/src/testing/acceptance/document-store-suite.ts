@@ -7,17 +7,25 @@ export interface StoreParts {
   /** Another program writes this text, or removes the document. Resolves when the store has noticed. */
   readonly edit: (key: string, text: string | undefined) => Promise<void>;
   /** Another store over the same documents, as the next run of the master has. */
-  readonly reopen: () => DocumentStore;
+  readonly reopen: () => DocumentStore | Promise<DocumentStore>;
+  /** Ends what the store needs. Default: nothing */
+  readonly end?: () => Promise<void>;
 }
 
 /** Acceptance tests of document stores. [SE-20] [SE-23] */
-export function documentStoreSuite(name: string, open: () => StoreParts): void {
+export function documentStoreSuite(
+  name: string,
+  open: () => StoreParts | Promise<StoreParts>,
+): void {
   describe(`${name}, a DocumentStore`, () => {
     let parts: StoreParts;
-    beforeEach(() => {
-      parts = open();
+    beforeEach(async () => {
+      parts = await open();
     });
-    afterEach(() => parts.store.close());
+    afterEach(async () => {
+      parts.store.close();
+      await parts.end?.();
+    });
 
     it('begins empty', () => {
       expect(parts.store.documents().size).toBe(0);
@@ -27,7 +35,7 @@ export function documentStoreSuite(name: string, open: () => StoreParts): void {
       await parts.store.write('a', { name: 'a', list: [1, 'two', null, { deep: true }] });
       const expected = { json: { name: 'a', list: [1, 'two', null, { deep: true }] } };
       expect(parts.store.documents().get('a')).toEqual(expected);
-      const next = parts.reopen();
+      const next = await parts.reopen();
       expect(next.documents().get('a')).toEqual(expected);
       next.close();
     });
@@ -69,7 +77,7 @@ export function documentStoreSuite(name: string, open: () => StoreParts): void {
       const found = [...parts.store.documents().values()].map(({ json }) => json);
       expect(found).toContainEqual({ name: key });
       expect(found).toHaveLength(2);
-      const next = parts.reopen();
+      const next = await parts.reopen();
       expect(next.documents().size).toBe(2);
       next.close();
     });

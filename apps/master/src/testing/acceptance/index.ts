@@ -14,6 +14,7 @@ export {
   type RecorderParts,
 } from './recorder-suite.ts';
 export { clusterBusSuite, type BusBench } from './cluster-bus-suite.ts';
+export { ownerStoreSuite, type OwnerBench } from './owner-store-suite.ts';
 export { resourceUsageSuite } from './resource-usage-suite.ts';
 export { resumeTokensSuite } from './resume-tokens-suite.ts';
 export { documentStoreSuite, type StoreParts } from './document-store-suite.ts';

@@ -1,0 +1,144 @@
+import type { Cancel } from '@ubii/timing';
+
+import { BucketFollower } from './bucket-follower.ts';
+import { explainStores } from './explain-nats-error.ts';
+import { KvBucket, type KvEntry } from './kv-bucket.ts';
+import type { WatchedEntry } from './kv-watch.ts';
+import type { NatsLink } from './nats-link.ts';
+import { Removals } from './removals.ts';
+
+/** Called with a key that changed. @param isOwn it was changed by this table */
+export type TableListener = (rawKey: string, isOwn: boolean) => void;
+
+/** A bucket of NATS as a table that is always at hand: what others change comes by itself. [CU-53] */
+export class KvTable {
+  readonly #link: NatsLink;
+  readonly #bucket: KvBucket;
+  readonly #follower: BucketFollower;
+  readonly #removals: Removals;
+  readonly #entries = new Map<string, KvEntry>();
+  readonly #listeners = new Set<TableListener>();
+  /** Own writes that NATS has not confirmed, by key, and what came of others meanwhile. */
+  readonly #writing = new Map<string, { count: number; readonly held: WatchedEntry[] }>();
+  /** While all values are told again: those that were not yet. */
+  #untold = new Map<string, KvEntry>();
+
+  private constructor(link: NatsLink, name: string) {
+    this.#link = link;
+    this.#bucket = new KvBucket(link, name);
+    this.#follower = new BucketFollower(link, this.#bucket, {
+      handleBegin: (isAnew) => this.#handleBegin(isAnew),
+      handleEntry: (entry) => this.#handleEntry(entry),
+      handleComplete: () => this.#dropUntold(),
+    });
+    this.#removals = new Removals(this.#bucket, link.clock, (rawKey, revision) => {
+      if (this.#entries.get(rawKey)?.revision === revision) this.#entries.delete(rawKey);
+    });
+  }
+
+  /** Opens the bucket, creates it if it is missing, and reads all of it. @throws ConfigError that says what to do */
+  static async open(link: NatsLink, name: string): Promise<KvTable> {
+    const table = new KvTable(link, name);
+    try {
+      await table.#follower.start();
+      return table;
+    } catch (error) {
+      table.close();
+      throw explainStores(error);
+    }
+  }
+
+  get name(): string {
+    return this.#bucket.name;
+  }
+
+  /** The keys that have a value, with their value. */
+  *values(): Iterable<readonly [rawKey: string, value: Uint8Array]> {
+    for (const [rawKey, { value }] of this.#entries) if (value) yield [rawKey, value];
+  }
+
+  /** What is known of a key; without a value when it was deleted. */
+  get(rawKey: string): KvEntry | undefined {
+    return this.#entries.get(rawKey);
+  }
+
+  /** Reads a key from NATS. */
+  read(rawKey: string): Promise<KvEntry | undefined> {
+    return this.#bucket.read(rawKey);
+  }
+
+  /**
+   * Writes a key, or deletes it, as `KvBucket.write`. It is in the table when the promise is fulfilled.
+   *
+   * @returns false when the key has another revision
+   */
+  async write(rawKey: string, value: Uint8Array | undefined, expected?: number): Promise<boolean> {
+    const writing = this.#writing.get(rawKey) ?? { count: 0, held: [] };
+    this.#writing.set(rawKey, writing);
+    writing.count += 1;
+    try {
+      const revision = await this.#bucket.write(rawKey, value, expected);
+      if (revision === undefined) return false;
+      this.#apply({ rawKey, revision, value, timeMs: this.#link.clock.nowMs() }, true);
+      return true;
+    } finally {
+      writing.count -= 1;
+      if (writing.count === 0) {
+        this.#writing.delete(rawKey);
+        for (const entry of writing.held) this.#apply(entry, false);
+      }
+    }
+  }
+
+  onChange(fn: TableListener): Cancel {
+    this.#listeners.add(fn);
+    return () => this.#listeners.delete(fn);
+  }
+
+  close(): void {
+    this.#follower.close();
+    this.#removals.close();
+    this.#listeners.clear();
+  }
+
+  #handleBegin(isAnew: boolean): void {
+    // Revisions of the bucket before say nothing about those of a new one.
+    if (isAnew) {
+      for (const [rawKey, { value }] of this.#entries) {
+        this.#entries.set(rawKey, { revision: 0, value });
+      }
+    }
+    this.#untold = new Map(this.#entries);
+  }
+
+  /** What was in the table before, and was not told again, is not in the bucket any more. */
+  #dropUntold(): void {
+    for (const [rawKey, entry] of this.#untold) {
+      // Written here meanwhile: it is told later.
+      if (this.#entries.get(rawKey) !== entry) continue;
+      this.#entries.delete(rawKey);
+      if (entry.value !== undefined) this.#tell(rawKey, false);
+    }
+    this.#untold.clear();
+  }
+
+  #handleEntry(entry: WatchedEntry): void {
+    this.#untold.delete(entry.rawKey);
+    const writing = this.#writing.get(entry.rawKey);
+    if (writing === undefined) this.#apply(entry, false);
+    else writing.held.push(entry);
+  }
+
+  #apply({ rawKey, revision, value, timeMs }: WatchedEntry, isOwn: boolean): void {
+    const known = this.#entries.get(rawKey);
+    if (known !== undefined && known.revision >= revision) return;
+    this.#entries.set(rawKey, { revision, value });
+    if (value === undefined) this.#removals.add(rawKey, revision, timeMs);
+    if (known?.value === undefined && value === undefined) return;
+    this.#tell(rawKey, isOwn);
+  }
+
+  #tell(rawKey: string, isOwn: boolean): void {
+    for (const listener of [...this.#listeners]) listener(rawKey, isOwn);
+  }
+}

@@ -1,0 +1,161 @@
+import { AckPolicy, DeliverPolicy, type JetStreamManager } from '@nats-io/jetstream';
+import {
+  createInbox,
+  Empty,
+  nanos,
+  type Msg,
+  type NatsConnection,
+  type Subscription,
+} from '@nats-io/transport-node';
+import type { Cancel, Clock } from '@ubii/timing';
+
+import { parseDelivery } from './kv-delivery.ts';
+
+/** A value of a bucket, as it came. */
+export interface WatchedEntry {
+  /** The key, as it stands in the subject. */
+  readonly rawKey: string;
+  readonly revision: number;
+  readonly timeMs: number;
+  /** undefined: the key was deleted. */
+  readonly value: Uint8Array | undefined;
+}
+
+/** The side that a watch tells. */
+export interface WatchListener {
+  /** Every value of the bucket once, then each change. */
+  handleEntry(entry: WatchedEntry): void;
+  /** All values that were there have been told. */
+  handleComplete(): void;
+  /** Something was missed: the watch has to be opened again. It tells nothing more. */
+  handleLost(): void;
+}
+
+/** A bucket, and what is needed to watch it. */
+export interface WatchParts {
+  readonly connection: NatsConnection;
+  readonly manager: JetStreamManager;
+  readonly clock: Clock;
+  readonly bucket: string;
+}
+
+/** The server says this often that nothing is missing, milliseconds. */
+const HEARTBEAT_MS = 2_000;
+/** After this time without a word the watch is lost, milliseconds. */
+const SILENCE_MS = 3 * HEARTBEAT_MS;
+/** Operations after which a key has no value. */
+const REMOVALS: ReadonlySet<string> = new Set(['DEL', 'PURGE']);
+
+/**
+ * Watches a bucket with a consumer of its own. That of the library sees only after a minute that its server is gone,
+ * and goes on where it was, although the bucket may be another one by then.
+ *
+ * @throws Error when the server does not take the consumer
+ */
+export async function watchBucket(parts: WatchParts, listener: WatchListener): Promise<Cancel> {
+  const watch = new KvWatch(parts, listener);
+  await watch.open();
+  return () => watch.close();
+}
+
+class KvWatch {
+  readonly #parts: WatchParts;
+  readonly #listener: WatchListener;
+  readonly #prefix: string;
+  #subscription: Subscription | undefined;
+  #stopTimer: Cancel = () => undefined;
+  #lastDelivery = 0;
+  #lastHeardMs = 0;
+  #isComplete = false;
+
+  constructor(parts: WatchParts, listener: WatchListener) {
+    this.#parts = parts;
+    this.#listener = listener;
+    this.#prefix = `$KV.${parts.bucket}.`;
+  }
+
+  async open(): Promise<void> {
+    const { connection, manager, clock, bucket } = this.#parts;
+    const inbox = createInbox();
+    this.#subscription = connection.subscribe(inbox, {
+      callback: (error, msg) => (error === null ? this.#receive(msg) : this.#lose()),
+    });
+    this.#lastHeardMs = clock.monotonicMs();
+    this.#stopTimer = clock.every(HEARTBEAT_MS, () => this.#checkSilence());
+    try {
+      const { num_pending } = await manager.consumers.add(`KV_${bucket}`, {
+        deliver_subject: inbox,
+        deliver_policy: DeliverPolicy.LastPerSubject,
+        ack_policy: AckPolicy.None,
+        max_deliver: 1,
+        mem_storage: true,
+        num_replicas: 1,
+        flow_control: true,
+        idle_heartbeat: nanos(HEARTBEAT_MS),
+        filter_subject: `${this.#prefix}>`,
+      });
+      if (num_pending === 0 && this.#lastDelivery === 0) this.#complete();
+    } catch (error) {
+      this.close();
+      throw error;
+    }
+  }
+
+  close(): void {
+    this.#stopTimer();
+    this.#subscription?.unsubscribe();
+    this.#subscription = undefined;
+  }
+
+  #receive(msg: Msg): void {
+    if (this.#subscription === undefined) return;
+    this.#lastHeardMs = this.#parts.clock.monotonicMs();
+    if (msg.headers?.code === 100) {
+      this.#handleControl(msg);
+      return;
+    }
+    const delivery = parseDelivery(msg.reply ?? '');
+    if (delivery === undefined || !msg.subject.startsWith(this.#prefix)) return;
+    if (delivery.number !== this.#lastDelivery + 1) {
+      this.#lose();
+      return;
+    }
+    this.#lastDelivery = delivery.number;
+    const isRemoval = REMOVALS.has(msg.headers?.get('KV-Operation') ?? '');
+    this.#listener.handleEntry({
+      rawKey: msg.subject.slice(this.#prefix.length),
+      revision: delivery.revision,
+      timeMs: delivery.timeMs,
+      value: isRemoval ? undefined : msg.data,
+    });
+    if (delivery.pending === 0) this.#complete();
+  }
+
+  /** Heartbeats, and requests to say that all before was taken (flow control, ADR-9 and ADR-15 of NATS). */
+  #handleControl(msg: Msg): void {
+    if (msg.reply) {
+      this.#parts.connection.publish(msg.reply, Empty);
+      return;
+    }
+    const stalled = msg.headers?.get('Nats-Consumer-Stalled');
+    if (stalled) this.#parts.connection.publish(stalled, Empty);
+    const last = Number(msg.headers?.get('Nats-Last-Consumer') ?? this.#lastDelivery);
+    if (last !== this.#lastDelivery) this.#lose();
+  }
+
+  #complete(): void {
+    if (this.#isComplete) return;
+    this.#isComplete = true;
+    this.#listener.handleComplete();
+  }
+
+  #checkSilence(): void {
+    if (this.#parts.clock.monotonicMs() - this.#lastHeardMs > SILENCE_MS) this.#lose();
+  }
+
+  #lose(): void {
+    if (this.#subscription === undefined) return;
+    this.close();
+    this.#listener.handleLost();
+  }
+}

@@ -1,0 +1,124 @@
+import { connect, type NatsConnection } from '@nats-io/transport-node';
+import type { Cancel, Clock } from '@ubii/timing';
+
+import type { Log } from '../../core/ports/index.ts';
+import { connectOptions, type NatsSettings } from './connect-options.ts';
+import { explainStart } from './explain-nats-error.ts';
+import { ReconnectPace } from './reconnect-pace.ts';
+
+/** Time between two attempts at the start, milliseconds. */
+const RETRY_MS = 250;
+/** Long enough for machines that start NATS and masters together, short enough for a person who waits, milliseconds. */
+const START_MS = 10_000;
+
+/** What a link needs besides its settings. */
+export interface LinkParts {
+  readonly settings: NatsSettings;
+  readonly clock: Clock;
+  readonly log: Log;
+  /** How long the start waits for a server, milliseconds. Default: 10 000 */
+  readonly startMs?: number;
+}
+
+/** A connection to the NATS servers of a cluster, which comes back whenever it is lost. [CU-60] */
+export class NatsLink {
+  readonly connection: NatsConnection;
+  readonly clock: Clock;
+  readonly log: Log;
+  /** How long a start waits for NATS, milliseconds. */
+  readonly startMs: number;
+  readonly #pace: ReconnectPace;
+  readonly #listeners = new Set<(isConnected: boolean) => void>();
+  #isConnected = true;
+  #isClosed = false;
+
+  private constructor(connection: NatsConnection, pace: ReconnectPace, parts: LinkParts) {
+    this.connection = connection;
+    this.clock = parts.clock;
+    this.log = parts.log;
+    this.startMs = parts.startMs ?? START_MS;
+    this.#pace = pace;
+    void this.#watch();
+  }
+
+  /**
+   * Connects to one of the servers, and waits for one for a while.
+   *
+   * @throws ConfigError when none could be reached, or refuses this master
+   */
+  static async open(parts: LinkParts): Promise<NatsLink> {
+    const { clock, log, settings, startMs = START_MS } = parts;
+    const pace = new ReconnectPace();
+    const options = connectOptions(settings, () => pace.delayMs());
+    const endMs = clock.monotonicMs() + startMs;
+    for (let attempt = 1; ; attempt += 1) {
+      try {
+        const link = new NatsLink(await connect(options), pace, parts);
+        log.info('connected to NATS', { server: link.connection.getServer() });
+        return link;
+      } catch (error) {
+        const failure = explainStart(error, settings.address.servers);
+        if (failure.isFinal || clock.monotonicMs() >= endMs) throw failure.error;
+        if (attempt === 1) {
+          log.warn(`no NATS server answers yet; waiting up to ${startMs / 1000} s`, {
+            servers: settings.address.servers.join(', '),
+          });
+        }
+        await new Promise<void>((resolve) => clock.after(RETRY_MS, resolve));
+      }
+    }
+  }
+
+  /** Whether a server can be reached, as far as is known by now. */
+  get isConnected(): boolean {
+    return this.#isConnected;
+  }
+
+  /** Bytes that one message may have at most; 0 while no server is connected. */
+  get maxPayloadBytes(): number {
+    return this.connection.info?.max_payload ?? 0;
+  }
+
+  /** Calls `fn` whenever a server can be reached again, or no longer. */
+  onReach(fn: (isConnected: boolean) => void): Cancel {
+    this.#listeners.add(fn);
+    return () => this.#listeners.delete(fn);
+  }
+
+  /** Closes the connection. What was not flushed is lost. */
+  async close(): Promise<void> {
+    this.#isClosed = true;
+    this.#isConnected = false;
+    this.#listeners.clear();
+    await this.connection.close();
+  }
+
+  async #watch(): Promise<void> {
+    for await (const status of this.connection.status()) {
+      switch (status.type) {
+        case 'disconnect':
+          this.#setConnected(false);
+          break;
+        case 'reconnecting':
+          this.#pace.handleAttempt();
+          break;
+        case 'reconnect':
+          this.#pace.handleSuccess();
+          this.#setConnected(true);
+          break;
+        case 'error':
+          this.log.error('NATS refused something', { reason: status.error.message });
+          break;
+        default:
+      }
+    }
+  }
+
+  #setConnected(isConnected: boolean): void {
+    if (this.#isClosed || isConnected === this.#isConnected) return;
+    this.#isConnected = isConnected;
+    if (isConnected) this.log.info('NATS is back', { server: this.connection.getServer() });
+    else this.log.warn('lost the connection to NATS; connecting again');
+    for (const listener of [...this.#listeners]) listener(isConnected);
+  }
+}

@@ -1,0 +1,82 @@
+import type { Clock } from '@ubii/timing';
+
+import type { Log } from '../../core/ports/index.ts';
+import type { ClusterPorts } from '../../core/areas/settings.ts';
+import type { ClusterAddress } from '../config/cluster-address.ts';
+import { bucketOf, openClusterStorage, type Storage } from './cluster-storage.ts';
+import { readOrCreateClusterKey } from './cluster-key.ts';
+import { readAuthorities, readCredentials } from './credentials.ts';
+import { NatsBus } from './nats-bus.ts';
+import { NatsLink } from './nats-link.ts';
+import { NatsOwners } from './nats-owners.ts';
+
+/** Bytes that masters put around the largest frame of a client. */
+const AROUND_FRAME_BYTES = 1024 * 1024;
+
+/** A cluster that this master is to join. */
+export interface ClusterOptions {
+  readonly address: ClusterAddress;
+  readonly name: string;
+  readonly credentialsFile: string | undefined;
+  readonly caFile: string | undefined;
+  /** Name of this master, which NATS shows. */
+  readonly masterName: string;
+  /** Largest message of a client, bytes. */
+  readonly frameBytes: number;
+  readonly clock: Clock;
+  readonly log: Log;
+  /** How long a start waits for NATS, milliseconds. Default: 10 000 */
+  readonly startMs?: number;
+}
+
+/** What a master of a cluster has from it. */
+export interface OpenCluster {
+  /** The secret that all masters share. [CU-56] */
+  readonly key: Uint8Array;
+  readonly storage: Storage;
+  readonly cluster: ClusterPorts;
+  /** Resolves when all that was written and sent has reached NATS, or cannot. */
+  close(): Promise<void>;
+}
+
+/**
+ * Connects to NATS and opens what the masters of a cluster share. [CU-60] [CU-61]
+ *
+ * @throws ConfigError that says what to do when NATS cannot be used
+ */
+export async function openCluster(options: ClusterOptions): Promise<OpenCluster> {
+  const { address, name, clock, log, startMs } = options;
+  const link = await NatsLink.open({
+    settings: {
+      address,
+      authenticator: readCredentials(options.credentialsFile, address),
+      authorities: options.caFile === undefined ? undefined : readAuthorities(options.caFile),
+      clientName: `ubii-master ${options.masterName}`,
+    },
+    clock,
+    log: log.child({ cluster: name }),
+    ...(startMs !== undefined && { startMs }),
+  });
+  try {
+    const [storage, owners] = await Promise.all([
+      openClusterStorage(link, name),
+      NatsOwners.open(link, bucketOf(name, 'owners')),
+    ]);
+    const key = await readOrCreateClusterKey(link, bucketOf(name, 'keys'));
+    const bus = new NatsBus(link, name, options.frameBytes + AROUND_FRAME_BYTES);
+    return {
+      key,
+      storage,
+      cluster: { name, bus, owners },
+      async close() {
+        await Promise.all([storage.settled(), bus.close()]);
+        storage.close();
+        owners.close();
+        await link.close();
+      },
+    };
+  } catch (error) {
+    await link.close();
+    throw error;
+  }
+}
