@@ -38,13 +38,12 @@ import { openRecordings } from './adapters/recording/open-recordings.ts';
 import { AuditFile } from './adapters/storage/audit-file.ts';
 import { KNOWN_MODELS } from './adapters/models/catalogue.ts';
 import { StoredAssetSets } from './adapters/models/stored-asset-sets.ts';
-import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
-import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
 import { localName } from './adapters/tls/own-names.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
 import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
+import { openStores } from './open-stores.ts';
 import type { MasterParts, RunningMaster } from './running-master.ts';
 
 /** Time for connections to close gracefully before they are cut, milliseconds. */
@@ -70,7 +69,12 @@ export async function startMaster({
   replayWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
-  const key = readOrCreateTokenKey(config.dataDir);
+  const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
+  const stores = await openStores(config, limits.frameBytes ?? DEFAULT_LIMITS.frameBytes, {
+    clock,
+    log,
+  });
+  const { key, storage, cluster } = stores;
   const tokens = new HmacResumeTokens(key);
   const lan = await LanSwitch.create({
     config,
@@ -97,9 +101,7 @@ export async function startMaster({
     isTrustedProxy: (address) => proxies.has(address),
     owners,
   });
-  const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
-  const storage = openStorage(config.dataDir);
   const modelsFolder = join(config.dataDir, 'models');
   const assets = new AssetFolders([...assetsFolders, modelsFolder]);
   const recordings = recordingsFolder(config.dataDir);
@@ -151,6 +153,7 @@ export async function startMaster({
       assets: createAssetStore(assets),
       assetSets,
       storage,
+      ...(cluster && { cluster }),
       ...openRecordings({
         folder: recordings,
         limits: { ...DEFAULT_LIMITS, ...limits },
@@ -265,14 +268,8 @@ export async function startMaster({
     await closed;
     clearTimeout(cut);
     decoder.close();
-    await Promise.all([
-      assetSets.close(),
-      app.close(),
-      ended,
-      storage.settled(),
-      audit.settled(),
-      withdrawn,
-    ]);
+    await Promise.all([assetSets.close(), app.close(), ended, audit.settled(), withdrawn]);
+    await stores.close();
   };
 
   try {

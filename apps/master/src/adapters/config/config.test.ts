@@ -141,6 +141,12 @@ describe('a wrong value is explained in one sentence', () => {
     [['--trust-loopback', '--loopback', 'none'], 'Remove one of them'],
     [['--loopback', 'admin'], '--loopback must be participant or none'],
     [['--trusted-proxy', 'lab.local'], 'networks separated by commas'],
+    // [CU-62]
+    [['--cluster', 'nats://ann:secret@a/x'], '--cluster must be addresses of NATS servers'],
+    [['--cluster', 'nats://a', '--cluster-name', 'a.b'], '1 to 32 lower-case letters'],
+    [['--cluster-name', 'lab'], '--cluster-name is of use with --cluster only'],
+    [['--cluster-ca', 'ca.pem'], '--cluster-ca is of use with --cluster only'],
+    [['--cluster', 'nats://a:b@c', '--cluster-credentials', 'f'], 'have a login for NATS'],
     [['--name', ' '], '1 to 100 characters'],
     [['--port'], 'needs a value: --port <number>'],
     [['--port', '--lan'], 'needs a value'],
@@ -160,6 +166,7 @@ describe('a wrong value is explained in one sentence', () => {
     expect(message).toContain(expected);
     expect(message).toMatch(/\.$/);
     expect(message).not.toContain('\n');
+    expect(message).not.toContain('secret');
   });
 
   it('names the environment variable', () => {

@@ -2,6 +2,7 @@ import { hostname } from 'node:os';
 import {
   choiceOption,
   ConfigError,
+  flagName,
   HELP_OPTIONS,
   listOption,
   logLevelOption,
@@ -17,6 +18,7 @@ import {
 } from '@ubii/program';
 import type { OptionValues, ProgramOptions, ReadOptions } from '@ubii/program';
 
+import { parseCluster, parseClusterName, type ClusterAddress } from './cluster-address.ts';
 import { ORIGINAL_PORTS, type LegacyPorts } from './legacy-ports.ts';
 import {
   parseFlightMinutes,
@@ -157,6 +159,36 @@ export const OPTIONS = {
     ),
     hint: 'Use * to allow every page',
   },
+  cluster: {
+    ...option<ClusterAddress | undefined>({
+      placeholder: '<url>,...',
+      fallback: undefined,
+      fallbackText: 'none',
+      description:
+        'NATS servers with JetStream, by which several masters work as one: nats://10.0.0.7:4222, or tls:// for encryption. Sessions, modules, invitations and studies of the cluster are kept there instead of in the data directory.',
+      parse: parseCluster,
+    }),
+    isSecret: true,
+  },
+  clusterName: option({
+    placeholder: '<name>',
+    fallback: 'ubii',
+    description: 'Name of the cluster. Masters with the same name and NATS servers work as one.',
+    parse: parseClusterName,
+  }),
+  clusterCredentials: {
+    ...pathOption(
+      '<file>',
+      'none',
+      'File with what NATS asks of the masters: a .creds file, or one line with user:password or a token.',
+    ),
+    isSecret: true,
+  },
+  clusterCa: pathOption(
+    '<file>',
+    "the system's",
+    'Certificates of the authorities of the NATS servers, PEM. With it, connections to NATS are encrypted.',
+  ),
   name: option({
     placeholder: '<text>',
     fallback: hostname().split('.')[0] || 'master-node',
@@ -240,6 +272,19 @@ them that is set applies.
     if (values.trustLoopback && values.loopback === 'none') {
       throw new ConfigError(
         '--trust-loopback makes callers of this machine admins, and --loopback none gives them no access. Remove one of them.',
+      );
+    }
+    const needsCluster = (['clusterName', 'clusterCredentials', 'clusterCa'] as const).find(
+      (name) => given.has(name),
+    );
+    if (needsCluster !== undefined && values.cluster === undefined) {
+      throw new ConfigError(
+        `${flagName(needsCluster)} is of use with --cluster only. Give --cluster with the addresses of the NATS servers.`,
+      );
+    }
+    if (values.clusterCredentials !== undefined && values.cluster?.login !== undefined) {
+      throw new ConfigError(
+        'Both --cluster and --cluster-credentials have a login for NATS. Remove one of them.',
       );
     }
     if ((values.tlsCertificate === undefined) !== (values.tlsKey === undefined)) {

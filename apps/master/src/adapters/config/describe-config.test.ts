@@ -46,6 +46,18 @@ it('[EX-50] tells neither where keys lie nor whose home it is', () => {
   expect(Object.values(told).join(' ')).not.toContain(HOME);
 });
 
+it('[EX-50] [CU-62] tells the servers of a cluster, and not its login', () => {
+  const told = describe(
+    ...['--cluster', 'nats://ann:secret@a,nats://ann:secret@b:4333', '--cluster-name', 'lab'],
+  );
+  expect(told['--cluster']).toBe('nats://a:4222, nats://b:4333');
+  expect(told['--cluster-name']).toBe('lab');
+  expect(Object.values(told).join(' ')).not.toContain('secret');
+  const withFile = describe('--cluster', 'tls://a', '--cluster-credentials', '/etc/nats.creds');
+  expect(withFile['--cluster-credentials']).toBe('given');
+  expect(describe()['--cluster']).toBe('none');
+});
+
 it('[EX-50] describes the options that are set, and the machine', () => {
   const { elements, runtime } = settings('--port', '0');
   expect(elements!.filter(({ given }) => given).map(({ flag }) => flag)).toEqual(['--port']);

@@ -30,6 +30,7 @@ export function describeConfig(config: Config, home: string): Init<SettingList> 
 function textOf(config: Config, name: OptionName, home: string): string {
   const value: Config[OptionName] = config[name];
   const { isSecret }: Option<unknown> = OPTIONS[name];
+  if (name === 'cluster') return config.cluster?.servers.join(', ') ?? 'none'; // Without its login.
   if (isSecret && value !== undefined) return 'given';
   if (name === 'legacyPorts') return portsText(config.legacyPorts);
   if (name === 'limits') return limitsText(config.limits);

@@ -1,0 +1,50 @@
+import type { Clock } from '@ubii/timing';
+
+import type { Config } from './adapters/config/config.ts';
+import { openStorage } from './adapters/storage/open-storage.ts';
+import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
+import type { ClusterPorts } from './core/areas/settings.ts';
+import type { Log } from './index.ts';
+
+/** What a master keeps between runs. */
+export interface MasterStores {
+  /** The secret that tokens and credentials are derived from. */
+  readonly key: Uint8Array;
+  readonly storage: ReturnType<typeof openStorage>;
+  /** The other masters; undefined when this one is alone. */
+  readonly cluster?: ClusterPorts;
+  /** Resolves when all that was written is stored, or cannot be. */
+  close(): Promise<void>;
+}
+
+/**
+ * Opens what a master keeps: in its data directory, or with `--cluster` in NATS, for all masters of the cluster. [CU-54]
+ *
+ * @throws ConfigError when it cannot be had
+ */
+export async function openStores(
+  config: Config,
+  frameBytes: number,
+  { clock, log }: { readonly clock: Clock; readonly log: Log },
+): Promise<MasterStores> {
+  if (config.cluster === undefined) {
+    const storage = openStorage(config.dataDir);
+    return {
+      key: readOrCreateTokenKey(config.dataDir),
+      storage,
+      close: () => storage.settled(),
+    };
+  }
+  // A master on its own does not load NATS.
+  const { openCluster } = await import('./adapters/nats/open-cluster.ts');
+  return openCluster({
+    address: config.cluster,
+    name: config.clusterName,
+    credentialsFile: config.clusterCredentials,
+    caFile: config.clusterCa,
+    masterName: config.name,
+    frameBytes,
+    clock,
+    log,
+  });
+}
