@@ -8,7 +8,8 @@ import {
   type JetStreamClient,
   type JetStreamManager,
 } from '@nats-io/jetstream';
-import { Empty, headers } from '@nats-io/transport-node';
+import { Empty, errors, headers } from '@nats-io/transport-node';
+import { ServiceError } from '@ubii/proto';
 
 import { isConflict, isNotFound } from './explain-nats-error.ts';
 import type { NatsLink } from './nats-link.ts';
@@ -84,7 +85,7 @@ export class KvBucket {
       return { revision: found.seq, value: isRemoved ? undefined : found.data };
     } catch (error) {
       if (isNotFound(error)) return undefined;
-      throw error;
+      throw unanswered(error);
     }
   }
 
@@ -93,7 +94,7 @@ export class KvBucket {
    *
    * @param revision the key must have it; 0: none. Default: any
    * @returns the new revision; undefined when the key has another one than `revision`
-   * @throws Error with the reason
+   * @throws ServiceError `unavailable`, or `resource_exhausted` for a value that NATS does not take
    */
   async write(
     rawKey: string,
@@ -112,7 +113,7 @@ export class KvBucket {
       return seq;
     } catch (error) {
       if (isConflict(error)) return undefined;
-      throw error;
+      throw unanswered(error);
     }
   }
 
@@ -129,18 +130,31 @@ export class KvBucket {
 
   #requireLink(): void {
     if (!this.#link.isConnected) {
-      throw new Error('NATS cannot be reached, so nothing can be stored. Try again later.');
+      throw new ServiceError(
+        'unavailable',
+        'NATS cannot be reached, so nothing can be stored. Try again later.',
+      );
     }
   }
 
   #requireRoom(sizeBytes: number): void {
     const most = this.#link.maxPayloadBytes - ENVELOPE_BYTES;
     if (sizeBytes > most) {
-      throw new Error(
+      throw new ServiceError(
+        'resource_exhausted',
         `NATS stores at most ${most} bytes, and this takes ${sizeBytes}, compressed. Raise max_payload of the NATS servers.`,
       );
     }
   }
+}
+
+/** NATS may have taken a change although its answer did not come. */
+function unanswered(cause: unknown): unknown {
+  const isLate = cause instanceof errors.TimeoutError || cause instanceof errors.RequestError;
+  if (!isLate) return cause;
+  const text =
+    'NATS did not answer, so it is not known whether the change was stored. Check it and try again.';
+  return new ServiceError('unavailable', text, { cause });
 }
 
 function isMissing(error: unknown): boolean {
