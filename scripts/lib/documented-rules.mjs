@@ -7,6 +7,11 @@ const TEXT = /\.(js|md|mjs|proto|ts|vue)$/;
 const NOT_SOURCES = /^(\..*|node_modules|dist|generated|test-results)$/;
 /** A rule that a guide adds, in a block `diff`. */
 const ADDITION = /^\+- \*\*([A-Z]{2}-\d+)\*\*/gm;
+/** Groups of which a test has to quote each rule. */
+const TESTED_GROUPS = ['EC'];
+/** Rules of those groups that nothing in the program follows yet. */
+const WITHOUT_TEST = new Set([['EC', 15].join('-')]);
+const TEST = /\.test\.(mjs|ts)$/;
 const DEFINITION = /^- \*\*([A-Z]{2}-\d+)\*\*/gm;
 
 /**
@@ -33,9 +38,10 @@ function textFiles(folder) {
 
 /**
  * @param {readonly { path: string, text: string }[]} files
- * @returns {string[]} one sentence for each id that is defined twice or not at all
+ * @param {ReadonlySet<string>} withoutTest rules of tested groups that are excused from a test
+ * @returns {string[]} one sentence for each id that is defined twice, not at all, or without a test that it needs
  */
-export function ruleProblems(files) {
+export function ruleProblems(files, withoutTest = WITHOUT_TEST) {
   /** @type {Map<string, string>} */
   const pages = new Map();
   const problems = [];
@@ -55,5 +61,25 @@ export function ruleProblems(files) {
     const unknown = new Set(text.match(quoted)?.filter((id) => !isKnown(id)));
     for (const id of unknown) problems.push(`${path} quotes ${id}, which docs/spec does not have.`);
   }
-  return problems;
+  return [...problems, ...untestedRules(pages, files, withoutTest)];
+}
+
+/**
+ * @param {ReadonlyMap<string, string>} pages page of each rule
+ * @param {readonly { path: string, text: string }[]} files
+ * @param {ReadonlySet<string>} withoutTest rules that are excused
+ * @returns {string[]} one sentence for each rule that has to be tested and is not
+ */
+function untestedRules(pages, files, withoutTest) {
+  const tested = new Set(
+    files
+      .filter(({ path }) => TEST.test(path))
+      .flatMap(({ text }) => [...text.matchAll(/\[([A-Z]{2}-\d+)\]/g)].map(([, id]) => id)),
+  );
+  return [...pages].flatMap(([id, page]) => {
+    if (!TESTED_GROUPS.includes(id.slice(0, 2))) return [];
+    if (!tested.has(id)) return withoutTest.has(id) ? [] : [`No test quotes ${id} of ${page}.`];
+    if (!withoutTest.has(id)) return [];
+    return [`A test quotes ${id} of ${page}: remove it from WITHOUT_TEST in documented-rules.mjs.`];
+  });
 }

@@ -33,6 +33,19 @@ test('a guide may quote the rule that it adds', () => {
   assert.deepEqual(ruleProblems([spec(`- **${id(1)}** A rule.`), guide]), []);
 });
 
+test('each rule about existing clients needs a test that quotes it, unless it is excused', () => {
+  const rule = ['EC', 1].join('-');
+  const path = 'docs/spec/existing-clients.md';
+  const page = spec(`- **${rule}** A rule.`, path);
+  const tested = { path: 'a.test.ts', text: `it('does it [${rule}]')` };
+  const excused = new Set([rule]);
+  const quoted = code(`// [${rule}]`);
+  assert.deepEqual(ruleProblems([page, quoted]), [`No test quotes ${rule} of ${path}.`]);
+  assert.deepEqual(ruleProblems([page, tested]), []);
+  assert.deepEqual(ruleProblems([page], excused), []);
+  assert.equal(ruleProblems([page, tested], excused).length, 1);
+});
+
 test('words of other groups are no rules', () => {
   assert.deepEqual(ruleProblems([spec(`- **${id(1)}** A rule.`), code('UTF-8, RFC-9')]), []);
 });

@@ -161,7 +161,7 @@ describe('devices', () => {
     expect(reply.error).toMatchObject({ code: 'invalid_argument', stack: '' });
   });
 
-  it('may have any names, formats, topics and tags [DV-6]', async () => {
+  it('may have any names, formats, topics and tags [DV-6] [EC-22]', async () => {
     const { ada, register } = await createPair();
     const component = {
       name: '../?*',

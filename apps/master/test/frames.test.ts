@@ -38,7 +38,7 @@ describe('the topic-data socket', () => {
     expect(ada.takeErrors()).toMatchObject([{ code: 'invalid_argument', stack: '' }]);
   });
 
-  it('sends single records to a legacy client, whatever it publishes [TD-3]', async () => {
+  it('sends single records to a legacy client, whatever it publishes [TD-3] [EC-1]', async () => {
     const { master, ada } = await withAda();
     const ben = await master.legacy('ben');
     await ben.subscribe({ subscribeTopics: ['/a', '/b'] });

@@ -26,7 +26,7 @@ describe('publishing', () => {
     ]);
   });
 
-  it('forwards and retains the bytes as they came [TD-11]', async () => {
+  it('forwards and retains the bytes as they came [TD-11] [EC-17]', async () => {
     const { ada, ben, master } = await createPair();
     await ben.subscribe({ subscribeTopics: ['/a'] });
     // Members out of order, an explicit zero, an unknown field: encoding would change these bytes.
@@ -157,6 +157,19 @@ describe('publishing', () => {
     ada.takeSent();
     for (let i = 0; i < 100; i++) ada.send('/info/x', 'double', i);
     expect(ada.takeErrors()).toHaveLength(10);
+  });
+
+  it('tells clients of their own mistakes, never of those of others [TD-17] [EC-16]', async () => {
+    const { ada, ben } = await createPair();
+    await ben.subscribe({ subscribeTopics: ['/a', '/info/x'], subscribeTopicRegexp: ['.*'] });
+    ada.publish('/a', 'double', 1);
+    ada.sendRecords(Uint8Array.of(0xff));
+    ada.sendRecords(encodeRecord({ topic: '/info/x', format: 'double', value: 1 }));
+    ada.sendRecords(encodeRecord({ topic: '', format: 'double', value: 1 }));
+    ada.sendText('PANG');
+    expect(ada.takeErrors()).toHaveLength(4);
+    ada.drop();
+    expect(ben.takeSent().map(({ kind }) => kind)).toEqual(['record']);
   });
 
   it('closes a socket after more than 20 unreadable frames in 10 s [TD-18]', async () => {

@@ -6,7 +6,7 @@ import { TestMaster } from '../src/testing/index.ts';
 const UUID = /^[0-9a-f-]{36}$/;
 
 describe('registration', () => {
-  it('gives a new id and repeats everything else [CL-1]', async () => {
+  it('gives a new id and repeats everything else [CL-1] [EC-18]', async () => {
     const master = new TestMaster();
     const client = {
       id: 'mine',
@@ -31,7 +31,7 @@ describe('registration', () => {
     expect(again.client?.id).not.toBe(reply.client?.id);
   });
 
-  it('takes what existing clients send: nulls, unknown keys, defaults [CL-2]', async () => {
+  it('takes what existing clients send: nulls, unknown keys, defaults [CL-2] [EC-5]', async () => {
     const master = new TestMaster();
     const { client, error } = await master.callJson({
       topic: '/services/client/registration',
@@ -122,7 +122,7 @@ describe('registration', () => {
     },
   );
 
-  it('gives a new id to a legacy client, whatever it sends [CL-4]', async () => {
+  it('gives a new id to a legacy client, whatever it sends [CL-4] [EC-18]', async () => {
     const master = new TestMaster();
     const ada = await master.legacy('ada');
     const again = await master.register({ ...ada.registered });

@@ -5,7 +5,7 @@ import { TRUSTED_CALLER, DEFAULT_LIMITS } from '../src/index.ts';
 import { TestMaster } from '../src/testing/index.ts';
 
 describe('services', () => {
-  it('that take too long are answered with deadline_exceeded [SV-2]', async () => {
+  it('that take too long are answered with deadline_exceeded [SV-2] [EC-24]', async () => {
     // Every subscription takes longer than a turn may, and no turn ever comes.
     const master = new TestMaster({
       patterns: {
@@ -181,7 +181,7 @@ describe('services', () => {
     );
   });
 
-  it('describe the master as existing clients need it [SV-10]', async () => {
+  it('describe the master as existing clients need it [SV-10] [EC-3] [EC-13] [EC-14]', async () => {
     const master = new TestMaster();
     const { server } = await master.call({ topic: '/services/server_configuration' });
     expect(server).toMatchObject({
@@ -201,7 +201,7 @@ describe('services', () => {
     expect(json).toMatchObject({ server: { ipWlan: '', ipEthernet: '' } });
   });
 
-  it('give the addresses of a master in a network [SV-10]', async () => {
+  it('give the addresses of a master in a network [SV-10] [EC-14]', async () => {
     const master = new TestMaster({ endpoints: { ipWlan: '192.168.1.7' } });
     const { server } = await master.call({ topic: '/services/server_configuration' });
     expect(server).toMatchObject({

@@ -95,7 +95,7 @@ describe('subscriptions', () => {
     }
   });
 
-  it('send the retained record after the reply, to legacy clients a moment later [TD-24]', async () => {
+  it('send the retained record after the reply, to legacy clients a moment later [TD-24] [EC-9]', async () => {
     const { master, ada, ben } = await createPair();
     const cleo = await master.extension('cleo');
     ada.publish('/a', 'double', 1);
@@ -148,7 +148,7 @@ describe('subscriptions', () => {
     expect(ben.takeSent()).toEqual([]);
   });
 
-  it('send the retained record once the socket is open [TD-24]', async () => {
+  it('send the retained record once the socket is open [TD-24] [EC-8]', async () => {
     const { master, ada } = await createPair();
     ada.publish('/a', 'double', 1);
     ada.publish('/b', 'double', 2);
@@ -163,7 +163,7 @@ describe('subscriptions', () => {
     expect(cleo.takeValues()).toEqual([]);
   });
 
-  it('by pattern and profile send retained records to extension clients only [TD-24]', async () => {
+  it('by pattern and profile send retained records to extension clients only [TD-24] [EC-9]', async () => {
     const { master, ada, ben } = await createPair();
     await ada.call({
       topic: '/services/device/registration',

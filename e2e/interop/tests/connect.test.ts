@@ -7,7 +7,7 @@ const room = useRoom();
 
 describe.each(CLIENT_KINDS)('%s', (kind) => {
   describe.skipIf(whyMissing(kind))(suiteName(kind), () => {
-    test('connects over the old ports and is listed as active under its own name [CL-1]', async () => {
+    test('connects over the old ports and is listed as active under its own name [CL-1] [EC-18]', async () => {
       const guest = await room.joins(kind, 'a guest of old');
       const ours = await room.oursJoins();
       const listed = await room.listed(ours, guest.clientId);
@@ -15,7 +15,7 @@ describe.each(CLIENT_KINDS)('%s', (kind) => {
       expect(guest.complaints).toEqual([]);
     });
 
-    test('connects over the main port [TD-1]', async () => {
+    test('connects over the main port [TD-1] [EC-7]', async () => {
       const guest = await LegacyClient.start(kind);
       try {
         const { servicesJson, topicDataWs } = room.master.addresses;
@@ -31,7 +31,7 @@ describe.each(CLIENT_KINDS)('%s', (kind) => {
       }
     });
 
-    test('finds what it reads of the server configuration [SV-10]', async () => {
+    test('finds what it reads of the server configuration [SV-10] [EC-3] [EC-4] [EC-14]', async () => {
       const guest = await LegacyClient.start(kind);
       try {
         const { server } = await guest.connect(room.legacy, 'guest');
@@ -51,7 +51,7 @@ describe.each(CLIENT_KINDS)('%s', (kind) => {
   });
 });
 
-test('[CL-2] a nodejs node with a module file in its folder sends a null module and is accepted', async () => {
+test('[CL-2] [EC-5] a nodejs node with a module file in its folder sends a null module and is accepted', async () => {
   const guest = await LegacyClient.start('nodejs', async (folder) => {
     const { mkdir, writeFile } = await import('node:fs/promises');
     await mkdir(`${folder}/database/processing`, { recursive: true });

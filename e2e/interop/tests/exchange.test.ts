@@ -79,7 +79,7 @@ describe.each(CLIENT_KINDS)('%s', (kind) => {
       await guest.isGiven('/echo', 5, () => guest.publish([{ topic: '/echo', double: 5 }]));
     });
 
-    test('gets the last values of topics when it subscribes [TD-24]', async () => {
+    test('gets the last values of topics when it subscribes [TD-24] [EC-9]', async () => {
       const topics = Array.from({ length: 10 }, (_, index) => `/retained/${index}`);
       const ours = await room.oursJoins();
       const seen = new Set<string>();
@@ -105,7 +105,7 @@ describe.each(CLIENT_KINDS)('%s', (kind) => {
       );
     });
 
-    test('gets single records only, however our clients bundle them [TD-3]', async () => {
+    test('gets single records only, however our clients bundle them [TD-3] [EC-1]', async () => {
       const guest = await room.joins(kind);
       const ours = await room.oursJoins();
       await guest.subscribeTopic('/burst');

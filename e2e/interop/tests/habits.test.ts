@@ -28,7 +28,7 @@ const subscribe = (clientId: string, topic: string) => ({
 });
 
 describe('web browser node 0.3.4, by hand', () => {
-  test('subscribes before its socket is open and gets the last value once it is [TD-24]', async () => {
+  test('subscribes before its socket is open and gets the last value once it is [TD-24] [EC-8]', async () => {
     const ours = await room.oursJoins();
     const witness = ours.subscribe('/kept');
     await witness.ready;
@@ -90,7 +90,7 @@ describe('web browser node 0.3.4, by hand', () => {
 });
 
 describe('Unity node, by hand', () => {
-  test('speaks protobuf over HTTP on both paths [SV-1]', async () => {
+  test('speaks protobuf over HTTP on both paths [SV-1] [EC-6]', async () => {
     const { guest } = await enter('callBinary', 'Unity node');
     for (const path of ['/services/binary', '/services']) {
       const reply = await guest.callBinary({ topic: '/services/server_configuration' }, path);
@@ -101,7 +101,7 @@ describe('Unity node, by hand', () => {
     }
   });
 
-  test('answers pings with binary frames and stays active [TD-2]', async () => {
+  test('answers pings with binary frames and stays active [TD-2] [EC-2]', async () => {
     const { guest, id } = await enter('callBinary', 'Unity node');
     await guest.open(id, '', Buffer.from('PONG'));
     await guest.frames.waitFor(
@@ -115,7 +115,7 @@ describe('Unity node, by hand', () => {
     expect(listed?.latency).toBeGreaterThan(0);
   });
 
-  test('gets zeros that were written as zeros: its buffer keeps what is left out [TD-11]', async () => {
+  test('gets zeros that were written as zeros: its buffer keeps what is left out [TD-11] [EC-17]', async () => {
     const { guest: speaker, id: speakerId } = await enter('callJson', 'speaker');
     await speaker.open(speakerId);
     const { guest, id } = await enter('callBinary', 'Unity node');
@@ -129,7 +129,7 @@ describe('Unity node, by hand', () => {
 });
 
 describe('older applications, by hand', () => {
-  test('post JSON to /services and open a socket under any path [SV-1] [TD-1]', async () => {
+  test('post JSON to /services and open a socket under any path [SV-1] [TD-1] [EC-6] [EC-7]', async () => {
     const { guest, id } = await enter('callJson', 'old application');
     expect(await guest.callJson({ topic: '/services/service_list' }, '/services')).toHaveProperty(
       'serviceList.elements',

@@ -83,7 +83,7 @@ const io = {
 };
 
 describe.skipIf(whyMissing('nodejs'))(`${suiteName('nodejs')} as a processing node`, () => {
-  test('runs JavaScript of a session when its input changes, until the session stops [SE-12] [SE-13]', async () => {
+  test('runs JavaScript of a session when its input changes, until the session stops [SE-12] [SE-13] [EC-11] [EC-12]', async () => {
     const guest = await room.joinsAsNode('nodejs');
     const ours = await room.oursJoins();
     const got = await watch(ours, '/out');
@@ -148,7 +148,7 @@ describe.skipIf(whyMissing('nodejs'))(`${suiteName('nodejs')} as a processing no
     expect([...counts].sort((a, b) => a - b)).toEqual(counts);
   });
 
-  test('runs one over a muxer and a demuxer [SE-2]', async () => {
+  test('runs one over a muxer and a demuxer [SE-2] [EC-11]', async () => {
     const guest = await room.joinsAsNode('nodejs');
     const ours = await room.oursJoins();
     const got = await watch(ours, '/players/*/score');
@@ -203,22 +203,25 @@ describe.skipIf(whyMissing('python'))(`${suiteName('python')} as a processing no
   test.each([
     ['when its input changes', { triggerOnInput: { allInputsNeedUpdate: true } }],
     ['with a frequency', { frequency: { hertz: 20 } }],
-  ] as const)('runs a routine of its own %s, until the session stops', async (_title, mode) => {
-    const guest = await room.joinsAsNode('python');
-    const ours = await room.oursJoins();
-    const got = await watch(ours, '/out');
-    const session = await start(
-      ours,
-      sessionOf({ name: 'py-scale', nodeId: guest.clientId, processingMode: mode, ...io }, plain),
-    );
-    let value = 0;
-    await until(
-      () => ours.publish('/in', 'double', ++value),
-      () => expect(got.at(-1)?.[1]).toBeGreaterThanOrEqual(3),
-    );
-    expect(Number(got.at(-1)?.[1]) % 3).toBe(0);
-    await stop(ours, session);
-  });
+  ] as const)(
+    'runs a routine of its own %s, until the session stops [EC-10] [EC-11]',
+    async (_title, mode) => {
+      const guest = await room.joinsAsNode('python');
+      const ours = await room.oursJoins();
+      const got = await watch(ours, '/out');
+      const session = await start(
+        ours,
+        sessionOf({ name: 'py-scale', nodeId: guest.clientId, processingMode: mode, ...io }, plain),
+      );
+      let value = 0;
+      await until(
+        () => ours.publish('/in', 'double', ++value),
+        () => expect(got.at(-1)?.[1]).toBeGreaterThanOrEqual(3),
+      );
+      expect(Number(got.at(-1)?.[1]) % 3).toBe(0);
+      await stop(ours, session);
+    },
+  );
 
   test('is chosen for a module that only it has, by its name [SE-30]', async () => {
     const guest = await room.joinsAsNode('python');

@@ -19,7 +19,7 @@ function known(constants: Record<string, string>): Record<string, string> {
   );
 }
 
-describe('LEGACY_CONSTANTS [SV-10]', () => {
+describe('LEGACY_CONSTANTS [SV-10] [EC-3]', () => {
   it('are the published constants without the keys the strictest client does not know', () => {
     expect(JSON.parse(JSON.stringify(LEGACY_CONSTANTS))).toEqual({
       DEFAULT_TOPICS: {

@@ -3,7 +3,7 @@ import { connect, type Socket } from 'node:net';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { temporaryFolder } from '@ubii/program/testing';
-import { encode } from '@ubii/proto';
+import { decode, encode } from '@ubii/proto';
 import { build } from 'esbuild';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 
@@ -202,6 +202,23 @@ describe('a caller that has joined', () => {
     expect((await post(master, wrong)).reply.error?.message).toContain(
       'session.tags must be a list',
     );
+  });
+
+  it('[EC-20] sends 10 MB with a session, in either format', async () => {
+    const master = await startEdgeMaster({ decodeWorkerFile });
+    const size = 10_000_000;
+    const request = { topic: '/services/session/database/save', session: { name: 'large' } };
+    const json = { ...request, session: { ...request.session, helper: pad(size) } };
+    expect((await post(master, JSON.stringify(json))).reply.error).toBeUndefined();
+    // The same as a field of a later schema: number 2000, with its length.
+    const field = Uint8Array.of(0x82, 0x7d, 0x80, 0xad, 0xe2, 0x04);
+    const known = encode('ubii.services.ServiceRequest', request);
+    const { status, body } = await send(master.port, '/services/binary', {
+      method: 'POST',
+      body: Buffer.concat([known, field, Buffer.alloc(size)]),
+    });
+    expect(status).toBe(200);
+    expect(decode('ubii.services.ServiceReply', body).error).toBeUndefined();
   });
 
   it('[SV-44] is told when the thread cannot be had', async () => {

@@ -21,7 +21,7 @@ async function postJson(master: EdgeMaster, path: string, body: string, headers 
 
 describe('services over HTTP', () => {
   it.each(['/services/json', '/services/json/', '/services'])(
-    '[SV-1] take JSON at %s',
+    '[EC-6] [SV-1] take JSON at %s',
     async (path) => {
       const master = await startEdgeMaster();
       const { status, headers, reply } = await postJson(
@@ -38,7 +38,7 @@ describe('services over HTTP', () => {
     },
   );
 
-  it.each(['/services/binary', '/services'])('[SV-1] take protobuf at %s', async (path) => {
+  it.each(['/services/binary', '/services'])('[EC-6] [SV-1] take protobuf at %s', async (path) => {
     const master = await startEdgeMaster();
     const { status, headers, body } = await send(master.port, path, {
       method: 'POST',
@@ -97,7 +97,7 @@ describe('services over HTTP', () => {
     expect(reply).toMatchObject({ error: { code: 'invalid_argument', stack: '' } });
   });
 
-  it('[SV-7] answer bytes that cannot be read', async () => {
+  it('[EC-6] [SV-7] answer bytes that cannot be read', async () => {
     const master = await startEdgeMaster();
     for (const body of [Uint8Array.of(0xff, 0xff), Uint8Array.of(0x0a, 0x7f), new Uint8Array()]) {
       const response = await send(master.port, '/services/binary', {
@@ -155,7 +155,7 @@ describe('services over HTTP', () => {
     expect(master.logged.filter((line) => line.includes('"level":"error"'))).toEqual([]);
   });
 
-  it('[SV-4] write defaults, enum names and empty lists', async () => {
+  it('[EC-4] [SV-4] write defaults, enum names and empty lists', async () => {
     const { reply } = await postJson(
       await startEdgeMaster(),
       '/services/json',

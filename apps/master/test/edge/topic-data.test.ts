@@ -107,7 +107,7 @@ function frameOf(bytes: Uint8Array): Uint8Array {
 }
 
 describe('topic data over WebSocket', () => {
-  it.each(['/', '/topicdata', '/any/path/at/all'])('[TD-1] opens on %s', async (path) => {
+  it.each(['/', '/topicdata', '/any/path/at/all'])('[EC-7] [TD-1] opens on %s', async (path) => {
     const master = await startEdgeMaster();
     const socket = await new Socket(socketUrl(master, await register(master), path)).opened();
     expect(socket.webSocket.protocol).toBe('');
@@ -127,7 +127,7 @@ describe('topic data over WebSocket', () => {
     expect(await socket.nextText()).toBe('PONG');
   });
 
-  it('[TD-2] [TD-5] [CL-15] sends a text PING and takes PONG as text and as binary', async () => {
+  it('[EC-2] [TD-2] [TD-5] [CL-15] sends a text PING and takes PONG as text and as binary', async () => {
     const master = await startEdgeMaster();
     for (const pong of ['PONG', Buffer.from('PONG')]) {
       const client = await register(master);
@@ -142,7 +142,7 @@ describe('topic data over WebSocket', () => {
     expect(metrics).toContain('ubii_protocol_errors_total 0');
   });
 
-  it('[TD-3] [TD-11] [TD-14] echoes records unchanged, one frame each', async () => {
+  it('[EC-1] [EC-17] [TD-3] [TD-11] [TD-14] echoes records unchanged, one frame each', async () => {
     const master = await startEdgeMaster();
     const client = await register(master);
     const socket = await new Socket(socketUrl(master, client)).opened();
@@ -206,7 +206,7 @@ describe('sockets that are not welcome', () => {
     },
   );
 
-  it('[TD-7] are closed when a second socket of the client opens', async () => {
+  it('[EC-7] [TD-7] are closed when a second socket of the client opens', async () => {
     const master = await startEdgeMaster();
     const client = await register(master);
     const first = await new Socket(socketUrl(master, client)).opened();

@@ -313,7 +313,7 @@ describe('a session that cannot be', () => {
     );
   });
 
-  it('reads what old clients send with tolerance [SE-6]', async () => {
+  it('reads what old clients send with tolerance [SE-6] [EC-22] [EC-23]', async () => {
     const world = await SessionWorld.create();
     const { session, error } = await world.master.callJson({
       topic: TOPICS.start,
@@ -325,13 +325,19 @@ describe('a session that cannot be', () => {
             ...doubler,
             language: 0,
             status: 0,
-            inputs: [{ internalName: 'in', messageFormat: 'ubii.dataStructure.Nonsense' }],
+            inputs: [
+              { internalName: 'in', messageFormat: 'ubii.dataStructure.Nonsense' },
+              { internalName: 'is it on?', messageFormat: 'boolean' },
+            ],
           },
         ],
         ioMappings: [
           {
             processingModuleName: 'doubler',
-            inputMappings: [{ inputName: 'in', topicSource: '/old/in' }],
+            inputMappings: [
+              { inputName: 'in', topicSource: '/old/in' },
+              { inputName: 'is it on?', topicSource: 'a topic of old' },
+            ],
             outputMappings: [{ outputName: 'out', topicDestination: '/old/out' }],
           },
         ],
@@ -340,7 +346,7 @@ describe('a session that cannot be', () => {
     });
     expect(error).toBeUndefined();
     expect(session?.ioMappings[0]).toMatchObject({
-      inputMappings: [{ topic: '/old/in' }],
+      inputMappings: [{ topic: '/old/in' }, { topic: 'a topic of old' }],
       outputMappings: [{ topic: '/old/out' }],
     });
     await world.master.pass();

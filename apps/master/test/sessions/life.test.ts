@@ -53,7 +53,7 @@ describe('a session on the master', () => {
     expect(started.map(([, { id }]) => id)).toEqual([one.id, two.id]);
   });
 
-  it('stops: success at once, and its modules run no more [SE-13]', async () => {
+  it('stops: success at once, and its modules run no more [SE-13] [EC-12]', async () => {
     const world = await SessionWorld.create();
     const { id } = await world.ask(TOPICS.start, doubling('/in', '/out'));
     const reply = await world.master.call({ topic: TOPICS.stop, session: { id } });

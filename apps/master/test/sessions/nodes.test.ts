@@ -21,7 +21,7 @@ const offered = {
 };
 
 describe('a session with a nodejs node', () => {
-  it('gives it complete specifications, and runs when it says so [SE-1] [SE-11] [SE-12]', async () => {
+  it('gives it complete specifications, and runs when it says so [SE-1] [SE-11] [SE-12] [EC-10] [EC-11]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.original(world.master, 'nodejs', { processingModules: [offered] });
     const session = await world.ask(TOPICS.start, {
@@ -57,7 +57,7 @@ describe('a session with a nodejs node', () => {
     expect((await world.get(session)).status).toBe(SessionStatus.STOPPED);
   });
 
-  it('is not told of a language, which ends its process, nor of sessions without mappings [SE-2]', async () => {
+  it('is not told of a language, which ends its process, nor of sessions without mappings [SE-2] [EC-19] [EC-21]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.original(world.master, 'nodejs', { processingModules: [offered] });
     await world.ask(TOPICS.start, {
@@ -102,7 +102,7 @@ describe('a session with a nodejs node', () => {
 });
 
 describe('a session with a Python node', () => {
-  it('is started by it, with all defaults, and mapped by name [SE-6] [SE-11]', async () => {
+  it('is started by it, with all defaults, and mapped by name [SE-6] [SE-11] [EC-5]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.original(world.master, 'python', {
       isDedicatedProcessingNode: false,
