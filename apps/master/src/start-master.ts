@@ -30,6 +30,9 @@ import { LanSwitch } from './adapters/network/lan-switch.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import { OwnAddresses } from './adapters/addresses/own-addresses.ts';
 import { listNetworkAddresses } from './adapters/addresses/network-addresses.ts';
+import { refuseOriginal } from './adapters/original/original-files.ts';
+import { readOriginal } from './adapters/original/read-original.ts';
+import { withOriginal } from './adapters/original/with-original.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
@@ -68,13 +71,14 @@ export async function startMaster({
   recorderWorkerFile,
   replayWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
+  await refuseOriginal(config.dataDir);
   prepareDataDir(config.dataDir);
   const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
   const stores = await openStores(config, limits.frameBytes ?? DEFAULT_LIMITS.frameBytes, {
     clock,
     log,
   });
-  const { key, storage, cluster } = stores;
+  const { key, cluster } = stores;
   const tokens = new HmacResumeTokens(key);
   const lan = await LanSwitch.create({
     config,
@@ -102,6 +106,8 @@ export async function startMaster({
     owners,
   });
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
+  const original = await readOriginal(config.originalData, sandboxes, log);
+  const storage = withOriginal(stores.storage, original);
   const modelsFolder = join(config.dataDir, 'models');
   const assets = new AssetFolders([...assetsFolders, modelsFolder]);
   const recordings = recordingsFolder(config.dataDir);

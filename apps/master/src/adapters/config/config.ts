@@ -116,6 +116,11 @@ export const OPTIONS = {
     'none',
     'Folder of trusted processing modules (.pm, .js): they run at full speed, with libraries.',
   ),
+  originalData: pathOption(
+    '<folder>',
+    'none',
+    'Folder of an original Ubi-Interact master, or its database folder: its sessions and processing modules are listed and run, in sandboxes. Its files are read at the start and never changed.',
+  ),
   allowFetch: listOption(
     '<origin>,...',
     'Origins that modules with the library http may read from: https://example.org,http://sensor.local:8000.',

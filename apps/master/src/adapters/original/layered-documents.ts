@@ -1,0 +1,76 @@
+import { basename, extname } from 'node:path';
+
+import { ServiceError, type JsonObject } from '@ubii/proto';
+import type { Cancel } from '@ubii/timing';
+import type { DocumentStore, StoredDocument } from '../../core/ports/index.ts';
+import type { OriginalFile } from './original-files.ts';
+
+/** Keys of files of the original: no key of this master has a slash at its start. */
+const PREFIX = '/original/';
+
+/**
+ * The documents of this master over those of an original installation, which stay as they are: a change of one is
+ * written as a document of this master, which hides the other. [SE-28]
+ */
+export class LayeredDocuments implements DocumentStore {
+  readonly #own: DocumentStore;
+  readonly #original = new Map<string, OriginalFile>();
+  #layered: {
+    readonly own: ReadonlyMap<string, StoredDocument> | undefined;
+    readonly all: ReadonlyMap<string, StoredDocument>;
+  } = { own: undefined, all: new Map() };
+
+  constructor(own: DocumentStore, original: readonly OriginalFile[]) {
+    this.#own = own;
+    for (const file of original) this.#original.set(`${PREFIX}${basename(file.path)}`, file);
+  }
+
+  documents(): ReadonlyMap<string, StoredDocument> {
+    const own = this.#own.documents();
+    if (own === this.#layered.own) return this.#layered.all;
+    const all = new Map(own);
+    const names = new Set([...own].map(([key, document]) => nameOf(document) ?? key));
+    for (const [key, { path, document }] of this.#original) {
+      const name = nameOf(document) ?? basename(path, extname(path));
+      if (document.fault !== undefined || !names.has(name)) all.set(key, withName(document, name));
+    }
+    this.#layered = { own, all };
+    return all;
+  }
+
+  describe(key: string): string {
+    return this.#original.get(key)?.path ?? this.#own.describe(key);
+  }
+
+  write(key: string, json: JsonObject): Promise<void> {
+    return this.#own.write(this.#original.has(key) ? String(json['name']) : key, json);
+  }
+
+  delete(key: string): Promise<void> {
+    const path = this.#original.get(key)?.path;
+    if (path === undefined) return this.#own.delete(key);
+    return Promise.reject(
+      new ServiceError(
+        'failed_precondition',
+        `It is a file of the original installation, which the master does not change. Delete ${path} yourself, and start the master again.`,
+      ),
+    );
+  }
+
+  onChange(fn: (keys: readonly string[]) => void): Cancel {
+    return this.#own.onChange(fn);
+  }
+
+  close(): void {
+    this.#own.close();
+  }
+}
+
+function nameOf({ json }: StoredDocument): string | undefined {
+  const { name } = (json ?? {}) as { name?: unknown };
+  return typeof name === 'string' && name !== '' ? name : undefined;
+}
+
+function withName(document: StoredDocument, name: string): StoredDocument {
+  return document.fault === undefined ? { json: { ...(document.json as object), name } } : document;
+}
