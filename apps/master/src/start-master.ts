@@ -106,7 +106,12 @@ export async function startMaster({
     owners,
   });
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
-  const original = await readOriginal(config.originalData, sandboxes, log);
+  const library = await TrustedLibrary.open(
+    [...moduleLibrary(), ...partyModules()],
+    config.modules,
+    log,
+  );
+  const original = await readOriginal(config.originalData, { sandboxes, log, library });
   const storage = withOriginal(stores.storage, original);
   const modelsFolder = join(config.dataDir, 'models');
   const assets = new AssetFolders([...assetsFolders, modelsFolder]);
@@ -116,11 +121,6 @@ export async function startMaster({
     maxLines: limits.auditEntries ?? DEFAULT_LIMITS.auditEntries,
     log,
   });
-  const library = await TrustedLibrary.open(
-    [...moduleLibrary(), ...partyModules()],
-    config.modules,
-    log,
-  );
   const reachability = (): Reachability =>
     describeReachability(
       lan.host,

@@ -50,7 +50,11 @@ function folderWith(files: Readonly<Record<string, string>>): string {
 async function read(files: Readonly<Record<string, string>>) {
   const log = new RecordingLog();
   const folder = folderWith(files);
-  const data = await readOriginal(folder, createInlineSandboxes(), log);
+  const data = await readOriginal(folder, {
+    sandboxes: createInlineSandboxes(),
+    log,
+    library: new Set(['counter']),
+  });
   return { folder, log, sessions: data!.sessions, modules: data!.modules };
 }
 
@@ -129,6 +133,38 @@ describe('the data of an original installation [SE-28]', () => {
       path: join(many.folder, 'sessions'),
       document: { fault: expect.stringContaining('1003 files') as string },
     });
+  });
+
+  it('has its own code in its sessions for modules with the name of one of this master', async () => {
+    const code = '() => ({ outputs: { count: { int32: 1 } } })';
+    const other = { name: 'counter', onProcessingStringified: '() => ({})' };
+    const { sessions, log } = await read({
+      'processing/counter.pm': JSON.stringify({
+        name: 'counter',
+        outputs: [{ internalName: 'count', messageFormat: 'int32' }],
+        onProcessingStringified: code,
+      }),
+      'sessions/a.session': JSON.stringify({
+        name: 'a',
+        processingModules: [{ name: 'counter', inputs: [], status: 0 }, other, { name: 'x' }, null],
+      }),
+    });
+    expect(sessions[0]?.document.json).toEqual({
+      name: 'a',
+      processingModules: [
+        {
+          name: 'counter',
+          outputs: [{ internalName: 'count', messageFormat: 'int32' }],
+          onProcessingStringified: code,
+        },
+        other,
+        { name: 'x' },
+        null,
+      ],
+    });
+    expect(log.lines).toContainEqual(
+      expect.objectContaining({ level: 'warn', fields: { module: 'counter' } }),
+    );
   });
 
   it('cannot be the data directory, whose files the master writes', async () => {

@@ -5,12 +5,22 @@ import type { JsonObject } from '@ubii/proto';
 import type { Log } from '../../core/ports/index.ts';
 import { classModule, MAX_SCRIPT_BYTES } from './class-module.ts';
 import { withThreeParameters } from './four-parameters.ts';
+import { isJsonObject } from './json-object.ts';
 import { findOriginalFolders, readFiles, type OriginalFile } from './original-files.ts';
+import { ShadowedModules } from './shadowed-modules.ts';
 
 /** What an original installation has stored. */
 export interface OriginalData {
   readonly sessions: readonly OriginalFile[];
   readonly modules: readonly OriginalFile[];
+}
+
+/** Parts of the master that reading needs. */
+export interface OriginalParts {
+  readonly sandboxes: SandboxFactory;
+  readonly log: Log;
+  /** Trusted modules of this master. */
+  readonly library: { has(name: string): boolean };
 }
 
 /**
@@ -22,8 +32,7 @@ export interface OriginalData {
  */
 export async function readOriginal(
   folder: string | undefined,
-  sandboxes: SandboxFactory,
-  log: Log,
+  { sandboxes, log, library }: OriginalParts,
 ): Promise<OriginalData | undefined> {
   if (folder === undefined) return undefined;
   const folders = await findOriginalFolders(folder);
@@ -32,30 +41,49 @@ export async function readOriginal(
       `The folder ${folder} (--original-data) must be the folder of an original master, with database/sessions or database/processing in it, or its database folder.`,
     );
   }
-  const { sessions, processing } = folders;
-  const data = {
-    sessions:
-      sessions === undefined
-        ? []
-        : withoutRepeats(await readFiles(sessions, { '.session': readSession })),
-    modules:
-      processing === undefined
-        ? []
-        : withoutRepeats(
-            await readFiles(processing, {
-              '.pm': (text) => withThreeParameters(parseObject(text)),
-              '.js': (text) => readScript(text, sandboxes),
-            }),
-          ),
-  };
+  const modules = await readModules(folders.processing, sandboxes);
+  const shadowed = new ShadowedModules(modules, library);
+  const sessions = (await readSessions(folders.sessions)).map((file) => shadowed.addTo(file));
+  report(folder, { sessions, modules }, shadowed, log);
+  return { sessions, modules };
+}
+
+async function readModules(
+  folder: string | undefined,
+  sandboxes: SandboxFactory,
+): Promise<OriginalFile[]> {
+  if (folder === undefined) return [];
+  const files = await readFiles(folder, {
+    '.pm': (text) => withThreeParameters(parseObject(text)),
+    '.js': (text) => readScript(text, sandboxes),
+  });
+  return withoutRepeats(files);
+}
+
+async function readSessions(folder: string | undefined): Promise<OriginalFile[]> {
+  if (folder === undefined) return [];
+  return withoutRepeats(await readFiles(folder, { '.session': readSession }));
+}
+
+function report(
+  folder: string,
+  { sessions, modules }: OriginalData,
+  shadowed: ShadowedModules,
+  log: Log,
+): void {
   const isRead = ({ document }: OriginalFile): boolean => document.fault === undefined;
   log.info('original installation read', {
     folder,
-    sessions: data.sessions.filter(isRead).length,
-    modules: data.modules.filter(isRead).length,
-    unreadable: [...data.sessions, ...data.modules].filter((file) => !isRead(file)).length,
+    sessions: sessions.filter(isRead).length,
+    modules: modules.filter(isRead).length,
+    unreadable: [...sessions, ...modules].filter((file) => !isRead(file)).length,
   });
-  return data;
+  for (const module of shadowed.names) {
+    log.warn(
+      'a module of the original has the name of one of this master: sessions of the original have its code, all others that of this master',
+      { module },
+    );
+  }
 }
 
 function readSession(text: string): JsonObject {
@@ -70,7 +98,7 @@ function readSession(text: string): JsonObject {
   return {
     ...session,
     processingModules: processingModules.map((module) =>
-      isObject(module) ? withThreeParameters(module) : module,
+      isJsonObject(module) ? withThreeParameters(module) : module,
     ),
   };
 }
@@ -85,7 +113,7 @@ function readScript(text: string, sandboxes: SandboxFactory): Promise<JsonObject
 
 function parseObject(text: string): JsonObject {
   const json: unknown = JSON.parse(text);
-  if (!isObject(json)) throw new Error('It must be a JSON object.');
+  if (!isJsonObject(json)) throw new Error('It must be a JSON object.');
   return json;
 }
 
@@ -93,7 +121,7 @@ function parseObject(text: string): JsonObject {
 function withoutRepeats(files: readonly OriginalFile[]): OriginalFile[] {
   const paths = new Map<string, string>();
   return files.map(({ path, document }) => {
-    const name = isObject(document.json) ? document.json['name'] : undefined;
+    const name = isJsonObject(document.json) ? document.json['name'] : undefined;
     if (typeof name !== 'string' || name === '') return { path, document };
     const first = paths.get(name);
     if (first !== undefined) {
@@ -102,8 +130,4 @@ function withoutRepeats(files: readonly OriginalFile[]): OriginalFile[] {
     paths.set(name, path);
     return { path, document };
   });
-}
-
-function isObject(value: unknown): value is JsonObject {
-  return typeof value === 'object' && value !== null && !Array.isArray(value);
 }

@@ -53,6 +53,10 @@ export class TrustedLibrary {
     return this.#modules;
   }
 
+  has(name: string): boolean {
+    return this.#modules.some((module) => module.name === name);
+  }
+
   close(): void {
     this.#watch?.close();
   }
