@@ -31,8 +31,7 @@ import { Listeners } from './adapters/network/listeners.ts';
 import { OwnAddresses } from './adapters/addresses/own-addresses.ts';
 import { listNetworkAddresses } from './adapters/addresses/network-addresses.ts';
 import { refuseOriginal } from './adapters/original/original-files.ts';
-import { readOriginal } from './adapters/original/read-original.ts';
-import { withOriginal } from './adapters/original/with-original.ts';
+import { openOriginal } from './adapters/original/open-original.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
@@ -111,8 +110,11 @@ export async function startMaster({
     config.modules,
     log,
   );
-  const original = await readOriginal(config.originalData, { sandboxes, log, library });
-  const storage = withOriginal(stores.storage, original);
+  const storage = await openOriginal(stores.storage, config.originalData, {
+    sandboxes,
+    log,
+    library,
+  });
   const modelsFolder = join(config.dataDir, 'models');
   const assets = new AssetFolders([...assetsFolders, modelsFolder]);
   const recordings = recordingsFolder(config.dataDir);

@@ -119,7 +119,7 @@ export const OPTIONS = {
   originalData: pathOption(
     '<folder>',
     'none',
-    'Folder of an original Ubi-Interact master, or its database folder: its sessions and processing modules are listed and run, in sandboxes. Its files are read at the start and never changed.',
+    'Folder of an original Ubi-Interact master, or its database folder: its sessions and processing modules are listed and run, in sandboxes. Its files are never changed.',
   ),
   allowFetch: listOption(
     '<origin>,...',

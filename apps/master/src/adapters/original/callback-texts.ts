@@ -1,6 +1,5 @@
 /*
- * Source texts that run in the sandbox of a module, around code that was written for the original. Each is one line:
- * faults then name lines of the author's text.
+ * Source texts that run in the sandbox of a module, around code that was written for the original.
  */
 
 /** Calls a callback `(deltaTime, inputs, outputs, state)` as `(deltaTime, inputs, state)`: `members` of its outputs. */
@@ -96,6 +95,14 @@ export const CLASS_MODULE = oneLine(`
       return result && typeof result.then === 'function' ? result.then(take) : take(result);
     };
   })`);
+
+/**
+ * Text of an expression made of another one, `given`, which stands first: faults name its lines, and who reads the code
+ * begins with it.
+ */
+export function around(given: string, expression: string): string {
+  return `[${given}\n].map((given) => ${expression})[0]`;
+}
 
 function oneLine(text: string): string {
   return text.trim().replace(/\s*\n\s*/g, ' ');

@@ -1,7 +1,7 @@
 import type { ModuleFault, SandboxFactory } from '@ubii/pm-sandbox';
 import { decodeRecord, LEGACY_CONSTANTS, type JsonObject } from '@ubii/proto';
 
-import { CLASS_MODULE, FOUR_PARAMETERS } from './callback-texts.ts';
+import { around, CLASS_MODULE, FOUR_PARAMETERS } from './callback-texts.ts';
 import { membersOf } from './four-parameters.ts';
 
 /** Limits of reading the description of a module. */
@@ -79,7 +79,7 @@ function callbackText(
   const constants = text.includes('ubii-msg-formats') ? JSON.stringify(LEGACY_CONSTANTS) : 'null';
   const facts = [JSON.stringify(phase), JSON.stringify(members), constants, FOUR_PARAMETERS];
   const define = `function (module, exports, require) {${text}\n}`;
-  return `${CLASS_MODULE}(${facts.join(', ')}, ${define})`;
+  return around(define, `${CLASS_MODULE}(${facts.join(', ')}, given)`);
 }
 
 /** Faults of modules name their place. */

@@ -1,12 +1,12 @@
 import { parseDataFormat, type JsonObject } from '@ubii/proto';
 
-import { FOUR_PARAMETERS } from './callback-texts.ts';
+import { around, FOUR_PARAMETERS } from './callback-texts.ts';
 
 /** The parameters of a function expression or an arrow function at the start of a text. */
 const PARAMETERS = /^\s*(?:async\b\s*)?(?:function\b\s*[\w$]*\s*)?\(([^()]*)\)/;
 
 /**
- * A module as JSON whose `onProcessingStringified` has the parameters of today. Masters before 2022 called it with
+ * A module as JSON whose `onProcessingStringified` has the parameters of today. Earlier masters called it with
  * `(deltaTime, inputs, outputs, state)`, with bare values in both, and published what it wrote into `outputs`. [SE-29]
  */
 export function withThreeParameters(module: JsonObject): JsonObject {
@@ -15,7 +15,8 @@ export function withThreeParameters(module: JsonObject): JsonObject {
   const parameters = PARAMETERS.exec(text)?.[1]?.split(',') ?? [];
   if (parameters.length < 4) return module;
   const members = JSON.stringify(membersOf(module['outputs']));
-  return { ...module, onProcessingStringified: `${FOUR_PARAMETERS}(${text}\n, ${members})` };
+  const onProcessingStringified = around(text, `${FOUR_PARAMETERS}(given, ${members})`);
+  return { ...module, onProcessingStringified };
 }
 
 /** Record members of outputs, by name; outputs of unknown data formats are left out. */

@@ -14,15 +14,27 @@ const PREFIX = '/original/';
  */
 export class LayeredDocuments implements DocumentStore {
   readonly #own: DocumentStore;
-  readonly #original = new Map<string, OriginalFile>();
+  readonly #onClose: () => void;
+  readonly #listeners = new Set<(keys: readonly string[]) => void>();
+  #original: ReadonlyMap<string, OriginalFile>;
   #layered: {
     readonly own: ReadonlyMap<string, StoredDocument> | undefined;
     readonly all: ReadonlyMap<string, StoredDocument>;
   } = { own: undefined, all: new Map() };
 
-  constructor(own: DocumentStore, original: readonly OriginalFile[]) {
+  /** @param onClose called when this is closed */
+  constructor(own: DocumentStore, original: readonly OriginalFile[], onClose = () => {}) {
     this.#own = own;
-    for (const file of original) this.#original.set(`${PREFIX}${basename(file.path)}`, file);
+    this.#original = byKey(original);
+    this.#onClose = onClose;
+  }
+
+  /** The files of the original were changed. */
+  replace(original: readonly OriginalFile[]): void {
+    const keys = [...new Set([...this.#original.keys(), ...byKey(original).keys()])];
+    this.#original = byKey(original);
+    this.#layered = { own: undefined, all: new Map() };
+    for (const listener of this.#listeners) listener(keys);
   }
 
   documents(): ReadonlyMap<string, StoredDocument> {
@@ -52,18 +64,29 @@ export class LayeredDocuments implements DocumentStore {
     return Promise.reject(
       new ServiceError(
         'failed_precondition',
-        `It is a file of the original installation, which the master does not change. Delete ${path} yourself, and start the master again.`,
+        `It is a file of the original installation, which the master does not change. Delete ${path} yourself.`,
       ),
     );
   }
 
   onChange(fn: (keys: readonly string[]) => void): Cancel {
-    return this.#own.onChange(fn);
+    const cancel = this.#own.onChange(fn);
+    this.#listeners.add(fn);
+    return () => {
+      cancel();
+      this.#listeners.delete(fn);
+    };
   }
 
   close(): void {
     this.#own.close();
+    this.#listeners.clear();
+    this.#onClose();
   }
+}
+
+function byKey(files: readonly OriginalFile[]): Map<string, OriginalFile> {
+  return new Map(files.map((file) => [`${PREFIX}${basename(file.path)}`, file]));
 }
 
 function nameOf({ json }: StoredDocument): string | undefined {

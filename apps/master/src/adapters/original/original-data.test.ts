@@ -2,12 +2,13 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { temporaryFolder } from '@ubii/program/testing';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 
-import { MemoryDocuments, RecordingLog } from '../../testing/index.ts';
+import { MemoryDocuments, MemoryStorage, RecordingLog } from '../../testing/index.ts';
 import { LayeredDocuments } from './layered-documents.ts';
 import { MAX_FILES, refuseOriginal, type OriginalFile } from './original-files.ts';
-import { readOriginal } from './read-original.ts';
+import { openOriginal } from './open-original.ts';
+import { foldersOf, readOriginal } from './read-original.ts';
 
 /** A module as classes of the original are written. */
 const CLASS = `const { MSG_TYPES } = require('@tum-far/ubii-msg-formats');
@@ -47,15 +48,15 @@ function folderWith(files: Readonly<Record<string, string>>): string {
   return folder;
 }
 
+function partsWith(log: RecordingLog) {
+  return { sandboxes: createInlineSandboxes(), log, library: new Set(['counter']) };
+}
+
 async function read(files: Readonly<Record<string, string>>) {
   const log = new RecordingLog();
   const folder = folderWith(files);
-  const data = await readOriginal(folder, {
-    sandboxes: createInlineSandboxes(),
-    log,
-    library: new Set(['counter']),
-  });
-  return { folder, log, sessions: data!.sessions, modules: data!.modules };
+  const data = await readOriginal(await foldersOf(folder), partsWith(log));
+  return { folder, log, ...data };
 }
 
 function faultOf([file]: readonly OriginalFile[]): string | undefined {
@@ -175,6 +176,22 @@ describe('the data of an original installation [SE-28]', () => {
     ).rejects.toThrow();
     await expect(refuseOriginal(folderWith({ 'sessions/a.session': '' }))).resolves.toBeUndefined();
     await expect(refuseOriginal(join(original, 'not-there'))).resolves.toBeUndefined();
+  });
+
+  it('counts at once when a file is changed by hand', async () => {
+    const storage = new MemoryStorage();
+    const folder = folderWith({ 'sessions/a.session': '{', 'processing/b.pm': '{}' });
+    expect(await openOriginal(storage, undefined, partsWith(new RecordingLog()))).toBe(storage);
+    const { sessions } = await openOriginal(storage, folder, partsWith(new RecordingLog()));
+    const told: (readonly string[])[] = [];
+    sessions.onChange((keys) => told.push(keys));
+    const isBroken = () =>
+      [...sessions.documents().values()].map(({ fault }) => fault !== undefined);
+    expect(isBroken()).toEqual([true]);
+    writeFileSync(join(folder, 'sessions/a.session'), session('repaired'));
+    await vi.waitFor(() => expect(isBroken()).toEqual([false]), { timeout: 20_000 });
+    expect(told).toEqual([[expect.stringContaining('a.session') as string]]);
+    sessions.close();
   });
 
   it('has to be there', async () => {

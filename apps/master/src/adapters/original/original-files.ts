@@ -29,7 +29,7 @@ export interface OriginalFolders {
 }
 
 /**
- * Finds the folders `sessions` and `processing` in a folder, or in `database` in it, where masters from 2022 on have them.
+ * Finds the folders `sessions` and `processing` in a folder, or in `database` in it, where recent masters have them.
  *
  * @returns undefined when it has neither
  */

@@ -6,7 +6,12 @@ import type { Log } from '../../core/ports/index.ts';
 import { classModule, MAX_SCRIPT_BYTES } from './class-module.ts';
 import { withThreeParameters } from './four-parameters.ts';
 import { isJsonObject } from './json-object.ts';
-import { findOriginalFolders, readFiles, type OriginalFile } from './original-files.ts';
+import {
+  findOriginalFolders,
+  readFiles,
+  type OriginalFile,
+  type OriginalFolders,
+} from './original-files.ts';
 import { ShadowedModules } from './shadowed-modules.ts';
 
 /** What an original installation has stored. */
@@ -23,28 +28,27 @@ export interface OriginalParts {
   readonly library: { has(name: string): boolean };
 }
 
+/** @throws ConfigError when the folder is none of an original installation */
+export async function foldersOf(folder: string): Promise<OriginalFolders> {
+  const folders = await findOriginalFolders(folder);
+  if (folders !== undefined) return folders;
+  throw new ConfigError(
+    `The folder ${folder} (--original-data) must be the folder of an original master, with database/sessions or database/processing in it, or its database folder.`,
+  );
+}
+
 /**
  * Reads the sessions and modules of an original installation. Its files are not written, and code in them is run in
  * sandboxes alone. [SE-28] [SE-29]
- *
- * @returns undefined without a folder
- * @throws ConfigError when the folder is none of an original installation
  */
 export async function readOriginal(
-  folder: string | undefined,
+  folders: OriginalFolders,
   { sandboxes, log, library }: OriginalParts,
-): Promise<OriginalData | undefined> {
-  if (folder === undefined) return undefined;
-  const folders = await findOriginalFolders(folder);
-  if (folders === undefined) {
-    throw new ConfigError(
-      `The folder ${folder} (--original-data) must be the folder of an original master, with database/sessions or database/processing in it, or its database folder.`,
-    );
-  }
+): Promise<OriginalData> {
   const modules = await readModules(folders.processing, sandboxes);
   const shadowed = new ShadowedModules(modules, library);
   const sessions = (await readSessions(folders.sessions)).map((file) => shadowed.addTo(file));
-  report(folder, { sessions, modules }, shadowed, log);
+  report({ sessions, modules }, shadowed, log);
   return { sessions, modules };
 }
 
@@ -65,15 +69,9 @@ async function readSessions(folder: string | undefined): Promise<OriginalFile[]>
   return withoutRepeats(await readFiles(folder, { '.session': readSession }));
 }
 
-function report(
-  folder: string,
-  { sessions, modules }: OriginalData,
-  shadowed: ShadowedModules,
-  log: Log,
-): void {
+function report({ sessions, modules }: OriginalData, shadowed: ShadowedModules, log: Log): void {
   const isRead = ({ document }: OriginalFile): boolean => document.fault === undefined;
   log.info('original installation read', {
-    folder,
     sessions: sessions.filter(isRead).length,
     modules: modules.filter(isRead).length,
     unreadable: [...sessions, ...modules].filter((file) => !isRead(file)).length,
@@ -91,7 +89,7 @@ function readSession(text: string): JsonObject {
   const { interactions, processingModules } = session;
   if (Array.isArray(interactions) && !Array.isArray(processingModules)) {
     throw new Error(
-      'It has interactions, which processing modules replaced in 2020: write them as modules.',
+      'It has interactions, which processing modules replaced: write them as modules.',
     );
   }
   if (!Array.isArray(processingModules)) return session;
