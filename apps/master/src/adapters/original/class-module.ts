@@ -65,7 +65,7 @@ async function describe(
     const { value } = decodeRecord(output.value.bytes);
     return JSON.parse(String(value)) as Readonly<Record<string, unknown>>;
   } catch (thrown) {
-    throw new Error(sentenceOf(thrown as Error | ModuleFault), { cause: thrown });
+    throw new Error(sentenceOf(thrown as Error | ModuleFault, text), { cause: thrown });
   } finally {
     sandbox.terminate();
   }
@@ -82,8 +82,8 @@ function callbackText(
   return around(define, `${CLASS_MODULE}(${facts.join(', ')}, given)`);
 }
 
-/** Faults of modules name their place. */
-function sentenceOf(thrown: Error | ModuleFault): string {
-  const { message, line } = thrown as ModuleFault;
-  return line ? `${message} (line ${line})` : message;
+/** Faults name their line, unless it is one of ours, which follow those of the text. */
+function sentenceOf(thrown: Error | ModuleFault, text: string): string {
+  const { message, line = Infinity } = thrown as ModuleFault;
+  return line <= text.split('\n').length ? `${message} (line ${line})` : message;
 }
