@@ -37,7 +37,7 @@ await build({
 // On their own: each is a thread, and shares nothing with the program.
 await build({
   entryPoints: {
-    'decode-worker': inPackage('src/adapters/http/bodies/decode-worker.ts'),
+    'decode-worker': inPackage('src/adapters/services/bodies/decode-worker.ts'),
     'recorder-worker': fileURLToPath(import.meta.resolve('@ubii/recording/recorder-worker')),
     'replay-worker': inPackage('src/adapters/recording/replay-worker.ts'),
   },

@@ -20,7 +20,7 @@ import type { TerminalAccess } from './index.ts';
 import { PreciseSystemClock } from './adapters/clock/precise-system-clock.ts';
 import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
-import { BodyDecoder } from './adapters/http/bodies/body-decoder.ts';
+import { BodyDecoder } from './adapters/services/bodies/body-decoder.ts';
 import { createHttpApp } from './adapters/http/http-app.ts';
 import { randomIds } from './adapters/ids/random-ids.ts';
 import { announce } from './adapters/discovery/announce.ts';

@@ -23,7 +23,9 @@ beforeAll(async () => {
   const file = join(workerFolder, 'decode-worker.mjs');
   await build({
     entryPoints: [
-      fileURLToPath(new URL('../../src/adapters/http/bodies/decode-worker.ts', import.meta.url)),
+      fileURLToPath(
+        new URL('../../src/adapters/services/bodies/decode-worker.ts', import.meta.url),
+      ),
     ],
     outfile: file,
     bundle: true,

@@ -2,30 +2,20 @@ import { PassThrough } from 'node:stream';
 import type { IncomingMessage } from 'node:http';
 import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
-import type { ServiceRequest } from '@ubii/proto';
-import type { Clock } from '@ubii/timing';
 
-import type { Limits } from '../../core/limits/index.ts';
-import type { Master, ServiceAnswer } from '../../core/master/master.ts';
-import type { IncomingRequest } from '../../core/services/incoming-request.ts';
+import type { ServiceAnswer } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
-import type { BodyDecoder } from './bodies/body-decoder.ts';
-import { BinaryBodyScan, JsonBodyScan } from './bodies/body-scan.ts';
-import { drain } from './bodies/drain.ts';
-import { receiveBody } from './bodies/receive-body.ts';
+import { answerRequest, type AnswerOptions } from '../services/answer-request.ts';
+import { drain } from '../services/bodies/drain.ts';
+import { binaryFormat, formatOf, jsonFormat } from '../services/service-format.ts';
+import type { ServiceFormat } from '../services/service-format.ts';
 import { isRefusal } from './error-replies.ts';
-import { binaryFormat, formatOf, jsonFormat } from './service-format.ts';
-import type { ServiceFormat } from './service-format.ts';
 
-export interface ServicesOptions {
-  readonly master: Pick<Master, 'openRequest' | 'handleServiceRequest' | 'refuseServiceRequest'>;
+export interface ServicesOptions extends AnswerOptions {
   readonly callers: Pick<CallerReader, 'read'>;
-  readonly clock: Clock;
-  readonly decoder: BodyDecoder;
   /** Is told whose connections are. */
   readonly doorkeeper: Pick<Doorkeeper, 'of'>;
-  readonly limits: Pick<Limits, 'requestDepth' | 'bodyGraceMs' | 'bodyBytesPerSecond'>;
 }
 
 /** Services over HTTP: always status 200 with a reply, errors included. [SV-1] */
@@ -81,52 +71,30 @@ function send(
     .send(body);
 }
 
-async function answerTo(
+function answerTo(
   { raw }: FastifyRequest,
   format: ServiceFormat,
   options: ServicesOptions,
 ): Promise<ServiceAnswer> {
-  const { master, callers, doorkeeper } = options;
-  let incoming: IncomingRequest | undefined;
-  try {
-    const caller = callers.read(raw);
-    incoming = master.openRequest(caller, raw.socket);
-    doorkeeper.of(raw.socket)?.handleCaller(incoming.caller.kind);
-    const request = await readRequest(raw, format, incoming, options);
-    return await master.handleServiceRequest(request, caller, incoming);
-  } catch (error) {
-    // [SV-7]
-    return master.refuseServiceRequest(error);
-  } finally {
-    incoming?.release();
-  }
+  const { callers, doorkeeper } = options;
+  return answerRequest(
+    {
+      caller: callers.read(raw),
+      connection: raw.socket,
+      format,
+      body: raw,
+      declaredBytes: declaredLength(raw),
+      encoding: raw.headers['content-encoding'],
+      onIdentified: (kind) => doorkeeper.of(raw.socket)?.handleCaller(kind),
+    },
+    options,
+  );
 }
 
-/** @throws ServiceError, DecodeError when it is too much, too slow or no request */
-async function readRequest(
-  raw: IncomingMessage,
-  format: ServiceFormat,
-  incoming: IncomingRequest,
-  { clock, decoder, limits }: ServicesOptions,
-): Promise<ServiceRequest> {
-  const encoding = raw.headers['content-encoding'];
-  if (encoding !== undefined && encoding.toLowerCase() !== 'identity') {
-    throw new ServiceError(
-      'invalid_argument', // [SV-48]
-      'The body of the request is compressed. Send it uncompressed, without the header Content-Encoding.',
-    );
-  }
-  const scan =
-    format.name === 'json' ? new JsonBodyScan(limits.requestDepth) : new BinaryBodyScan();
-  const body = await receiveBody(raw, incoming, scan, { clock, ...limits });
-  // The router refuses it, whatever the payload is. [SV-41]
-  if (body.bytes === undefined) return { topic: body.topic };
-  const request = await decoder.decode(body, format.name, incoming.account);
-  if (request.topic !== body.topic) {
-    // The limits that were kept were those of another service.
-    throw new ServiceError('invalid_argument', 'The topic of the request cannot be decoded.');
-  }
-  return request;
+/** Length of the body as its sender says it; undefined when it does not. */
+function declaredLength({ headers }: IncomingMessage): number | undefined {
+  if (headers['transfer-encoding'] !== undefined) return undefined;
+  return Number(headers['content-length'] ?? 0);
 }
 
 function isUnread({ complete, headers }: IncomingMessage): boolean {

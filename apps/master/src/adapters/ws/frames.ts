@@ -12,7 +12,7 @@ import {
 import type { ErrorMessage } from '@ubii/proto';
 
 import type { BatchEncoder } from '../../core/ports/index.ts';
-import { JoinedParts, joinedSize, type FrameParts } from './joined-parts.ts';
+import { JoinedParts, joinedSize, type FrameParts } from '../output/joined-parts.ts';
 
 /*
  * WebSocket frames as a server sends them (RFC 6455, section 5.2): never masked, never fragmented.

@@ -14,7 +14,7 @@ import {
   singleFrames,
   textFrame,
 } from './frames.ts';
-import type { FrameParts } from './joined-parts.ts';
+import type { FrameParts } from '../output/joined-parts.ts';
 
 /** WebSocket.OPEN */
 const OPEN = 1;

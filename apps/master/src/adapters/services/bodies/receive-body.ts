@@ -1,4 +1,4 @@
-import type { IncomingMessage } from 'node:http';
+import type { Readable } from 'node:stream';
 import { ServiceError } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 
@@ -22,6 +22,13 @@ export interface BodyPace {
   readonly clock: Clock;
   readonly bodyGraceMs: number;
   readonly bodyBytesPerSecond: number;
+}
+
+/** A body that is about to come. */
+export interface ComingBody {
+  readonly stream: Readable;
+  /** Its length as its sender says it; undefined when it does not. */
+  readonly declaredBytes: number | undefined;
 }
 
 /** A body that has come. */
@@ -48,12 +55,11 @@ export interface RefusedBody {
  *   been read is left in the stream
  */
 export function receiveBody(
-  stream: IncomingMessage,
+  { stream, declaredBytes: declared }: ComingBody,
   incoming: IncomingRequest,
   scan: BodyScan,
   pace: BodyPace,
 ): Promise<ReceivedBody | RefusedBody> {
-  const declared = declaredLength(stream);
   const { largest } = incoming;
   if (declared !== undefined && declared > largest.bytes) {
     throw incoming.tooManyBytes(largest, `${declared}`);
@@ -169,12 +175,6 @@ function watchPace(
   };
   let cancel = clock.after(bodyGraceMs, look);
   return () => cancel();
-}
-
-/** Length of the body as its sender says it; undefined when it does not. */
-function declaredLength({ headers }: IncomingMessage): number | undefined {
-  if (headers['transfer-encoding'] !== undefined) return undefined;
-  return Number(headers['content-length'] ?? 0);
 }
 
 function brokenOff(): ServiceError {

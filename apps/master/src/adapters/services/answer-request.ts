@@ -1,0 +1,81 @@
+import type { Readable } from 'node:stream';
+import { ServiceError } from '@ubii/proto';
+import type { ServiceRequest } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
+
+import type { Limits } from '../../core/limits/index.ts';
+import type { Master, ServiceAnswer } from '../../core/master/master.ts';
+import type { CallerFacts } from '../../core/ports/index.ts';
+import type { IncomingRequest } from '../../core/services/incoming-request.ts';
+import type { BodyDecoder } from './bodies/body-decoder.ts';
+import { BinaryBodyScan, JsonBodyScan } from './bodies/body-scan.ts';
+import { receiveBody } from './bodies/receive-body.ts';
+import type { ServiceFormat } from './service-format.ts';
+
+export interface AnswerOptions {
+  readonly master: Pick<Master, 'openRequest' | 'handleServiceRequest' | 'refuseServiceRequest'>;
+  readonly clock: Clock;
+  readonly decoder: BodyDecoder;
+  readonly limits: Pick<Limits, 'requestDepth' | 'bodyGraceMs' | 'bodyBytesPerSecond'>;
+}
+
+/** A request of which the transport knows everything but the body. */
+export interface ArrivingRequest {
+  readonly caller: CallerFacts;
+  /** The same object for all requests of a connection. */
+  readonly connection: object;
+  readonly format: ServiceFormat;
+  /** Paused: not a byte of it was read. */
+  readonly body: Readable;
+  /** Length of the body as its sender says it; undefined when it does not. */
+  readonly declaredBytes: number | undefined;
+  /** Encoding of the body, if the transport has such a thing. */
+  readonly encoding?: string | undefined;
+  /** Is told who calls, before the body is read. */
+  readonly onIdentified: (kind: IncomingRequest['caller']['kind']) => void;
+}
+
+/** Reads and answers one request, over whatever transport: errors are in the reply. [SV-1] [SV-40] */
+export async function answerRequest(
+  arriving: ArrivingRequest,
+  options: AnswerOptions,
+): Promise<ServiceAnswer> {
+  const { master } = options;
+  let incoming: IncomingRequest | undefined;
+  try {
+    incoming = master.openRequest(arriving.caller, arriving.connection);
+    arriving.onIdentified(incoming.caller.kind);
+    const request = await readRequest(arriving, incoming, options);
+    return await master.handleServiceRequest(request, arriving.caller, incoming);
+  } catch (error) {
+    // [SV-7]
+    return master.refuseServiceRequest(error);
+  } finally {
+    incoming?.release();
+  }
+}
+
+/** @throws ServiceError, DecodeError when it is too much, too slow or no request */
+async function readRequest(
+  { format, body: stream, declaredBytes, encoding }: ArrivingRequest,
+  incoming: IncomingRequest,
+  { clock, decoder, limits }: AnswerOptions,
+): Promise<ServiceRequest> {
+  if (encoding !== undefined && encoding.toLowerCase() !== 'identity') {
+    throw new ServiceError(
+      'invalid_argument', // [SV-48]
+      'The body of the request is compressed. Send it uncompressed, without the header Content-Encoding.',
+    );
+  }
+  const scan =
+    format.name === 'json' ? new JsonBodyScan(limits.requestDepth) : new BinaryBodyScan();
+  const body = await receiveBody({ stream, declaredBytes }, incoming, scan, { clock, ...limits });
+  // The router refuses it, whatever the payload is. [SV-41]
+  if (body.bytes === undefined) return { topic: body.topic };
+  const request = await decoder.decode(body, format.name, incoming.account);
+  if (request.topic !== body.topic) {
+    // The limits that were kept were those of another service.
+    throw new ServiceError('invalid_argument', 'The topic of the request cannot be decoded.');
+  }
+  return request;
+}
