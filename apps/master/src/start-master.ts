@@ -45,6 +45,7 @@ import { localName } from './adapters/tls/own-names.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
 import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
+import { ZeroMqEnds } from './adapters/zeromq/zeromq-ends.ts';
 import { openStores } from './open-stores.ts';
 import type { MasterParts, RunningMaster } from './running-master.ts';
 
@@ -216,6 +217,7 @@ export async function startMaster({
     recordingsFolder: recordings,
     authority: () => lan.https?.authority,
   });
+  const zeromq = new ZeroMqEnds({ master, callers, log, clock, doorkeeper, decoder, limits });
   const loopbackFacts = { role: loopback, tellsOwners: owners.canTell };
   if (loopback === 'admin' && !owners.canTell) {
     log.warn(
@@ -245,6 +247,7 @@ export async function startMaster({
     },
     handleRequest: (request, response) => app.routing(request, response),
     handleUpgrade: (request, socket, head) => sockets.handleUpgrade(request, socket, head),
+    zeromq,
   });
 
   let tokenFile: AdminTokenFile | undefined;
@@ -265,12 +268,14 @@ export async function startMaster({
   const close = async (): Promise<void> => {
     tokenFile?.close();
     const closed = listeners.close();
+    zeromq.close();
     const withdrawn = announced?.close();
     const ended = master.close();
     library.close();
     lan.close();
     const cut = setTimeout(() => {
       sockets.terminate();
+      zeromq.terminate();
       listeners.cut();
     }, CLOSE_GRACE_MS);
     await closed;
@@ -285,6 +290,7 @@ export async function startMaster({
       main: config.port,
       legacy: config.legacyPorts,
       legacyWished: config.given.has('legacyPorts'),
+      zeromq: config.zeromqPorts,
     });
     if (lan.isOpen) announceIfWished();
     const terminal = await openTerminal();

@@ -137,6 +137,8 @@ export class TestMaster {
           ipWlan: '',
           portServices: 8102,
           portTopicData: 8104,
+          portServicesZmq: 0,
+          portTopicDataZmq: 0,
           addresses: [],
           ...endpoints,
         }),

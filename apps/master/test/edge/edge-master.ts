@@ -8,6 +8,7 @@ import { onTestFinished } from 'vitest';
 import { createConfig, MASTER_PROGRAM } from '../../src/adapters/config/config.ts';
 import type { KnownModel } from '../../src/adapters/models/catalogue.ts';
 import { StreamLog } from '../../src/adapters/log/stream-log.ts';
+import type { ListeningPorts } from '../../src/adapters/network/listeners.ts';
 import { LogTail, type TerminalAccess } from '../../src/index.ts';
 import type { MasterParts } from '../../src/running-master.ts';
 import { startMaster } from '../../src/start-master.ts';
@@ -20,7 +21,7 @@ export interface EdgeMaster {
   readonly terminal: TerminalAccess;
   /** Lines of the log. */
   readonly logged: readonly string[];
-  readonly ports: { readonly main: number; readonly services: number; readonly topicData: number };
+  readonly ports: ListeningPorts;
   close(): Promise<void>;
 }
 

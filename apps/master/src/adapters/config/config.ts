@@ -29,6 +29,7 @@ import {
   parseNetworks,
   parseOrigins,
   parsePort,
+  parseZeroMqPorts,
 } from './parse-values.ts';
 
 import { DEFAULT_CHECKS } from '../../core/checks/check-settings.ts';
@@ -155,6 +156,15 @@ export const OPTIONS = {
     description: 'Ports that existing clients use. By default, a port that is in use is left out.',
     hint: 'Use --legacy-ports off to disable them',
     parse: parseLegacyPorts,
+  }),
+  zeromqPorts: option<LegacyPorts | undefined>({
+    placeholder: 'on|off|<services>,<topic data>',
+    fallback: undefined,
+    fallbackText: 'off',
+    description:
+      'Ports for existing clients that use ZeroMQ; on means 8101,8103. Not encrypted, as over HTTP.',
+    hint: 'Use --zeromq-ports on for 8101,8103',
+    parse: parseZeroMqPorts,
   }),
   allowedOrigins: {
     ...listOption(
@@ -290,6 +300,17 @@ them that is set applies.
     if (values.clusterCredentials !== undefined && values.cluster?.login !== undefined) {
       throw new ConfigError(
         'Both --cluster and --cluster-credentials have a login for NATS. Remove one of them.',
+      );
+    }
+    const { zeromqPorts: zeromq, legacyPorts: legacy } = values;
+    const taken = [values.port, legacy?.services, legacy?.topicData];
+    const own = [zeromq?.services, zeromq?.topicData].filter((port) => port !== undefined);
+    const double = own.find(
+      (port, i) => port !== 0 && [...taken, ...own.slice(i + 1)].includes(port),
+    );
+    if (double !== undefined) {
+      throw new ConfigError(
+        `Port ${double} of --zeromq-ports cannot be used for anything else. Choose another one.`,
       );
     }
     if ((values.tlsCertificate === undefined) !== (values.tlsKey === undefined)) {

@@ -32,7 +32,7 @@ function textOf(config: Config, name: OptionName, home: string): string {
   const { isSecret }: Option<unknown> = OPTIONS[name];
   if (name === 'cluster') return config.cluster?.servers.join(', ') ?? 'none'; // Without its login.
   if (isSecret && value !== undefined) return 'given';
-  if (name === 'legacyPorts') return portsText(config.legacyPorts);
+  if (name === 'legacyPorts' || name === 'zeromqPorts') return portsText(config[name]);
   if (name === 'limits') return limitsText(config.limits);
   if (value === undefined) return OFF.has(name) ? 'off' : 'none';
   if (typeof value === 'boolean') return value ? 'on' : 'off';

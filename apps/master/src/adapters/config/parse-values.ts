@@ -1,7 +1,7 @@
 import { isIP } from 'node:net';
 import { parseList, parseWholeNumber } from '@ubii/program';
 
-import type { LegacyPorts } from './legacy-ports.ts';
+import { ORIGINAL_PORTS, ORIGINAL_ZEROMQ_PORTS, type LegacyPorts } from './legacy-ports.ts';
 import { DEFAULT_LIMITS, type Limits } from '../../core/limits/index.ts';
 
 /*
@@ -20,14 +20,24 @@ export function parseHost(text: string): string {
   return host.toLowerCase();
 }
 
-export function parseLegacyPorts(text: string): LegacyPorts | undefined {
-  if (text === 'off' || text === 'false') return undefined;
-  if (text === 'on' || text === 'true') return { services: 8102, topicData: 8104 };
+export const parseLegacyPorts = parsePortPair(ORIGINAL_PORTS);
+export const parseZeroMqPorts = parsePortPair(ORIGINAL_ZEROMQ_PORTS);
+
+function parsePortPair(original: LegacyPorts): (text: string) => LegacyPorts | undefined {
+  return (text) => {
+    if (text === 'off' || text === 'false') return undefined;
+    if (text === 'on' || text === 'true') return original;
+    return readPortPair(text, original);
+  };
+}
+
+function readPortPair(text: string, original: LegacyPorts): LegacyPorts {
   const match = /^(\d+),(\d+)$/.exec(text.replaceAll(' ', ''));
   try {
     return { services: parsePort(match?.[1] ?? ''), topicData: parsePort(match?.[2] ?? '') };
   } catch {
-    throw new Error('on, off, or two ports separated by a comma, such as 8102,8104');
+    const example = `${original.services},${original.topicData}`;
+    throw new Error(`on, off, or two ports separated by a comma, such as ${example}`);
   }
 }
 

@@ -1,5 +1,7 @@
-import { createServer } from 'node:http';
-import type { IncomingMessage, RequestListener, Server } from 'node:http';
+import { createServer, Server as HttpServer } from 'node:http';
+import type { IncomingMessage, RequestListener } from 'node:http';
+import { createServer as createPlainServer } from 'node:net';
+import type { Server, Socket } from 'node:net';
 import type { Duplex } from 'node:stream';
 
 import type { OnePort } from '../tls/one-port.ts';
@@ -15,6 +17,8 @@ export interface ListenersOptions {
   readonly host: string;
   readonly handleRequest: RequestListener;
   readonly handleUpgrade: (request: IncomingMessage, socket: Duplex, head: Buffer) => void;
+  /** Take the connections of the ports of ZeroMQ. */
+  readonly zeromq?: PlainEnds;
   /** Answers HTTPS on the same ports at first; undefined: they are for HTTP only. */
   readonly onePort: OnePort | undefined;
   /** Says who may connect; undefined: everybody. */
@@ -22,6 +26,12 @@ export interface ListenersOptions {
   /** Milliseconds. @default Node's own limits */
   readonly timeouts?: ConnectionTimeouts;
   readonly log: Log;
+}
+
+/** What takes connections that are not of HTTP. */
+export interface PlainEnds {
+  readonly services: (socket: Socket) => void;
+  readonly topicData: (socket: Socket) => void;
 }
 
 /** Timeouts of connections, milliseconds. [AC-63] */
@@ -47,6 +57,8 @@ export interface WantedPorts {
   readonly legacy: LegacyPorts | undefined;
   /** The legacy ports were requested: an unavailable port is an error, not a warning. */
   readonly legacyWished: boolean;
+  /** Ports of ZeroMQ, apart from all others; they are open only when requested. */
+  readonly zeromq?: LegacyPorts | undefined;
 }
 
 /** The open ports, and whether they use HTTPS. */
@@ -63,12 +75,21 @@ export interface ListeningPorts {
   readonly services: number;
   /** Port of topic data for existing clients; the main port when the legacy port is not open. */
   readonly topicData: number;
+  /** Undefined when they are not open. */
+  readonly zeromq?: LegacyPorts;
 }
 
-/** The HTTP servers of the master: whatever port a request comes to, it is handled the same. */
+/** A port that is open, and what makes it so again. */
+interface OpenedPort {
+  readonly servers: readonly Server[];
+  readonly option: string;
+  readonly createServer: () => Server;
+}
+
+/** The servers of the master: whatever port a request over HTTP comes to, it is handled the same. */
 export class Listeners {
   readonly #options: ListenersOptions;
-  readonly #opened = new Map<number, readonly Server[]>();
+  readonly #opened = new Map<number, OpenedPort>();
   /** Servers that listen no more, and answer the connections that they have. */
   readonly #retired: Server[] = [];
   /** Settle when the last connection of a server that was closed ended. */
@@ -87,7 +108,7 @@ export class Listeners {
   }
 
   /** @throws ConfigError for a port that cannot be had; those opened before stay open until `close` */
-  async open({ main, legacy, legacyWished }: WantedPorts): Promise<void> {
+  async open({ main, legacy, legacyWished, zeromq }: WantedPorts): Promise<void> {
     const mainPort = await this.#open(main, '--port');
     const openLegacy = async (port: number): Promise<number> => {
       try {
@@ -105,6 +126,8 @@ export class Listeners {
       services: legacy ? await openLegacy(legacy.services) : mainPort,
       topicData: legacy ? await openLegacy(legacy.topicData) : mainPort,
     };
+    if (zeromq !== undefined)
+      this.#ports = { ...this.#ports, zeromq: await this.#openZeroMq(zeromq) };
   }
 
   /**
@@ -115,22 +138,24 @@ export class Listeners {
    */
   async move(reach: Reach): Promise<void> {
     const before = this.#reach;
-    const { main } = this.#ports;
+    const opened = [...this.#opened];
+    const main = opened.find(([port]) => port === this.#ports.main);
+    if (main === undefined) return;
     this.#reach = reach;
     try {
-      await this.#reopen(main, '--port');
+      await this.#reopen(...main);
     } catch (error) {
       this.#reach = before;
-      await this.#reopen(main, '--port');
+      await this.#reopen(...main);
       throw error;
     }
-    for (const port of [...this.#opened.keys()].filter((each) => each !== main)) {
+    for (const other of opened.filter((each) => each !== main)) {
       try {
-        await this.#reopen(port, '--legacy-ports');
+        await this.#reopen(...other);
       } catch (error) {
         this.#options.log.warn(`${String((error as Error).message)} It stays as it was.`);
         this.#reach = before;
-        await this.#reopen(port, '--legacy-ports');
+        await this.#reopen(...other);
         this.#reach = reach;
       }
     }
@@ -145,18 +170,31 @@ export class Listeners {
   /** Cuts what is still being answered. Upgraded connections are not ours any more. */
   cut(): void {
     this.#reach.onePort?.cut();
-    for (const server of [...this.#opened.values()].flat()) server.closeAllConnections();
-    for (const server of this.#retired) server.closeAllConnections();
+    const open = [...this.#opened.values()].flatMap(({ servers }) => servers);
+    for (const server of [...open, ...this.#retired]) {
+      if (server instanceof HttpServer) server.closeAllConnections();
+    }
   }
 
-  async #reopen(port: number, option: string): Promise<void> {
+  async #reopen(port: number, { option, createServer }: OpenedPort): Promise<void> {
     this.#retire(port);
-    await this.#open(port, option);
+    await this.#open(port, option, createServer);
+  }
+
+  async #openZeroMq({ services, topicData }: LegacyPorts): Promise<LegacyPorts> {
+    const { zeromq } = this.#options;
+    if (zeromq === undefined) throw new Error('nothing takes connections of ZeroMQ');
+    const open = (port: number, take: (socket: Socket) => void): Promise<number> =>
+      this.#open(port, '--zeromq-ports', () => this.#createPlainServer(take));
+    return {
+      services: await open(services, zeromq.services),
+      topicData: await open(topicData, zeromq.topicData),
+    };
   }
 
   /** Stops listening on a port, at once. */
   #retire(port: number): void {
-    const servers = this.#opened.get(port) ?? [];
+    const servers = this.#opened.get(port)?.servers ?? [];
     this.#opened.delete(port);
     for (const server of servers) {
       this.#retired.push(server);
@@ -164,16 +202,26 @@ export class Listeners {
     }
   }
 
-  async #open(port: number, option: string): Promise<number> {
+  async #open(
+    port: number,
+    option: string,
+    createServer = (): Server => this.#createServer(),
+  ): Promise<number> {
     if (this.#opened.has(port)) return port;
     const { host } = this.#reach;
     try {
-      const opened = await openPort(port, host, () => this.#createServer());
-      this.#opened.set(opened.port, opened.servers);
+      const opened = await openPort(port, host, createServer);
+      this.#opened.set(opened.port, { servers: opened.servers, option, createServer });
       return opened.port;
     } catch (error) {
       throw explainListenError(error, { port, host, option });
     }
+  }
+
+  #createPlainServer(take: (socket: Socket) => void): Server {
+    const server = createPlainServer(take);
+    this.#options.doorkeeper?.guard(server);
+    return server;
   }
 
   #createServer(): Server {

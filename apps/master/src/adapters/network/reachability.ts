@@ -57,6 +57,8 @@ export function describeReachability(
       ipWlan: ipv4Of('wifi'),
       portServices: ports.services,
       portTopicData: ports.topicData,
+      portServicesZmq: ports.zeromq?.services ?? 0,
+      portTopicDataZmq: ports.zeromq?.topicData ?? 0,
       addresses: [
         ...networkAddresses,
         ...(isLocal

@@ -83,6 +83,14 @@ export function formatBanner(facts: BannerFacts): string {
             `services ${ports.services}, topic data ${ports.topicData}`,
           ] as const,
         ]),
+    ...(ports.zeromq === undefined
+      ? []
+      : [
+          [
+            'ZeroMQ',
+            `services ${ports.zeromq.services}, topic data ${ports.zeromq.topicData}`,
+          ] as const,
+        ]),
     ['Data', dataDir],
   ];
   const next = [

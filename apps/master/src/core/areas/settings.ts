@@ -80,6 +80,9 @@ export interface MasterEndpoints {
   readonly portServices: number;
   /** Port for topic data over WebSocket that existing clients are told. */
   readonly portTopicData: number;
+  /** Ports for services and topic data over ZeroMQ; 0 when there are none. */
+  readonly portServicesZmq: number;
+  readonly portTopicDataZmq: number;
   /** Every address, best first, for people (`MasterStatus.addresses`). */
   readonly addresses: readonly Init<MasterAddress>[];
 }

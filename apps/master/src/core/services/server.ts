@@ -15,27 +15,28 @@ export const SERVER_SERVICES = [
     roles: 'anyone',
     handle({ id, settings }, _payload, { caller }) {
       const endpoints = settings.endpoints();
-      const { portServices, portTopicData } = endpoints;
+      const { portServices, portTopicData, portServicesZmq, portTopicDataZmq } = endpoints;
       // A stranger knows the address it has come to, and is told of no other network. [AC-5]
       const isStranger = caller.role === 'none';
       const { ipEthernet, ipWlan } = isStranger ? { ipEthernet: '', ipWlan: '' } : endpoints;
       const host = ipEthernet || ipWlan;
       const external = (rest: string): string => (host === '' ? '' : `${host}:${rest}`);
+      const externalZmq = (port: number): string => (port === 0 ? '' : external(`${port}`));
       return {
         id,
         name: nameOf(settings),
         ipEthernet,
         ipWlan,
-        // There is no ZeroMQ here, but existing clients parse every port as a number.
-        portServiceZmq: '0',
+        // Without ZeroMQ, they are 0: existing clients parse every port as a number.
+        portServiceZmq: String(portServicesZmq),
         portServiceRest: String(portServices),
-        portTopicDataZmq: '0',
+        portTopicDataZmq: String(portTopicDataZmq),
         portTopicDataWs: String(portTopicData),
         constantsJson: CONSTANTS_JSON,
-        externalAddressServiceZmq: '',
+        externalAddressServiceZmq: externalZmq(portServicesZmq),
         externalAddressServiceHttpJson: external(`${portServices}/services/json`),
         externalAddressServiceHttpBinary: external(`${portServices}/services/binary`),
-        externalAddressTopicDataZmq: '',
+        externalAddressTopicDataZmq: externalZmq(portTopicDataZmq),
         externalAddressTopicDataWs: external(`${portTopicData}`),
       };
     },

@@ -1,0 +1,19 @@
+import { encodeCommand, readCommand } from './zmtp-frames.ts';
+
+/** Bytes of the time-to-live in PING. */
+const TTL_BYTES = 2;
+/** Most bytes that a PING asks to have back. */
+const MAX_CONTEXT_BYTES = 16;
+
+/**
+ * The answer to a command after the greeting: PONG to PING (ZMTP 3.1, heartbeats). It is the library of a peer that asks,
+ * not the client: nothing is told about it.
+ *
+ * @returns undefined: the command has no answer
+ * @throws ZmtpError for what is no command
+ */
+export function answerCommand(body: Buffer): Buffer | undefined {
+  const { name, data } = readCommand(body);
+  if (name !== 'PING') return undefined;
+  return encodeCommand('PONG', data.subarray(TTL_BYTES, TTL_BYTES + MAX_CONTEXT_BYTES));
+}

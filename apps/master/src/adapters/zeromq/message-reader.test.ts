@@ -1,0 +1,61 @@
+import { describe, expect, it } from 'vitest';
+
+import { SuiteHost } from '../../testing/acceptance/suite-host.ts';
+import { LOCAL_CALLER } from '../../index.ts';
+import { RecordingConnection } from '../../testing/index.ts';
+import { MessageReader } from './message-reader.ts';
+import { DELIMITER, MORE, ZmtpError, encodeCommand, encodeFrame } from './zmtp-frames.ts';
+
+/** What the master is told of these frames, and what the protocol answers. */
+async function heard(...frames: Uint8Array[]) {
+  const host = new SuiteHost();
+  const claim = { clientId: 'ada', token: undefined };
+  const handle = host.openConnection(claim, new RecordingConnection(), LOCAL_CALLER)!;
+  const answers: Buffer[] = [];
+  const reader = new MessageReader(handle, 1_000, (answer) => answers.push(answer));
+  reader.read(Buffer.concat(frames));
+  return { told: (await host.nextOpened()).heard.waiting, answers };
+}
+
+const topicData = (...bytes: number[]) => ({ kind: 'topic data', bytes: Uint8Array.from(bytes) });
+const problem = { kind: 'protocol error', reason: expect.stringContaining('more than one frame') };
+const frame = (text: string, flags: 0 | typeof MORE = 0): Buffer =>
+  encodeFrame(Buffer.from(text), flags);
+
+describe('messages of a DEALER', () => {
+  it('are one frame, with or without an empty one in front: pitfall 15 [TD-51]', async () => {
+    const content = encodeFrame(Uint8Array.of(1, 2));
+    const { told } = await heard(content, DELIMITER, content, encodeFrame(new Uint8Array()));
+    expect(told).toEqual([topicData(1, 2), topicData(1, 2), topicData()]);
+  });
+
+  it.each([
+    ['two frames with content', [frame('a', MORE), frame('b')]],
+    ['three frames', [DELIMITER, DELIMITER, frame('b')]],
+    ['a thousand frames', [...Array<Buffer>(1_000).fill(DELIMITER), frame('b')]],
+  ])('are a protocol error as %s, and the next one counts', async (_name, frames) => {
+    const { told } = await heard(...frames, encodeFrame(Uint8Array.of(7)));
+    expect(told).toEqual([problem, topicData(7)]);
+  });
+
+  it('are heartbeats when they begin as one [TD-2]', async () => {
+    const { told } = await heard(frame('PING'), DELIMITER, frame('PONG'), frame('PING 17'));
+    expect(told).toEqual([
+      { kind: 'ping' },
+      { kind: 'pong' },
+      { kind: 'ping', timed: { number: '17', clock: undefined } },
+    ]);
+    const others = await heard(frame('PINGS'), frame('PIN'));
+    expect(others.told.map(({ kind }) => kind)).toEqual(['protocol error', 'topic data']);
+  });
+
+  it('may stand between commands: PING of the protocol is answered, others are not', async () => {
+    const ping = encodeCommand('PING', Buffer.from('\0\x0acontext'));
+    const other = encodeCommand('OTHER', Buffer.from('data'));
+    const { told, answers } = await heard(DELIMITER, ping, other, encodeFrame(Uint8Array.of(1)));
+    expect(told).toEqual([topicData(1)]);
+    expect(answers).toEqual([encodeCommand('PONG', Buffer.from('context'))]);
+    await expect(heard(Uint8Array.of(4, 0))).rejects.toThrow(ZmtpError);
+    await expect(heard(Uint8Array.of(4, 2, 9, 65))).rejects.toThrow('A command has no name.');
+  });
+});

@@ -1,0 +1,70 @@
+import type { ConnectionHandle } from '../../core/ports/index.ts';
+import { handleText } from '../heartbeat/handle-text.ts';
+import { FrameReader } from './frame-reader.ts';
+import { answerCommand } from './answer-command.ts';
+import type { FrameHeader } from './zmtp-frames.ts';
+
+/** A heartbeat with the time of a clock has no more. */
+const MAX_TEXT_BYTES = 128;
+/** What a heartbeat begins with: `PING` or `PONG`. No `TopicData` can, they are not of protobuf. */
+const PING_BYTES = 0x5049_4e47;
+const PONG_BYTES = 0x504f_4e47;
+const WORD_BYTES = 4;
+
+const NO_MESSAGE =
+  'The message has more than one frame. Send topic data as one frame, with or without an empty frame in front.';
+
+/** Finds the messages in what a DEALER sends, and hands them over. [TD-51] */
+export class MessageReader {
+  readonly #handle: ConnectionHandle;
+  readonly #frames: FrameReader;
+  readonly #answer: (frame: Buffer) => void;
+  /** Frames of the message that have come. */
+  #count = 0;
+  #isMessage = true;
+
+  /** @param answer sends a frame of the protocol itself */
+  constructor(handle: ConnectionHandle, maxBytes: number, answer: (frame: Buffer) => void) {
+    this.#handle = handle;
+    this.#frames = new FrameReader(maxBytes);
+    this.#answer = answer;
+  }
+
+  /** @throws ZmtpError when the connection is of no more use */
+  read(chunk: Buffer): void {
+    this.#frames.read(chunk, this.#handleFrame);
+  }
+
+  readonly #handleFrame = (
+    { isCommand, hasMore }: FrameHeader,
+    bytes: Buffer,
+    start: number,
+    end: number,
+  ): void => {
+    if (isCommand) {
+      const answer = answerCommand(bytes.subarray(start, end));
+      if (answer !== undefined) this.#answer(answer);
+      return;
+    }
+    // One frame, or an empty one and another.
+    if (hasMore && (this.#count > 0 || start < end)) this.#isMessage = false;
+    this.#count++;
+    if (hasMore) return;
+    const isMessage = this.#isMessage;
+    this.#count = 0;
+    this.#isMessage = true;
+    if (isMessage) this.#handleContent(bytes, start, end);
+    else this.#handle.handleProtocolError(NO_MESSAGE);
+  };
+
+  #handleContent(bytes: Buffer, start: number, end: number): void {
+    const size = end - start;
+    const word = size >= WORD_BYTES && size <= MAX_TEXT_BYTES ? bytes.readUInt32BE(start) : 0;
+    if (word === PING_BYTES || word === PONG_BYTES) {
+      handleText(this.#handle, bytes.toString('latin1', start, end));
+      return;
+    }
+    // In memory of its own: the master keeps it.
+    this.#handle.handleTopicData(new Uint8Array(bytes.subarray(start, end)));
+  }
+}

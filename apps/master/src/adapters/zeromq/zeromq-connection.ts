@@ -1,0 +1,97 @@
+import type { Socket } from 'node:net';
+import type { ErrorMessage } from '@ubii/proto';
+import { PING_TEXT, PONG_TEXT, formatPong, type TimedPong } from '@ubii/proto/wire';
+
+import type { ClientConnection, CloseReason, RecordBatch } from '../../core/ports/index.ts';
+import type { FrameParts } from '../output/joined-parts.ts';
+import type { ZmtpPeer } from './greet-peer.ts';
+import {
+  errorMessage,
+  listMessages,
+  singleMessages,
+  textMessage,
+  topicDataMessage,
+} from './messages.ts';
+
+const PING = textMessage(PING_TEXT);
+const PONG = textMessage(PONG_TEXT);
+
+/** Reasons after which the client may come back at once, or finds out by itself that it cannot. */
+const ENDS_AT_ONCE: ReadonlySet<CloseReason> = new Set(['master is closing', 'deregistered']);
+
+/** Ends a socket once what was written has left; `isHeld`: not before the client has been kept waiting. */
+export type EndSocket = (isHeld: boolean) => void;
+
+/** One client's DEALER. */
+export class ZeroMqConnection implements ClientConnection {
+  readonly #socket: Socket;
+  readonly #peer: ZmtpPeer;
+  readonly #end: EndSocket;
+  #state: 'greeted' | 'open' | 'closed' = 'greeted';
+  #recordLists = false;
+
+  /** @param peer greeted, and neither taken nor refused yet */
+  constructor(socket: Socket, peer: ZmtpPeer, end: EndSocket) {
+    this.#socket = socket;
+    this.#peer = peer;
+    this.#end = end;
+  }
+
+  get queuedBytes(): number {
+    return this.#socket.writableLength;
+  }
+
+  /** Takes the peer, unless that has happened, or it was refused. */
+  open(): void {
+    if (this.#state !== 'greeted') return;
+    this.#state = 'open';
+    this.#socket.write(this.#peer.acceptance);
+  }
+
+  send(batch: RecordBatch): void {
+    const encoder = this.#recordLists && batch.count > 1 ? listMessages : singleMessages;
+    this.#write(batch.memo(encoder));
+  }
+
+  sendError(error: ErrorMessage): void {
+    this.#write(errorMessage(error));
+  }
+
+  sendFrame(frame: Uint8Array): void {
+    this.#write(topicDataMessage(frame));
+  }
+
+  sendPing(): void {
+    this.#write(PING);
+  }
+
+  sendPong(timed?: TimedPong): void {
+    this.#write(timed === undefined ? PONG : textMessage(formatPong(timed)));
+  }
+
+  /** Before the peer was taken, it is told why. [TD-52] */
+  close(reason: CloseReason, explanation?: string): void {
+    if (this.#state === 'closed') return;
+    if (this.#state === 'greeted') {
+      this.#socket.write(this.#peer.refusal(explanation ? `${reason}: ${explanation}` : reason));
+    }
+    this.#state = 'closed';
+    this.#end(!ENDS_AT_ONCE.has(reason));
+  }
+
+  setRecordLists(on: boolean): void {
+    this.#recordLists = on;
+  }
+
+  #write(parts: FrameParts): void {
+    this.open();
+    if (this.#state === 'closed' || !this.#socket.writable) return;
+    if (parts.length === 1) {
+      this.#socket.write(parts[0]!);
+      return;
+    }
+    this.#socket.cork();
+    for (const part of parts) this.#socket.write(part);
+    this.#socket.uncork();
+  }
+}

@@ -1,0 +1,42 @@
+import type { Socket } from 'node:net';
+
+import type { Limits } from '../../core/limits/index.ts';
+import type { ConnectionHost } from '../../core/ports/index.ts';
+import { ZeroMqServices, type ZeroMqServicesOptions } from './zeromq-services.ts';
+import { ZeroMqTopicData } from './zeromq-topic-data.ts';
+
+/** What both ends need. */
+export interface ZeroMqEndsOptions extends Omit<ZeroMqServicesOptions, 'greetingMs' | 'replyMs'> {
+  readonly master: ConnectionHost & ZeroMqServicesOptions['master'];
+  readonly limits: ZeroMqServicesOptions['limits'] &
+    Pick<Limits, 'frameBytes' | 'headersTimeoutMs' | 'slowSocketTimeoutMs'>;
+}
+
+/** Services and topic data over ZeroMQ, each on a port of its own. [AC-6] */
+export class ZeroMqEnds {
+  readonly #services: ZeroMqServices;
+  readonly #topicData: ZeroMqTopicData;
+
+  constructor(options: ZeroMqEndsOptions) {
+    const { frameBytes, headersTimeoutMs, slowSocketTimeoutMs } = options.limits;
+    const greetingMs = headersTimeoutMs; // [AC-63]
+    this.#services = new ZeroMqServices({ ...options, greetingMs, replyMs: slowSocketTimeoutMs });
+    this.#topicData = new ZeroMqTopicData({ ...options, greetingMs, maxMessageBytes: frameBytes });
+  }
+
+  /** Takes a connection to the port of the services. */
+  readonly services = (socket: Socket): void => this.#services.handleConnection(socket);
+  /** Takes a connection to the port of the topic data. */
+  readonly topicData = (socket: Socket): void => this.#topicData.handleConnection(socket);
+
+  /** Ends the connections on which nothing is asked. Clients are told by the master. */
+  close(): void {
+    this.#services.close();
+  }
+
+  /** Ends what is still open silently. */
+  terminate(): void {
+    this.#services.terminate();
+    this.#topicData.terminate();
+  }
+}

@@ -1,0 +1,139 @@
+import type { Socket } from 'node:net';
+import type { Clock } from '@ubii/timing';
+import { ServiceError } from '@ubii/proto';
+
+import type { CallerFacts, Log } from '../../core/ports/index.ts';
+import type { CallerReader } from '../access/caller-reader.ts';
+import type { Doorkeeper } from '../network/doorkeeper.ts';
+import { answerRequest, type AnswerOptions } from '../services/answer-request.ts';
+import { drain } from '../services/bodies/drain.ts';
+import { binaryFormat, jsonFormat } from '../services/service-format.ts';
+import { ByteSource, SourceEnded } from './byte-source.ts';
+import { greetPeer } from './greet-peer.ts';
+import { OpenSockets } from './open-sockets.ts';
+import { encodeReply, takeRequest, type ServiceMessage } from './service-message.ts';
+
+/** The first byte of a request as JSON. A request as protobuf cannot begin with it. */
+const OPENING_BRACE = 0x7b;
+
+export interface ZeroMqServicesOptions extends AnswerOptions {
+  readonly callers: Pick<CallerReader, 'read'>;
+  readonly log: Log;
+  readonly clock: Clock;
+  readonly doorkeeper: Pick<Doorkeeper, 'of'>;
+  /** By then a caller has said who it is, milliseconds. */
+  readonly greetingMs: number;
+  /** By then a reply was taken, milliseconds. */
+  readonly replyMs: number;
+}
+
+/**
+ * Services as a REP of ZeroMQ. Each caller has its own turn: a slow request makes nobody else wait. Requests of one caller
+ * are answered one after another. [SV-60]
+ */
+export class ZeroMqServices {
+  readonly #options: ZeroMqServicesOptions;
+  readonly #sockets = new OpenSockets();
+  /** Those that wait for a request. */
+  readonly #idle = new Set<Socket>();
+  #isClosing = false;
+
+  constructor(options: ZeroMqServicesOptions) {
+    this.#options = options;
+  }
+
+  /** To be called for the `connection` event of a server. */
+  handleConnection(socket: Socket): void {
+    this.#sockets.add(socket);
+    this.#serve(socket).catch((error: unknown) => {
+      if (!(error instanceof SourceEnded)) {
+        this.#options.log.debug('a ZeroMQ connection failed', { reason: String(error) });
+      }
+      socket.destroy();
+    });
+  }
+
+  /** Ends the connections that have no request; the others end with their reply. */
+  close(): void {
+    this.#isClosing = true;
+    for (const socket of this.#idle) socket.destroy();
+  }
+
+  /** Ends what is still open silently. */
+  terminate(): void {
+    this.#sockets.destroyAll();
+  }
+
+  async #serve(socket: Socket): Promise<void> {
+    const { callers, clock, greetingMs } = this.#options;
+    // Before anything else: of a socket that is gone nothing is known any more.
+    const caller = callers.read({ headers: {}, socket });
+    const source = new ByteSource(socket);
+    const cancel = clock.after(greetingMs, () => socket.destroy());
+    const peer = await greetPeer(socket, source, {
+      own: 'REP',
+      accepted: ['REQ', 'DEALER'],
+    }).finally(cancel);
+    socket.write(peer.acceptance);
+    let goesOn = true;
+    while (goesOn && !this.#isClosing) {
+      this.#idle.add(socket);
+      const message = await takeRequest(source, (answer) => socket.write(answer)).finally(() =>
+        this.#idle.delete(socket),
+      );
+      goesOn = await this.#answer(socket, source, caller, message);
+    }
+    source.release();
+    if (!this.#isClosing) await drain(socket, clock); // [SV-45]
+    socket.end();
+  }
+
+  /** @returns whether further requests can be read */
+  async #answer(
+    socket: Socket,
+    source: ByteSource,
+    caller: CallerFacts,
+    message: ServiceMessage,
+  ): Promise<boolean> {
+    const { doorkeeper, master } = this.#options;
+    doorkeeper.of(socket)?.handleRequest();
+    const isJson = message.size > 0 && (await source.peek(1))[0] === OPENING_BRACE;
+    const format = isJson ? jsonFormat : binaryFormat;
+    const body = message.openBody();
+    const answer = message.hasMore
+      ? master.refuseServiceRequest(
+          new ServiceError('invalid_argument', 'A request is one frame. Send it as one.'),
+        )
+      : await answerRequest(
+          {
+            caller,
+            connection: socket,
+            format,
+            body: body.stream,
+            declaredBytes: message.size,
+            onIdentified: (kind) => doorkeeper.of(socket)?.handleCaller(kind),
+          },
+          this.#options,
+        );
+    await this.#reply(socket, encodeReply(message, Buffer.from(format.encodeReply(answer.reply))));
+    // Actions that wait for the reply run after it was sent, or after its receiver disconnected. [TD-24]
+    answer.afterReply();
+    return body.isRead && !message.hasMore && !socket.destroyed;
+  }
+
+  /** Settles when the system took the reply, or the connection ended. */
+  #reply(socket: Socket, reply: readonly Buffer[]): Promise<void> {
+    const { clock, replyMs } = this.#options;
+    if (socket.destroyed) return Promise.resolve();
+    return new Promise((resolve) => {
+      const cancel = clock.after(replyMs, () => socket.destroy());
+      const done = (): void => {
+        cancel();
+        socket.off('close', done);
+        resolve();
+      };
+      socket.on('close', done);
+      socket.write(Buffer.concat(reply), done);
+    });
+  }
+}
