@@ -146,6 +146,11 @@ export class LegacyClient {
     await this.#command('subscribeRegex', { regex });
   }
 
+  /** nodejs only: ends a subscription by the topic or pattern of its start. */
+  async unsubscribe(pattern: string): Promise<void> {
+    await this.#command('unsubscribe', { pattern });
+  }
+
   /** Publishes as one record each (`immediately`), or as the client bundles them: a list. */
   async publish(records: readonly RecordInit[], options?: { immediately: boolean }): Promise<void> {
     await this.#command('publish', { records, immediately: options?.immediately ?? false });

@@ -11,10 +11,14 @@ export interface Room {
   readonly master: MasterProcess;
   /** Addresses for existing clients: the legacy ports on loopback. */
   readonly legacy: LegacyAddresses;
+  /** The same for those that use ZeroMQ. */
+  readonly zeromq: LegacyAddresses;
   /** A published client, connected over the old ports. */
   joins(kind: ClientKind, name?: string): Promise<Guest>;
   /** A published client that runs processing modules, connected over the old ports. */
   joinsAsNode(kind: 'nodejs' | 'python', name?: string): Promise<Guest>;
+  /** The published nodejs node, connected over the ports of ZeroMQ. */
+  joinsOverZeroMq(name?: string): Promise<Guest>;
   /** A client of ours, connected. */
   oursJoins(name?: string): Promise<UbiiClient>;
   /** A client as the master lists it, asked for by a client of ours. */
@@ -27,16 +31,17 @@ export type Guest = LegacyClient & { readonly clientId: string };
 /** Gives every test of the file a master of its own, and ends all that joined it. */
 export function useRoom(): Room {
   let master: MasterProcess | undefined;
-  let legacy: LegacyAddresses | undefined;
+  let legacy: OldAddresses | undefined;
   let leave: (() => Promise<void>)[] = [];
   const join = async (
     kind: ClientKind,
     name = `${kind} guest`,
     options: { readonly modules?: boolean } = {},
+    addresses = room.legacy,
   ): Promise<Guest> => {
     const client = await LegacyClient.start(kind);
     leave.push(() => client.stop());
-    const { clientId } = await client.connect(room.legacy, name, options);
+    const { clientId } = await client.connect(addresses, name, options);
     return Object.assign(client, { clientId });
   };
   const room: Room = {
@@ -46,9 +51,14 @@ export function useRoom(): Room {
     },
     get legacy() {
       if (!legacy) throw new Error('The room is open only while a test runs.');
-      return legacy;
+      return legacy.http;
+    },
+    get zeromq() {
+      if (!legacy) throw new Error('The room is open only while a test runs.');
+      return legacy.zeromq;
     },
     joins: (kind, name) => join(kind, name),
+    joinsOverZeroMq: (name) => join('nodejs', name, {}, room.zeromq),
     joinsAsNode: (kind, name) => join(kind, name, { modules: true }),
     async oursJoins(name = 'our guest') {
       const client = createClient({ url: room.master.url, name, identity: createMemoryIdentity() });
@@ -64,7 +74,11 @@ export function useRoom(): Room {
 
   beforeEach(async () => {
     leave = [];
-    master = await MasterProcess.start({ legacyPorts: '0,0', trustsLoopback: false });
+    master = await MasterProcess.start({
+      legacyPorts: '0,0',
+      trustsLoopback: false,
+      flags: ['--zeromq-ports', '0,0'],
+    });
     legacy = await whereClientsLook(master);
   });
   afterEach(async () => {
@@ -88,8 +102,14 @@ export function whyMissing(kind: ClientKind): string | undefined {
   return 'missing' in installation ? installation.missing : undefined;
 }
 
+/** Addresses for both ways of existing clients. */
+interface OldAddresses {
+  readonly http: LegacyAddresses;
+  readonly zeromq: LegacyAddresses;
+}
+
 /** The ports the master tells existing clients. */
-async function whereClientsLook(master: MasterProcess): Promise<LegacyAddresses> {
+export async function whereClientsLook(master: MasterProcess): Promise<OldAddresses> {
   const response = await fetch(master.addresses.servicesJson, {
     method: 'POST',
     headers: { 'content-type': 'application/json' },
@@ -97,7 +117,13 @@ async function whereClientsLook(master: MasterProcess): Promise<LegacyAddresses>
   });
   const { server } = (await response.json()) as { server: Record<string, string> };
   return {
-    services: `http://localhost:${server['portServiceRest']}/services/json`,
-    topicData: `ws://localhost:${server['portTopicDataWs']}`,
+    http: {
+      services: `http://localhost:${server['portServiceRest']}/services/json`,
+      topicData: `ws://localhost:${server['portTopicDataWs']}`,
+    },
+    zeromq: {
+      services: `tcp://localhost:${server['portServiceZmq']}`,
+      topicData: `tcp://localhost:${server['portTopicDataZmq']}`,
+    },
   };
 }

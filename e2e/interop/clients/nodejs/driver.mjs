@@ -1,4 +1,5 @@
-// Drives the published @tum-far/ubii-node-nodejs over HTTP (JSON) and WebSocket. See driver-loop.mjs.
+// Drives the published @tum-far/ubii-node-nodejs over HTTP (JSON) and WebSocket, or over ZeroMQ (`tcp://`).
+// See driver-loop.mjs.
 // Environment: UBII_INTEROP_PACKAGES, the folder the package was installed in.
 
 import { once } from 'node:events';
@@ -26,15 +27,23 @@ async function subscribe(pattern, subscribing) {
 
 serve({
   async connect({ services, topicData, name }) {
-    node = new UbiiClientNode(name, { address: services, format: 'JSON' }, { address: topicData });
+    const isHttp = services.startsWith('http');
+    const service = { address: services, ...(isHttp && { format: 'JSON' }) };
+    node = new UbiiClientNode(name, service, { address: topicData });
     const connectTopicData = node.connectTopicdataSocket.bind(node);
     let opened;
     node.connectTopicdataSocket = () => {
       connectTopicData();
-      const { websocket } = node.topicDataClient;
-      websocket.addEventListener('message', ({ data }) =>
-        emitFrame(data, (bytes) => node.translatorTopicData.createPayloadFromBuffer(bytes)),
-      );
+      const decode = (bytes) => node.translatorTopicData.createPayloadFromBuffer(bytes);
+      const { websocket, socket } = node.topicDataClient;
+      if (websocket === undefined) {
+        socket.on('message', (_delimiter, content) =>
+          emitFrame(content.toString() === 'PING' ? 'PING' : content, decode),
+        );
+        emit('open');
+        return;
+      }
+      websocket.addEventListener('message', ({ data }) => emitFrame(data, decode));
       opened = once(websocket, 'open').then(() => emit('open'));
       websocket.addEventListener('close', ({ code, reason }) => emit('close', { code, reason }));
     };
