@@ -30,16 +30,18 @@ export interface MasterStart {
   readonly profileDir: string | undefined;
   /** Folder with modules to trust. */
   readonly modulesDir?: string;
+  /** More flags. */
+  readonly flags?: readonly string[];
 }
 
 /** Starts a built master on a free port of this machine alone. */
 export async function startMasterProcess(start: MasterStart): Promise<MasterProcess> {
-  const { master, profileDir, modulesDir } = start;
+  const { master, profileDir, modulesDir, flags: more = [] } = start;
   if (!existsSync(master)) {
     throw new Error(`There is no master at ${master}: run \`npm run build\` first.`);
   }
   const dataDir = await mkdtemp(join(tmpdir(), 'ubii-bench-'));
-  const flags = ['--host', '127.0.0.1', '--port', '0', '--legacy-ports', 'off'];
+  const flags = ['--host', '127.0.0.1', '--port', '0', '--legacy-ports', 'off', ...more];
   // Trusted local callers are admins, so that rights checks cost nothing per record. Earlier builds lack the flag.
   if (knowsFlag(master, '--trust-loopback')) flags.push('--trust-loopback');
   if (modulesDir !== undefined) flags.push('--modules', modulesDir);

@@ -20,6 +20,7 @@ import { roundTrip } from './round-trip.ts';
 import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
 import { trigger } from './trigger.ts';
+import { zeromq } from './zeromq.ts';
 import type { Workload } from '../measuring/workload.ts';
 
 /** Every workload, in the order of the report. Goals: see the README. */
@@ -28,6 +29,7 @@ export const WORKLOADS: readonly Workload[] = [
   fanOut(64, { 'ubii-extension': 0.85, 'ubii-legacy': 0.7 }),
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
   fanOutPictures,
+  zeromq,
   connecting,
   idleConnections,
   firstPublish,

@@ -90,7 +90,7 @@ describe('peers of ZeroMQ that mean harm', () => {
     expect(error).toBeUndefined();
   });
 
-  it('give back what they took: hundreds of identities leave nothing behind', async () => {
+  it('give back what they took: hundreds of identities leave nothing behind [AC-68]', async () => {
     const master = await startEdgeMaster({ flags: ['--zeromq-ports', '0,0'] });
     const { topicData } = zeromqPorts(master);
     for (let i = 0; i < IDENTITIES; i += 100) {

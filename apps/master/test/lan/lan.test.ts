@@ -1,6 +1,8 @@
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { encodeRecord } from '@ubii/proto';
+import { recordFrameHeader } from '@ubii/proto/wire';
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { MASTER, MASTER_V6, OLD_DEVICE, PHONE, PHONE_V6, TestNetwork } from './test-network.ts';
@@ -11,6 +13,7 @@ vi.setConfig({ testTimeout: 60_000 });
 const packageFolder = fileURLToPath(new URL('../..', import.meta.url));
 const program = join(packageFolder, '.cache-lan', 'main.js');
 const ask = fileURLToPath(new URL('ask.mjs', import.meta.url));
+const zeromqClient = fileURLToPath(new URL('zeromq-client.mjs', import.meta.url));
 
 const reason = TestNetwork.reasonAgainst();
 if (reason !== undefined) console.warn(`The tests of the LAN are left out: ${reason}.`);
@@ -44,6 +47,8 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
       '0',
       '--legacy-ports',
       'off',
+      '--zeromq-ports',
+      '0,0',
       '--print-endpoints',
       'json',
     ];
@@ -179,6 +184,27 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
     expect(await call('/services/ubii/access_grant_list', {}, { from: OLD_DEVICE })).toMatchObject({
       error: { code: 'permission_denied' },
     });
+  });
+
+  it('lets existing devices in over ZeroMQ as well, and no others [AC-4] [AC-68]', async () => {
+    const { server } = (await call(
+      '/services/server_configuration',
+      {},
+      { from: OLD_DEVICE },
+    )) as unknown as { server: { portServiceZmq: string; portTopicDataZmq: string } };
+    const record = encodeRecord({ topic: '/device', format: 'double', value: 1 });
+    const frame = Buffer.concat([recordFrameHeader(record.length), record]).toString('base64');
+    const join = (from: string, identity?: string): Promise<unknown> =>
+      network.run('phone', zeromqClient, {
+        ...{ host: MASTER, from, identity, topic: '/device', frame },
+        ...{ services: server.portServiceZmq, topicData: server.portTopicDataZmq },
+      });
+    const admitted = (await join(OLD_DEVICE)) as { id: string };
+    expect(admitted).toMatchObject({ frame });
+    const refused = { error: 'unauthenticated', isRefused: true };
+    expect(await join(PHONE)).toEqual(refused);
+    // Nor with the identity of one that is admitted.
+    expect(await join(PHONE, admitted.id)).toEqual(refused);
   });
 
   it('lets a phone in with the token and the code of the terminal [AC-11] [AC-19]', async () => {

@@ -49,7 +49,7 @@ describe('messages of a DEALER', () => {
     expect(others.told.map(({ kind }) => kind)).toEqual(['protocol error', 'topic data']);
   });
 
-  it('may stand between commands: PING of the protocol is answered, others are not', async () => {
+  it('may stand between commands: PING of the protocol is answered, others are not [TD-53]', async () => {
     const ping = encodeCommand('PING', Buffer.from('\0\x0acontext'));
     const other = encodeCommand('OTHER', Buffer.from('data'));
     const { told, answers } = await heard(DELIMITER, ping, other, encodeFrame(Uint8Array.of(1)));
