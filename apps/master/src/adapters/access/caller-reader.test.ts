@@ -20,6 +20,8 @@ const legacy = new Networks(['10.0.0.0/24', '10.9.0.7', 'fd00:7::/32']);
 const proxies = new Networks(['10.0.0.2', '127.0.0.9']);
 /** Ports of programs of other users of this machine. */
 const STRANGE_PORT = 33;
+/** Ports whose programs were looked for. */
+const learnt: (number | undefined)[] = [];
 const readerWith = (loopback: LoopbackFacts['role']) =>
   new CallerReader({
     policy: new OriginPolicy({
@@ -32,7 +34,10 @@ const readerWith = (loopback: LoopbackFacts['role']) =>
     isOwnAddress: (text) => own.has(text),
     isLegacyAddress: (text) => legacy.has(text),
     isTrustedProxy: (text) => proxies.has(text),
-    owners: { isOperators: ({ remotePort }) => remotePort !== STRANGE_PORT },
+    owners: {
+      learn: ({ remotePort }) => (learnt.push(remotePort), Promise.resolve()),
+      isOperators: ({ remotePort }) => remotePort !== STRANGE_PORT,
+    },
   });
 const reader = readerWith('participant');
 const read = (remoteAddress: string | undefined, headers = {}) =>
@@ -110,6 +115,21 @@ describe('a caller', () => {
         isHere: false,
       });
     }
+  });
+
+  it('of this machine alone is looked for before it is read [AC-1]', async () => {
+    const prepare = (remoteAddress: string | undefined, rest = {}) =>
+      reader.prepare({ socket: { remoteAddress, remotePort: 4711 }, headers: {}, ...rest });
+    learnt.length = 0;
+    for (const each of ['127.0.0.1', '::1', '192.168.1.5']) await prepare(each);
+    expect(learnt).toEqual([4711, 4711, 4711]);
+    const others = [
+      prepare('10.0.0.77'),
+      prepare(undefined),
+      prepare('127.0.0.1', { httpVersion: '1.0' }),
+      prepare('127.0.0.1', { headers: { 'x-real-ip': '127.0.0.1' } }),
+    ];
+    expect([others, learnt.length]).toEqual([others.map(() => undefined), 3]);
   });
 
   it('is the client that a trusted proxy names, and never local [AC-41]', () => {

@@ -31,7 +31,7 @@ export interface CallerReaderOptions {
   readonly isLegacyAddress: (address: string) => boolean;
   /** Whether an address is of a proxy that may speak for others. */
   readonly isTrustedProxy: (address: string) => boolean;
-  readonly owners: Pick<PeerOwners, 'isOperators'>;
+  readonly owners: Pick<PeerOwners, 'isOperators' | 'learn'>;
 }
 
 /** The place of a caller, without pages and tokens of the request. */
@@ -49,6 +49,17 @@ export class CallerReader {
     this.#options = options;
   }
 
+  /**
+   * Finds out what `read` has to know, where that takes time. To be awaited before a request is read.
+   *
+   * @returns undefined when nothing has to be waited for; the promise is never rejected
+   */
+  prepare({ headers, socket, httpVersion }: CallerRequest): Promise<void> | undefined {
+    const address = plainAddress(socket.remoteAddress);
+    if (address === undefined || httpVersion === '1.0' || isPassedOn(headers)) return undefined;
+    return this.#isThisMachine(address) ? this.#options.owners.learn(socket) : undefined;
+  }
+
   read(request: CallerRequest): CallerFacts {
     const { address, standing, isHere, isUnknown } = this.#whereaboutsOf(request);
     const bearer = bearerOf(request.headers.authorization);
@@ -59,7 +70,7 @@ export class CallerReader {
   }
 
   #whereaboutsOf({ headers, socket, httpVersion }: CallerRequest): Whereabouts {
-    const { isOwnAddress, isLegacyAddress, isTrustedProxy, owners } = this.#options;
+    const { isLegacyAddress, isTrustedProxy, owners } = this.#options;
     const address = plainAddress(socket.remoteAddress);
     const elsewhere: Whereabouts = { address, standing: 'other', isHere: false };
     // A connection that is gone already has none.
@@ -74,7 +85,7 @@ export class CallerReader {
     }
     // Proxies that say nothing of whom they serve speak HTTP/1.0 by default; programs of today do not.
     if (httpVersion === '1.0') return { ...elsewhere, isUnknown: true };
-    if (isLoopbackHost(address) || isOwnAddress(address)) {
+    if (this.#isThisMachine(address)) {
       if (!owners.isOperators(socket)) return { ...elsewhere, isUnknown: true };
       const standing = isProxy ? 'other' : this.#localStanding(headers);
       return { address, standing, isHere: true };
@@ -82,6 +93,10 @@ export class CallerReader {
     // Browsers say which page asks; existing pages of other machines come with the operator's leave.
     const isLegacy = !isProxy && isLegacyAddress(address);
     return isLegacy ? { ...elsewhere, standing: 'network' } : elsewhere;
+  }
+
+  #isThisMachine(address: string): boolean {
+    return isLoopbackHost(address) || this.#options.isOwnAddress(address);
   }
 
   /** On this machine, without a proxy: the page decides. [AC-2] [AC-40] */

@@ -1,6 +1,8 @@
-import { readFileSync } from 'node:fs';
-import { endianness } from 'node:os';
+import { existsSync } from 'node:fs';
+import { open } from 'node:fs/promises';
 import { isIPv4 } from 'node:net';
+import { endianness } from 'node:os';
+import { setImmediate as nextTurn } from 'node:timers/promises';
 
 /** The two ends of a connection, as a server sees it. */
 export interface PeerSocket {
@@ -8,24 +10,51 @@ export interface PeerSocket {
   readonly remotePort?: number | undefined;
   readonly localAddress?: string | undefined;
   readonly localPort?: number | undefined;
+  readonly destroyed?: boolean;
 }
+
+/** A table of TCP sockets, named after its file in `/proc/net`. */
+export type SocketTable = 'tcp' | 'tcp6';
 
 /** Operating system queries of `PeerOwners`. */
 export interface OwnerSource {
-  /** The tables of TCP sockets as Linux writes them; undefined where there are none. */
-  readonly tables: () => readonly string[] | undefined;
+  /** Reads a table as Linux writes it; undefined where there are none. */
+  readonly readTable: ((table: SocketTable) => Promise<string>) | undefined;
   /** The user that the master runs as; undefined where there are no numbers for users. */
   readonly userId: number | undefined;
 }
 
+/** A socket whose owner is looked for. */
+interface Question {
+  readonly socket: PeerSocket;
+  /** How the tables write its peer. */
+  readonly ends: Readonly<Partial<Record<SocketTable, string>>>;
+  readonly answered: () => void;
+  owner: number | undefined;
+}
+
+/** Widths of `<local address>:<port> <remote address>:<port>`, characters. */
+const ENDS_WIDTH: Readonly<Record<SocketTable, number>> = { tcp: 27, tcp6: 75 };
+/** SYN_SENT: this connection was not accepted yet, so it is none of those that are asked about. */
+const CONNECTING = '02';
+/** Of the processors that Linux runs on. */
+const LARGEST_PAGE_BYTES = 65_536;
+
 /**
  * Finds the user of the program that opened a local connection: the operator's user, or another one
  * (a proxy, another person), who is a stranger. Available on Linux only. [AC-1]
+ *
+ * The system writes all its sockets for one question, which takes milliseconds. Sockets that are
+ * asked about while a table is read share the next one; none is judged by a table that was opened
+ * before it was asked about, because its port may have been another program's then.
  */
 export class PeerOwners {
   readonly #source: OwnerSource;
   /** A socket stays with the one who made it. */
   readonly #known = new WeakMap<PeerSocket, boolean>();
+  readonly #pending = new Map<PeerSocket, Promise<void>>();
+  #waiting: Question[] = [];
+  #isReading = false;
 
   constructor(source: OwnerSource = linux()) {
     this.#source = source;
@@ -33,58 +62,117 @@ export class PeerOwners {
 
   /** Whether the system tells it here. */
   get canTell(): boolean {
-    return this.#source.userId !== undefined && this.#source.tables() !== undefined;
+    return this.#source.userId !== undefined && this.#source.readTable !== undefined;
+  }
+
+  /**
+   * Looks for the owner of the other end.
+   *
+   * @param socket a connection from this machine
+   * @returns undefined when it is known, or cannot be told; the promise is never rejected
+   */
+  learn(socket: PeerSocket): Promise<void> | undefined {
+    if (!this.canTell || this.#known.has(socket)) return undefined;
+    const pending = this.#pending.get(socket);
+    if (pending !== undefined) return pending;
+    const learnt = new Promise<void>((resolve) => {
+      const answered = (): void => {
+        this.#pending.delete(socket);
+        resolve();
+      };
+      this.#waiting.push({ socket, ends: endsOf(socket), answered, owner: undefined });
+    });
+    this.#pending.set(socket, learnt);
+    if (!this.#isReading) void this.#answerAll();
+    return learnt;
   }
 
   /**
    * Whether the other end is a socket of the operator's user, where that can be told; else true.
    *
-   * @param socket a connection from this machine
+   * @param socket a connection from this machine; one that nothing was learnt of is a stranger's
    */
   isOperators(socket: PeerSocket): boolean {
-    const known = this.#known.get(socket);
-    if (known !== undefined) return known;
-    const { userId, tables } = this.#source;
-    const lines = userId === undefined ? undefined : tables();
-    const isOurs = lines === undefined || ownerOf(socket, lines) === userId;
-    this.#known.set(socket, isOurs);
-    return isOurs;
+    return !this.canTell || this.#known.get(socket) === true;
   }
-}
 
-/** Returns the user of the other end; undefined when no process has it open any more. */
-function ownerOf(socket: PeerSocket, tables: readonly string[]): number | undefined {
-  const { remoteAddress, remotePort = 0, localAddress, localPort = 0 } = socket;
-  if (remoteAddress === undefined || localAddress === undefined) return undefined;
-  // Their end is ours the other way round, IPv4 in one table or, mapped, in the other.
-  const ends = spellings(remoteAddress).flatMap((remote) =>
-    spellings(localAddress).map(
-      (local) => ` ${remote}:${portText(remotePort)} ${local}:${portText(localPort)} `,
-    ),
-  );
-  for (const table of tables) {
-    for (const end of ends) {
-      const at = table.indexOf(end);
-      if (at < 0) continue;
-      // Behind the ends: state, queues, timer, retransmits, user, timeout, inode.
-      const [, , , , user, , inode] = table
-        .slice(at + end.length, table.indexOf('\n', at))
-        .trim()
-        .split(/\s+/);
-      // A socket without an inode has no owner any more, but the system reports user 0.
-      if (inode !== undefined && inode !== '0') return Number(user);
+  async #answerAll(): Promise<void> {
+    this.#isReading = true;
+    while (this.#waiting.length > 0) {
+      // Those that come later in this turn share the read.
+      await nextTurn();
+      const questions = this.#waiting;
+      this.#waiting = [];
+      await this.#findOwners(questions);
+      // A port changes hands only after its connection was reset. A turn later that has been seen,
+      // and what the table says of the port is not said of the connection before.
+      await nextTurn();
+      for (const { socket, owner, answered } of questions) {
+        const isOurs = owner !== undefined && owner === this.#source.userId;
+        this.#known.set(socket, isOurs && socket.destroyed !== true);
+        answered();
+      }
+    }
+    this.#isReading = false;
+  }
+
+  async #findOwners(questions: readonly Question[]): Promise<void> {
+    for (const table of ['tcp', 'tcp6'] as const) {
+      const open = new Map<string, Question>();
+      for (const question of questions) {
+        const ends = question.ends[table];
+        if (ends !== undefined && question.owner === undefined) open.set(ends, question);
+      }
+      if (open.size === 0) continue;
+      try {
+        findOwners(open, await this.#source.readTable!(table), ENDS_WIDTH[table]);
+      } catch {
+        // Nothing was found: strangers.
+      }
     }
   }
-  return undefined;
 }
 
-/** An address as the tables write it: 32 bits at a time, in the order of the machine's bytes. */
-function spellings(address: string): readonly string[] {
-  const plain = address.replace(/^::ffff:(?=\d+\.)/i, '').replace(/%.*$/, '');
-  if (isIPv4(plain)) {
-    const word = wordText(plain.split('.').map(Number));
-    return [word, `${wordText([0, 0, 0, 0]).repeat(2)}${wordText([0, 0, 255, 255])}${word}`];
+/** Fills in the owners of those that the table has. */
+function findOwners(open: Map<string, Question>, table: string, width: number): void {
+  for (let start = table.indexOf('\n') + 1; start > 0 && open.size > 0;) {
+    const endsAt = table.indexOf(': ', start) + 2;
+    if (endsAt < 2) return;
+    const lineEnd = table.indexOf('\n', endsAt);
+    const question = open.get(table.slice(endsAt, endsAt + width));
+    if (question !== undefined) {
+      const rest = table.slice(endsAt + width, lineEnd < 0 ? undefined : lineEnd);
+      // Behind the ends: state, queues, timer, retransmits, user, timeout, inode.
+      const [state, , , , user, , inode] = rest.trim().split(/\s+/);
+      // A socket without an inode has no owner any more, but the system reports user 0.
+      if (inode !== undefined && inode !== '0' && state !== CONNECTING) {
+        question.owner = Number(user);
+        open.delete(table.slice(endsAt, endsAt + width));
+      }
+    }
+    start = lineEnd + 1;
   }
+}
+
+/** The socket of the other end has ours the other way round. */
+function endsOf(socket: PeerSocket): Question['ends'] {
+  const { remoteAddress, remotePort = 0, localAddress, localPort = 0 } = socket;
+  if (remoteAddress === undefined || localAddress === undefined) return {};
+  const [remote, local] = [hexOf(remoteAddress), hexOf(localAddress)];
+  const write = (prefix: string): string =>
+    `${prefix}${remote}:${portText(remotePort)} ${prefix}${local}:${portText(localPort)}`;
+  // IPv4 is in one table or, mapped, in the other.
+  const isPlain = remote.length === WORD_DIGITS;
+  return isPlain ? { tcp: write(''), tcp6: write(MAPPED) } : { tcp6: write('') };
+}
+
+const WORD_DIGITS = 8;
+const MAPPED = `${wordText([0, 0, 0, 0]).repeat(2)}${wordText([0, 0, 255, 255])}`;
+
+/** An address as the tables write it: 32 bits at a time, in the order of the machine's bytes. */
+function hexOf(address: string): string {
+  const plain = address.replace(/^::ffff:(?=\d+\.)/i, '').replace(/%.*$/, '');
+  if (isIPv4(plain)) return wordText(plain.split('.').map(Number));
   const [head = '', tail] = plain.split('::');
   const groupsOf = (text: string): number[] =>
     text === '' ? [] : text.split(':').map((group) => Number.parseInt(group, 16));
@@ -95,7 +183,7 @@ function spellings(address: string): readonly string[] {
     group >> 8,
     group & 0xff,
   ]);
-  return [[0, 4, 8, 12].map((at) => wordText(bytes.slice(at, at + 4))).join('')];
+  return [0, 4, 8, 12].map((at) => wordText(bytes.slice(at, at + 4))).join('');
 }
 
 function wordText(bytes: readonly number[]): string {
@@ -108,17 +196,24 @@ function portText(port: number): string {
 }
 
 function linux(): OwnerSource {
+  const hasTables = process.platform === 'linux' && existsSync('/proc/net/tcp');
   return {
-    userId: process.platform === 'linux' ? process.getuid?.() : undefined,
-    tables: () => {
-      const tables = ['/proc/net/tcp', '/proc/net/tcp6'].flatMap((file) => {
-        try {
-          return [readFileSync(file, 'latin1')];
-        } catch {
-          return [];
-        }
-      });
-      return tables.length === 0 ? undefined : tables;
-    },
+    userId: hasTables ? process.getuid?.() : undefined,
+    readTable: hasTables ? readTable : undefined,
   };
+}
+
+/** The system hands out a page at a time. `readFile` would make a buffer of 64 kB for each. */
+async function readTable(table: SocketTable): Promise<string> {
+  const file = await open(`/proc/net/${table}`);
+  try {
+    const page = Buffer.allocUnsafe(LARGEST_PAGE_BYTES);
+    for (let text = ''; ;) {
+      const { bytesRead } = await file.read(page, 0, page.length, null);
+      if (bytesRead === 0) return text;
+      text += page.latin1Slice(0, bytesRead);
+    }
+  } finally {
+    await file.close();
+  }
 }

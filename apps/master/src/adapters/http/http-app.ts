@@ -64,6 +64,12 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
     void cutUnread(request.raw, options.clock);
     done();
   });
+  // All that follows asks who calls.
+  app.addHook('onRequest', ({ raw }, _reply, done) => {
+    const prepared = callers.prepare(raw);
+    if (prepared === undefined) done();
+    else void prepared.then(() => done());
+  });
   guardOrigins(app, { policy, master, callers });
   guardPaths(app, { master, callers });
   replyErrors(app, log);

@@ -25,7 +25,7 @@ const INTERNAL_ERROR = 1011;
 export interface TopicDataSocketsOptions {
   readonly master: ConnectionHost;
   readonly policy: OriginPolicy;
-  readonly callers: Pick<CallerReader, 'read'>;
+  readonly callers: Pick<CallerReader, 'prepare' | 'read'>;
   readonly log: Log;
   readonly clock: Pick<Clock, 'after'>;
   /** Knows the connections of sockets. */
@@ -65,6 +65,21 @@ export class TopicDataSockets {
       return;
     }
     if (this.#options.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
+    const prepared = this.#options.callers.prepare(request);
+    if (prepared === undefined) {
+      this.#admit(request, socket, head);
+      return;
+    }
+    // Nobody else listens meanwhile: an error without a listener would be thrown.
+    const ignore = (): void => undefined;
+    socket.on('error', ignore);
+    void prepared.then(() => {
+      socket.off('error', ignore);
+      if (!socket.destroyed) this.#admit(request, socket, head);
+    });
+  }
+
+  #admit(request: IncomingMessage, socket: Duplex, head: Buffer): void {
     // Read before anything else: of a connection that is gone nothing is known any more.
     const caller = this.#options.callers.read(request);
     const reason = this.#options.master.refuseConnection(claimOf(request.url ?? ''), caller);

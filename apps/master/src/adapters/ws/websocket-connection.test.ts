@@ -30,7 +30,7 @@ clientConnectionSuite('TopicDataSockets', openBench);
 async function openBench(host: ConnectionHost): Promise<ConnectionBench> {
   const sockets = new TopicDataSockets({
     master: host,
-    callers: { read: () => TRUSTED_CALLER },
+    callers: { prepare: () => undefined, read: () => TRUSTED_CALLER },
     policy: new OriginPolicy({ isOnLan: () => false, host: 'localhost', allowedOrigins: [] }),
     log: new StreamLog({ level: 'error', format: 'json', write: () => {}, nowMs: () => 0 }),
     clock: { after: () => () => undefined },
