@@ -1,6 +1,7 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { Clock } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
+import { LiteralIndex } from './literal-index.ts';
 import { Pattern } from './pattern.ts';
 import type { Subscriber, TopicEntry } from './topic-entry.ts';
 import type { TopicMatching } from './topic-table.ts';
@@ -27,6 +28,8 @@ export class PatternTable implements TopicMatching {
   readonly onOverdrawn = new Hook<[subscriber: Subscriber]>();
   readonly #context: PatternContext;
   readonly #patterns = new Map<string, Pattern>();
+  /** The same, by what a topic must contain: a new topic is tested with few of them. */
+  readonly #byLiteral = new LiteralIndex<Pattern>();
 
   constructor(context: PatternContext) {
     this.#context = context;
@@ -63,12 +66,14 @@ export class PatternTable implements TopicMatching {
     }
     for (const entry of pattern.entries) entry.patterns.push(pattern);
     this.#patterns.set(source, pattern);
+    this.#byLiteral.add(pattern, pattern.required);
     return pattern;
   }
 
   forgetIfUnused(pattern: Pattern): void {
     if (pattern.subscribers.size > 0) return;
     this.#patterns.delete(pattern.source);
+    this.#byLiteral.delete(pattern, pattern.required);
     for (const entry of pattern.entries) {
       entry.patterns = entry.patterns.filter((other) => other !== pattern);
     }
@@ -76,7 +81,9 @@ export class PatternTable implements TopicMatching {
   }
 
   attach(entry: TopicEntry): void {
-    for (const pattern of this.#patterns.values()) {
+    for (const pattern of this.#byLiteral.candidates(entry.topic)) {
+      // A test may end subscriptions, with patterns that were still to be tested.
+      if (this.#patterns.get(pattern.source) !== pattern) continue;
       if (pattern.mayMatch(entry) && this.#test(pattern, entry)) {
         entry.patterns.push(pattern);
         pattern.entries.add(entry);

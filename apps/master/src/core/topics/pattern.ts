@@ -6,6 +6,7 @@ import type { SharedPattern, Subscriber, TopicEntry } from './topic-entry.ts';
 /** One regular expression, shared by all who subscribed to it. */
 export class Pattern implements SharedPattern {
   readonly source: string;
+  readonly required: RequiredLiteral | undefined;
   /** Subscribers with their rates in Hz (0: every record). */
   readonly subscribers = new Map<Subscriber, number>();
   /** The topics that match. */
@@ -13,13 +14,12 @@ export class Pattern implements SharedPattern {
   /** The account that it counts for [AC-80]. */
   payer: Account | undefined = undefined;
   readonly #compiled: CompiledPattern;
-  readonly #required: RequiredLiteral | undefined;
   readonly #meansExtensions: boolean;
 
   constructor(source: string, compiled: CompiledPattern) {
     this.source = source;
     this.#compiled = compiled;
-    this.#required = requiredLiteral(source);
+    this.required = requiredLiteral(source);
     this.#meansExtensions = source.startsWith('^/ubii/') || source.startsWith('/ubii/');
   }
 
@@ -29,7 +29,7 @@ export class Pattern implements SharedPattern {
   /** A cheap look that rules out most topics. */
   mayMatch(entry: TopicEntry): boolean {
     if (entry.isExtension && !this.#meansExtensions) return false; // [TD-26]
-    const required = this.#required;
+    const required = this.required;
     if (required === undefined) return true;
     return required.isPrefix
       ? entry.topic.startsWith(required.text)
