@@ -26,8 +26,9 @@ await build({
   minifySyntax: true,
   minifyWhitespace: true,
   legalComments: 'linked',
-  // Native helpers that `ws` looks for and does without.
-  external: ['bufferutil', 'utf-8-validate'],
+  // Native helpers that `ws` looks for: one has a replacement, it does without the other.
+  alias: { bufferutil: fileURLToPath(import.meta.resolve('@ubii/program/websocket-mask')) },
+  external: ['utf-8-validate'],
   // Dependencies written as CommonJS ask for Node's modules by `require`.
   banner: {
     js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);",
