@@ -80,6 +80,19 @@ it('keeps what small records said while pictures fill the memory', () => {
   expect(records).toBeGreaterThan(500);
 });
 
+it('keeps large records where they lie, and of a view a copy', async () => {
+  const ring = new FlightRing(WHOLE);
+  const alone = sized('/camera', 1, 20_000);
+  const memory = new Uint8Array(60_000).fill(5);
+  const view = { ...sized('/camera', 2, 0), record: memory.subarray(0, 20_000) };
+  for (const record of [alone, view]) ring.addRecord(record);
+  alone.record.fill(9);
+  memory.fill(9);
+  const kept = await readRecords(await keep(ring));
+  expect(kept.map(({ record }) => record[0])).toEqual([9, 5]);
+  expect(ring.content.heldBytes).toBeLessThan(41_000);
+});
+
 it('leaves out images when they are not wanted', () => {
   const ring = new FlightRing({ ...WHOLE, withImages: false });
   const value = { width: 1, height: 1, data: Uint8Array.of(1) };

@@ -1,4 +1,5 @@
 import { describeRecord } from '../records/describe-record.ts';
+import { MAX_JOINED_BYTES } from '../records/large-record.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecordingWriter } from '../writing/recording-writer.ts';
@@ -8,8 +9,6 @@ import { SlabChannels } from './slab-channels.ts';
 import { SlabQueue } from './slab-queue.ts';
 import { StandingValues } from './standing-values.ts';
 
-/** Larger records are of the other size class. */
-const MAX_SMALL_BYTES = 16 * 1024;
 /** Small records leave memory by slabs of this size, or of a 64th of all. */
 const MAX_SLAB_BYTES = 256 * 1024;
 const SLABS = 64;
@@ -63,13 +62,13 @@ export class FlightRing {
     };
   }
 
-  /** Keeps a copy of a record. */
+  /** Keeps a record, a small one as a copy. Its bytes are not modified any more. */
   addRecord(record: RecordedRecord): void {
     if (!this.#limits.withImages && isImage(record.record)) return;
     // The clock was set back: what is held would stand in the future for hours.
     if (record.logTimeNs < this.#windowStartNs()) this.clear();
-    if (record.record.length <= MAX_SMALL_BYTES) this.#addSmall(record);
-    else this.#large.add(this.#channels.take(record), record, 0);
+    if (record.record.length <= MAX_JOINED_BYTES) this.#addSmall(record);
+    else this.#large.keep(this.#channels.take(record), record);
     if (record.logTimeNs > this.#newestNs) this.#newestNs = record.logTimeNs;
     this.#evict();
   }

@@ -1,9 +1,11 @@
 import type { RecordedRecord } from '../records/recorded-record.ts';
-import { isEnd, Slab, slabBytesOf, type SlabEntry } from './slab.ts';
+import { isEnd, JoinedSlab, SingleSlab, slabBytesOf, type Slab, type SlabEntry } from './slab.ts';
 
 /** Slabs of one size class; the oldest leaves first. */
 export class SlabQueue {
   readonly #slabs: Slab[] = [];
+  /** The last one, where it may have room for more. */
+  #open: JoinedSlab | undefined = undefined;
   #bytes = 0;
   #records = 0;
 
@@ -19,21 +21,27 @@ export class SlabQueue {
     return this.#slabs[0];
   }
 
-  /** @param slabBytes of a new slab; a record that is larger gets one of its own size */
+  /** Copies a record. @param slabBytes of a new slab; a record that is larger gets one of its own size */
   add(channel: number, record: RecordedRecord, slabBytes: number): void {
-    let slab = this.#slabs.at(-1);
-    if (slab === undefined || !slab.hasRoomFor(record.record)) {
-      slab = new Slab(Math.max(slabBytes, slabBytesOf(record.record)));
-      this.#slabs.push(slab);
-      this.#bytes += slab.byteLength;
+    if (this.#open?.hasRoomFor(record.record) !== true) {
+      this.#open = new JoinedSlab(Math.max(slabBytes, slabBytesOf(record.record)));
+      this.#push(this.#open);
     }
-    slab.add(channel, record);
+    this.#open.add(channel, record);
     if (!isEnd(record.record)) this.#records++;
+  }
+
+  /** Keeps a record where it lies, unless it shares its memory with others. */
+  keep(channel: number, record: RecordedRecord): void {
+    this.#open = undefined;
+    this.#push(new SingleSlab(channel, record));
+    this.#records++;
   }
 
   /** Takes out the oldest slab. */
   shift(): Slab | undefined {
     const slab = this.#slabs.shift();
+    if (slab === this.#open) this.#open = undefined;
     this.#bytes -= slab?.byteLength ?? 0;
     this.#records -= slab?.records ?? 0;
     return slab;
@@ -42,6 +50,11 @@ export class SlabQueue {
   /** The records as they are now, in the order in which they came. */
   entries(): Iterable<SlabEntry> {
     return chained(this.#slabs.map((slab) => slab.entries()));
+  }
+
+  #push(slab: Slab): void {
+    this.#slabs.push(slab);
+    this.#bytes += slab.byteLength;
   }
 }
 

@@ -22,8 +22,22 @@ export function isEnd(record: Uint8Array): boolean {
   return record.length === 0;
 }
 
+/** Memory with records, which leaves as a whole. */
+export interface Slab {
+  /** Memory that it takes, always. */
+  readonly byteLength: number;
+  /** Number of records, ends of topics aside. */
+  readonly records: number;
+  /** Log time of the oldest record; undefined without records. */
+  readonly oldestNs: bigint | undefined;
+  /** Log time of the newest record. */
+  readonly newestNs: bigint;
+  /** The records that it has now, with the numbers of their channels; bytes are views. */
+  entries(): Iterable<SlabEntry>;
+}
+
 /** Records one behind the other in one piece of memory: a small record costs 24 bytes, and the collector nothing. */
-export class Slab {
+export class JoinedSlab implements Slab {
   readonly #bytes: Uint8Array;
   readonly #view: DataView;
   #end = 0;
@@ -41,17 +55,14 @@ export class Slab {
     return this.#bytes.length;
   }
 
-  /** Number of records, ends of topics aside. */
   get records(): number {
     return this.#records;
   }
 
-  /** Log time of the oldest record; undefined without records. */
   get oldestNs(): bigint | undefined {
     return this.#oldestNs;
   }
 
-  /** Log time of the newest record. */
   get newestNs(): bigint {
     return this.#newestNs;
   }
@@ -73,7 +84,6 @@ export class Slab {
     if (this.#oldestNs === undefined || logTimeNs < this.#oldestNs) this.#oldestNs = logTimeNs;
   }
 
-  /** The records that it has now, with the numbers of their channels; bytes are views. */
   *entries(until = this.#end): Generator<SlabEntry> {
     for (let at = 0; at < until;) {
       const start = at + HEAD_BYTES;
@@ -84,5 +94,34 @@ export class Slab {
       yield [this.#view.getUint32(at), { record, logTimeNs, publishTimeNs }];
       at = end;
     }
+  }
+}
+
+/** One large record, where it lies: copies of pictures, and memory for them, are what pictures cost. */
+export class SingleSlab implements Slab {
+  readonly records = 1;
+  readonly #entry: SlabEntry;
+
+  constructor(channel: number, { record, logTimeNs, publishTimeNs }: RecordedRecord) {
+    // A view would keep the memory of others as well.
+    const isAlone = record.buffer.byteLength === record.byteLength;
+    const own = isAlone ? record : new Uint8Array(record);
+    this.#entry = [channel, { record: own, logTimeNs, publishTimeNs }];
+  }
+
+  get byteLength(): number {
+    return slabBytesOf(this.#entry[1].record);
+  }
+
+  get oldestNs(): bigint {
+    return this.#entry[1].logTimeNs;
+  }
+
+  get newestNs(): bigint {
+    return this.#entry[1].logTimeNs;
+  }
+
+  entries(): Iterable<SlabEntry> {
+    return [this.#entry];
   }
 }

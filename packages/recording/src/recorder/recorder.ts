@@ -27,7 +27,7 @@ export interface RecordToKeep {
   readonly targets: number;
 }
 
-/** Records on their way into recordings, in two pieces of memory that the recorder takes over. */
+/** Records on their way into recordings, in memory that the recorder takes over. */
 export interface RecordingBatch {
   readonly count: number;
   /** Bits of what records any of them. */
@@ -38,8 +38,10 @@ export interface RecordingBatch {
   readonly sources: readonly RecordSource[];
   /** Four numbers for each record: place of its source, targets, bytes, time. There may be room for more. */
   readonly heads: Float64Array<ArrayBuffer>;
-  /** The records one after another. There may be room for more. */
+  /** The small records one after another. There may be room for more. */
   readonly bytes: Uint8Array<ArrayBuffer>;
+  /** The records of more than `MAX_JOINED_BYTES`, in order, each in memory of its own. */
+  readonly large: readonly Uint8Array<ArrayBuffer>[];
 }
 
 /** Target of the flight recorder. */

@@ -88,7 +88,8 @@ export class WorkerRecorder implements Recorder {
     const numbers = sources.map((source) => this.#numberOf(source, added));
     this.#waitingBytes += batch.byteLength;
     const message: ToThread = { kind: 'batch', batch, numbers, added, isFresh: this.#isFresh };
-    this.#send(message, [batch.heads.buffer, batch.bytes.buffer]);
+    const large = batch.large.map(({ buffer }) => buffer);
+    this.#send(message, [batch.heads.buffer, batch.bytes.buffer, ...large]);
     this.#isFresh = false;
   }
 
