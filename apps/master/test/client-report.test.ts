@@ -64,11 +64,11 @@ describe('the client report', () => {
   it('says when it came, when it was heard of, and how far away it is [EX-25]', async () => {
     const { master, ada, of } = await createRoom();
     const startedMs = master.clock.nowMs();
-    master.clock.advanceSync(1_200);
+    master.clock.advanceSync(2_700);
     ada.sendText('PONG');
     expect(await of(ada)).toMatchObject({
       firstSeenMs: startedMs,
-      lastSeenMs: startedMs + 1_200,
+      lastSeenMs: startedMs + 2_700,
       connected: true,
       connectedMs: startedMs,
       roundTripMs: 200,

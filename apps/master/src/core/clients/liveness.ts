@@ -6,8 +6,11 @@ import type { ClientRegistry } from './client-registry.ts';
 
 /** Interval of liveness checks, milliseconds. [CL-12] */
 export const SWEEP_INTERVAL_MS = 500;
-/** Silence after which a client is asked [CL-12], milliseconds. */
-export const PING_AFTER_MS = 1_000;
+/**
+ * Silence after which a client is asked [CL-12], milliseconds. Longer than the interval at which clients of ours send PING
+ * themselves [EX-6], and as much before `SILENT_AFTER_MS`: a page may be busy for two seconds.
+ */
+export const PING_AFTER_MS = 2_500;
 /** Age at which a latency is measured again, however much the client says [CL-12], milliseconds. */
 export const LATENCY_AGE_MS = 5_000;
 /** Silence that makes a client inactive [CL-13], milliseconds. */
