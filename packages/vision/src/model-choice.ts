@@ -1,3 +1,10 @@
+import {
+  NEXT_BACKEND,
+  type PreviousFault,
+  replacementOf,
+  sentence,
+  suspicionOf,
+} from './backend-replacement.ts';
 import { BACKEND_CHOICES, type BackendName } from './tensorflow/backend-names.ts';
 import {
   sharedTensorflow,
@@ -6,13 +13,6 @@ import {
 } from './tensorflow/create-tensorflow.ts';
 import type { Files } from './tensorflow/memory-platform.ts';
 
-/** Replacements of a backend that fails while it computes. */
-const NEXT_BACKEND: Readonly<Record<BackendName, BackendName | undefined>> = {
-  webgpu: 'wasm',
-  webgl: 'wasm',
-  wasm: 'cpu',
-  cpu: undefined,
-};
 /** Interval of requests for missing files of a model, milliseconds. */
 const RETRY_MS = 5_000;
 
@@ -30,6 +30,11 @@ export interface ModelSources<Name extends string, Model extends { dispose(): vo
   readonly tensorflow: Files;
   /** By name; the first one is the default and replaces others. */
   readonly models: Readonly<Record<Name, ModelSource<Model>>>;
+  /**
+   * What ended the instance before this one, when it was restarted. A backend of the graphics card that takes longer for a
+   * picture than a call may last would otherwise be tried again and again.
+   */
+  readonly previousFault?: PreviousFault | undefined;
   /** Told of each model and backend in use, one sentence. */
   onChange?(text: string): void;
   /** Milliseconds of a steady clock; default `performance.now`. */
@@ -67,6 +72,8 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
   readonly #failures = new Map<BackendName, string>();
   /** The fastest backend is measured after the first result. */
   #isUnmeasured = true;
+  /** Why the graphics card is not used until it is chosen again; undefined when it may be. */
+  #suspicion: string | undefined;
   #following: Promise<void> | undefined;
   #retryAtMs = Infinity;
   #isDisposed = false;
@@ -91,6 +98,11 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     this.#inUse = inUse;
     this.#asked = `${inUse.name} auto`;
     this.#wish = { model: inUse.name, backend: 'auto', problem: '' };
+    this.#suspicion = suspicionOf(sources.previousFault);
+    if (this.#suspicion !== undefined && inUse.tensorflow.isProvisional) {
+      this.#isUnmeasured = false;
+      this.#failures.set('webgl', replacementOf('auto', this.backend, this.#suspicion)!.fault);
+    }
     this.#tell();
   }
 
@@ -131,7 +143,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     const asked = `${model} ${backend}`;
     if (asked !== this.#asked) {
       this.#asked = asked;
-      this.#wish = this.#readWish(model, backend);
+      this.#wish = this.#withoutSuspects(this.#readWish(model, backend));
       this.#isUnmeasured = false;
     } else if (this.#now() < this.#retryAtMs) return;
     this.#retryAtMs = Infinity;
@@ -169,6 +181,18 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
   dispose(): void {
     this.#isDisposed = true;
     this.#inUse.model.dispose();
+  }
+
+  /** The first choice of a restarted instance is that of before, and not that of a person who tries again. */
+  #withoutSuspects(wish: Wish<Name>): Wish<Name> {
+    const suspicion = this.#suspicion;
+    this.#suspicion = undefined;
+    if (suspicion === undefined) return wish;
+    this.#failures.clear();
+    const replacement = replacementOf(wish.backend, this.backend, suspicion);
+    if (replacement === undefined) return wish;
+    this.#failures.set('webgl', replacement.fault);
+    return { ...wish, ...replacement, problem: wish.problem || replacement.problem };
   }
 
   async #fallBack(backend: BackendName, next: BackendName, error: unknown): Promise<void> {
@@ -293,6 +317,5 @@ function tensorflowOf<Name extends string, Model extends { dispose(): void }>(
 }
 
 function messageOf(error: unknown): string {
-  const text = error instanceof Error ? error.message : String(error);
-  return text.endsWith('.') ? text : `${text}.`;
+  return sentence(error instanceof Error ? error.message : String(error));
 }

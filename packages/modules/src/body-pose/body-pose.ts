@@ -73,6 +73,7 @@ export const bodyPose = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     state.choice = await vision.ModelChoice.create({
       tensorflow: state.assets['tfjs-wasm']!,
+      previousFault: state.previousFault,
       models: {
         movenet: {
           title: 'MoveNet',

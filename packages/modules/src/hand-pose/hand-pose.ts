@@ -72,6 +72,7 @@ export const handPose = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     state.choice = await vision.ModelChoice.create({
       tensorflow: state.assets['tfjs-wasm']!,
+      previousFault: state.previousFault,
       models: {
         hands: {
           title: 'Hand landmarks',

@@ -88,6 +88,7 @@ export const objectDetection = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     state.choice = await vision.DetectorChoice.create({
       tensorflow: state.assets['tfjs-wasm']!,
+      previousFault: state.previousFault,
       centerNet: state.assets['centernet-coco']!,
       loadCocoSsd: () => state.loadAssets('coco-ssd'),
       // eslint-disable-next-line no-console -- the log of the module

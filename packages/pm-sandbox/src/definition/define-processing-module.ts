@@ -1,3 +1,4 @@
+import type { ModuleFault } from '../ports/module-fault.ts';
 import type { IoInits, ModuleInputs, ModuleOutputs } from './io-types.ts';
 
 /** When a module runs; nothing means 30 Hz. */
@@ -28,6 +29,8 @@ export interface NodeState {
    * loading may take longer than one call may wait. [PM-96]
    */
   readonly loadAssets: (name: string) => Promise<Readonly<Record<string, Uint8Array<ArrayBuffer>>>>;
+  /** What ended the instance before it was created again, of trusted modules; undefined: it is new. [PM-54] */
+  readonly previousFault?: ModuleFault | undefined;
   /** When the run began, milliseconds since the Unix epoch, master's clock, on every node. [PM-15] */
   masterTimeMs: number;
   /** With the mode trigger-on-input: inputs that were updated since the run before. */

@@ -31,6 +31,8 @@ export interface ModuleFault {
   readonly column?: number | undefined;
   /** With `output` and `flood`: the values it stands for, 1 unless given. */
   readonly count?: number | undefined;
+  /** With `crashed`: another module made the worker end that they shared. */
+  readonly isOfOther?: boolean | undefined;
   /** With `memory`: the memory of all modules of the node is used up, or that of its session. [PM-58] */
   readonly shortage?: 'all' | 'owner' | undefined;
 }

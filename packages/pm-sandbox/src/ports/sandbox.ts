@@ -38,6 +38,8 @@ export interface SandboxRequest {
   readonly limits: SandboxLimits;
   /** Owner that is charged for its memory: the session. [PM-58] */
   readonly owner: string;
+  /** What ended the instance, of one that is created again. Default: it is new. [PM-54] */
+  readonly previousFault?: ModuleFault | undefined;
 }
 
 /** Events and requests from a sandbox. */

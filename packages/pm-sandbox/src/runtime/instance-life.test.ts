@@ -321,6 +321,10 @@ describe('[PM-54] a killed instance', () => {
     expect(sandboxes.opened).toHaveLength(1);
     await clock.advance(1);
     expect(sandboxes.opened).toHaveLength(2);
+    expect(sandboxes.opened.map(({ request }) => request.previousFault?.message)).toEqual([
+      undefined,
+      'too much',
+    ]);
     expect(first.isTerminated).toBe(true);
     expect(sandboxes.last.calls.map(inputValues)).toEqual([{ a: 1 }]);
     expect(sandboxes.last.lastCall?.deltaTimeMs).toBe(0);

@@ -42,6 +42,8 @@ export class InstanceLife {
   /** It is to process as soon as it can. */
   #wantsRuns = false;
   #cancelRestart: Cancel | undefined;
+  /** What ended it before. */
+  #previousFault: ModuleFault | undefined;
   /** Ends the loading of its asset sets. */
   #loading: AbortController | undefined;
   #halting: Promise<void> | undefined;
@@ -133,7 +135,7 @@ export class InstanceLife {
     let sandbox: Sandbox | undefined;
     try {
       sandbox = sandboxes.open(
-        { ...request, assets },
+        { ...request, assets, previousFault: this.#previousFault },
         {
           onLog: ({ level, text }) => this.#reports.log(level, text),
           onMemory: (bytes) => {
@@ -215,6 +217,7 @@ export class InstanceLife {
 
   // [PM-54]
   #planRestart(fault: ModuleFault): void {
+    this.#previousFault = fault;
     const { clock } = this.#context;
     const delayMs = this.#restarts.next(clock.monotonicMs());
     if (delayMs === undefined) {

@@ -115,9 +115,10 @@ describe('WorkerHost', () => {
     expect(worker.killed).toEqual([]);
     worker.pass(2 * WATCHDOG_INTERVAL_MS);
     const [first, second] = await Promise.all(runs);
-    expect(first).toMatchObject({ kind: 'crashed' });
+    expect(first).toMatchObject({ kind: 'crashed', isOfOther: true });
     expect(first?.message).toContain('"module 2"');
     expect(second).toMatchObject({ kind: 'timeout', phase: 'onProcessing' });
+    expect(second?.isOfOther).toBeUndefined();
     expect(worker.killed.map(({ who, kind }) => [who, kind])).toEqual([
       [1, 'crashed'],
       [2, 'timeout'],

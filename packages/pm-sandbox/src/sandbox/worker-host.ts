@@ -384,7 +384,8 @@ export class WorkerHost {
       name === undefined
         ? fault.message
         : `The worker that it shares with "${name.moduleName}" was ended because of that module.`;
-    const crashed = moduleFault('crashed', '', `${because} The module lost its state.`);
+    const text = `${because} The module lost its state.`;
+    const crashed = { ...moduleFault('crashed', '', text), isOfOther: true };
     const instances = [...this.#instances];
     this.#forgetAll();
     this.#onEnd(name);

@@ -35,6 +35,14 @@ export function describeAssets(create: (init: SandboxInit) => Promise<OpenSandbo
       expect(await shown(one)).toEqual({});
     });
 
+    it('have what ended the instance before beside them, which a new one has not [PM-54]', async () => {
+      const onProcessing = shows('state.previousFault ?? "new"');
+      const message = 'onProcessing waited longer than 10000 ms.';
+      const previousFault = { kind: 'timeout', phase: 'onProcessing', message } as const;
+      expect(await shown(await create({ onProcessing, previousFault }))).toEqual(previousFault);
+      expect(await shown(await create({ onProcessing, instanceId: 'other' }))).toBe('new');
+    });
+
     it('that are libraries are evaluated once for all instances of a worker [PM-91]', async () => {
       const onProcessing = shows('[state.modules.counter.made, Object.keys(state.assets.counter)]');
       const init = { assets: [LIBRARY, MODEL], onProcessing };

@@ -26,6 +26,7 @@ export interface SandboxInit {
   readonly instanceId?: string;
   readonly isTrusted?: boolean;
   readonly owner?: string;
+  readonly previousFault?: ModuleFault;
   readonly onMemory?: (bytes: number) => void;
   readonly onLoadAssets?: SandboxEvents['onLoadAssets'];
 }
@@ -70,6 +71,7 @@ export function openSandbox(
       assets: init.assets ?? [],
       inputs: init.inputs ?? [],
       owner: init.owner ?? 'owner',
+      previousFault: init.previousFault,
       outputs: Object.entries<DataFormat | undefined>(init.outputs ?? { out: 'string' }).map(
         ([name, format]) => ({
           name,

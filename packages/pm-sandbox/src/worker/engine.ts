@@ -1,5 +1,5 @@
 import type { LoadedAssets } from '../assets/asset-store.ts';
-import type { ModulePhase } from '../ports/module-fault.ts';
+import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
 import type { ModuleSource, SandboxLimits } from '../ports/sandbox.ts';
 import type { RawOutput } from './encode-outputs.ts';
 import type { InputValues } from './module-records.ts';
@@ -30,6 +30,8 @@ export interface EngineRequest {
   readonly modules: Readonly<Record<string, unknown>>;
   /** Files by set and path. [PM-90] */
   readonly assets: Readonly<Record<string, LoadedAssets['files']>>;
+  /** What ended the instance before it was created again; undefined: it is new. */
+  readonly previousFault?: ModuleFault | undefined;
   /** Owner that is charged for its memory; undefined: its memory is not counted. [PM-58] */
   readonly owner?: number | undefined;
   /** Methods of the libraries that the host runs. */

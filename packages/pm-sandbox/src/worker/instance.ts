@@ -112,14 +112,14 @@ export class Instance {
   }
 
   #open(libraries: GivenParts): MaybePromise<void> {
-    const { source, limits, outputs } = this.#request;
+    const { source, limits, outputs, previousFault } = this.#request;
     if (source.onProcessing.trim() === '') {
       const message = 'The module has no onProcessing, which every module needs.';
       throw new ModuleError(moduleFault('missing', 'onProcessing', message));
     }
     const outputNames = outputs.map(({ name }) => name);
     const { owner } = this.#host;
-    const request = { source, limits, outputNames, owner, ...libraries };
+    const request = { source, limits, outputNames, previousFault, owner, ...libraries };
     const start = (code: EngineInstance): MaybePromise<void> => {
       if (this.#isFree) {
         code.free();

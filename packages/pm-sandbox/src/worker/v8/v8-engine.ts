@@ -50,6 +50,7 @@ class V8Instance implements EngineInstance {
   readonly #modules: object;
   readonly #assets: object;
   readonly #loadAssets: NodeState['loadAssets'];
+  readonly #previousFault: NodeState['previousFault'];
   readonly #urlOf: (phase: Phase) => string;
   #state: State;
 
@@ -62,6 +63,7 @@ class V8Instance implements EngineInstance {
     this.#outputNames = request.outputNames;
     this.#modules = Object.freeze({ ...request.modules, ...createHostModules(request, hooks) });
     this.#assets = Object.freeze({ ...request.assets });
+    this.#previousFault = Object.freeze(request.previousFault);
     this.#loadAssets = async (name) => {
       try {
         return await hooks.loadAssets(String(name));
@@ -170,12 +172,14 @@ class V8Instance implements EngineInstance {
       modules: { value: this.#modules, enumerable: false, writable: false },
       assets: { value: this.#assets, enumerable: false, writable: false },
       loadAssets: { value: this.#loadAssets, enumerable: false, writable: false },
+      previousFault: { value: this.#previousFault, enumerable: false, writable: false },
     };
     const isTaken = Object.entries(given).every(([name, property]) =>
       Reflect.defineProperty(state, name, property),
     );
     if (isTaken) return state;
-    const { modules: _modules, assets: _assets, loadAssets: _loadAssets, ...copy } = state;
+    const copy = { ...state };
+    for (const name of Object.keys(given)) Reflect.deleteProperty(copy, name);
     return Object.defineProperties(copy, given);
   }
 
