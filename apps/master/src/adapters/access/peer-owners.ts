@@ -211,7 +211,7 @@ async function readTable(table: SocketTable): Promise<string> {
     for (let text = ''; ;) {
       const { bytesRead } = await file.read(page, 0, page.length, null);
       if (bytesRead === 0) return text;
-      text += page.latin1Slice(0, bytesRead);
+      text += page.toString('latin1', 0, bytesRead);
     }
   } finally {
     await file.close();

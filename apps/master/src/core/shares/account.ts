@@ -30,8 +30,8 @@ export class Account {
   #max: Float64Array;
   readonly #untilFilled: Float64Array | undefined;
   readonly #used = new Float64Array(RESOURCES.length);
-  /** Time of the next search for a client that could free resources, by resource; monotonic milliseconds. */
-  readonly barrenUntilMs = new Float64Array(RESOURCES.length).fill(Number.NEGATIVE_INFINITY);
+  /** By resource; undefined before the first, as for nearly all clients. */
+  #barrenUntilMs: Map<Resource, number> | undefined = undefined;
 
   constructor({ kind, id, label = id, parent, max, untilFilled }: AccountParts) {
     this.kind = kind;
@@ -57,6 +57,17 @@ export class Account {
   /** Total usage up to which this account may use more; undefined: the limit. */
   untilFilled(resource: Resource): number | undefined {
     return this.#untilFilled?.[resource];
+  }
+
+  /** Time of the next search for a client that could free this, monotonic milliseconds. */
+  barrenUntilMs(resource: Resource): number {
+    return this.#barrenUntilMs?.get(resource) ?? Number.NEGATIVE_INFINITY;
+  }
+
+  /** No client could free this: there is no search until then. */
+  setBarren(resource: Resource, untilMs: number): void {
+    this.#barrenUntilMs ??= new Map();
+    this.#barrenUntilMs.set(resource, untilMs);
   }
 
   /** Nothing is used. */

@@ -34,6 +34,8 @@ export class Accounts {
   readonly master: Account;
   readonly #context: AccountsContext;
   readonly #classes = new Map<ShareClass, Account>();
+  /** Limits of a client, by its class and whether it has an invitation. */
+  readonly #clientMaxima = new Map<string, Float64Array>();
   readonly #invitations = new Map<string, Account>();
 
   constructor(context: AccountsContext) {
@@ -141,13 +143,13 @@ export class Accounts {
     const nowMs = this.#context.clock.monotonicMs();
     // Resources of one client cannot be freed by another client.
     if (level === account) return shortage;
-    const { barrenUntilMs } = level.kind === 'invitation' ? level : classOf(account);
-    if (nowMs < barrenUntilMs[resource]!) return shortage;
+    const searched = level.kind === 'invitation' ? level : classOf(account);
+    if (nowMs < searched.barrenUntilMs(resource)) return shortage;
     const find = (): Account | undefined => account.shortage(resource, amount, from);
     this.onShortage.emit(shortage, () => find() !== level);
     const after = find();
     if (after === undefined) return undefined;
-    barrenUntilMs[resource] = nowMs + BARREN_MS;
+    searched.setBarren(resource, nowMs + BARREN_MS);
     return { ...shortage, level: after };
   }
 
@@ -174,7 +176,15 @@ export class Accounts {
     if (account.kind === 'invitation' && account.isIdle) this.#invitations.delete(account.id);
   }
 
-  #maxOfClient({ shareClass, invitation }: Share): Float64Array {
+  /** The same for all clients that came in alike. */
+  #maxOfClient(share: Share): Float64Array {
+    const key = `${share.shareClass} ${share.invitation !== undefined}`;
+    let max = this.#clientMaxima.get(key);
+    if (max === undefined) this.#clientMaxima.set(key, (max = this.#computeMaxOfClient(share)));
+    return max;
+  }
+
+  #computeMaxOfClient({ shareClass, invitation }: Share): Float64Array {
     return this.#maxOf(({ each }) => {
       if (each === undefined) return Number.POSITIVE_INFINITY;
       const { client, participant = client, player = participant } = each;

@@ -39,7 +39,8 @@ export class Outbox implements TurnTask {
   #handedRecords = 0;
   /** Undefined while nothing waits, which is nearly always. */
   #waiting: WaitingRecords | undefined = undefined;
-  readonly #replays = new Set<TopicEntry>();
+  /** Undefined while nothing is to be replayed. */
+  #replays: Set<TopicEntry> | undefined = undefined;
   readonly #account: Account;
   #openedSequence = 0;
   /** Whether it is told of values that were deleted, which only nodes understand [TD-42]. */
@@ -86,18 +87,18 @@ export class Outbox implements TurnTask {
     this.#moveBatchToWaiting();
     this.#connection = connection;
     this.#openedSequence = sequence;
-    for (const entry of this.#replays) {
+    for (const entry of this.#replays ?? []) {
       if (entry.record !== undefined && !this.#waiting?.has(entry)) this.#deliverRetained(entry);
     }
-    this.#replays.clear();
+    this.#replays = undefined;
     this.handleDrain();
   }
 
   /** There is no connection any more. What was on its way is replayed as a retained record [TD-33]. */
   close(): void {
     this.#connection = undefined;
-    for (const node of this.#batch?.nodes() ?? []) this.#replays.add(node.entry!);
-    for (const entry of this.#waiting?.topics() ?? []) this.#replays.add(entry);
+    for (const node of this.#batch?.nodes() ?? []) this.queueReplay(node.entry!);
+    for (const entry of this.#waiting?.topics() ?? []) this.queueReplay(entry);
     this.#batch = undefined;
     this.#waiting?.clear();
     this.#waiting = undefined;
@@ -106,7 +107,7 @@ export class Outbox implements TurnTask {
   /** Everything on its way is void: the client is gone. */
   discard(): void {
     this.close();
-    this.#replays.clear();
+    this.#replays = undefined;
   }
 
   /** Gives the client one record. The hot path: runs once for each record and subscriber. */
@@ -128,7 +129,7 @@ export class Outbox implements TurnTask {
    */
   replay(entry: TopicEntry, sinceSequence: number): void {
     if (entry.record === undefined) return;
-    if (this.#connection === undefined) this.#replays.add(entry);
+    if (this.#connection === undefined) this.queueReplay(entry);
     else if (entry.sequence <= Math.max(sinceSequence, this.#openedSequence)) {
       this.#deliverRetained(entry);
     }
@@ -136,6 +137,7 @@ export class Outbox implements TurnTask {
 
   /** Queues the retained record of a topic, as soon as it has a connection. */
   queueReplay(entry: TopicEntry): void {
+    this.#replays ??= new Set();
     this.#replays.add(entry);
   }
 
@@ -152,7 +154,7 @@ export class Outbox implements TurnTask {
 
   /** The topic is forgotten or the client has no subscription to it any more. */
   cancelReplay(entry: TopicEntry): void {
-    this.#replays.delete(entry);
+    this.#replays?.delete(entry);
   }
 
   handleEndOfTurn(): void {

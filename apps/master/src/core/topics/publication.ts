@@ -31,13 +31,15 @@ const SHARED_BYTES = 2048;
 /** Records up to this length are small, bytes. */
 const SMALL_BYTES = 512;
 
+const NO_BYTES = new Uint8Array(0) as Uint8Array;
+
 /** A record on its way into its topic. One object serves every record of a publisher, one after the other. */
 export class Publication {
   /** Undefined: the master itself. */
   client: PublishingClient | undefined = undefined;
   topic = '';
   /** The message with the encoded record. It is not modified any more. */
-  frame: Uint8Array = new Uint8Array(0);
+  frame = NO_BYTES;
   start = 0;
   end = 0;
   valueField = 0;

@@ -38,7 +38,8 @@ export class Sampler implements TopicSampler {
   readonly #outbox: Outbox;
   readonly #context: SamplerContext;
   readonly #isPeers: boolean;
-  readonly #holding = new Set<Sample>();
+  /** Undefined before the first is held back: most clients sample nothing. */
+  #holding: Set<Sample> | undefined = undefined;
   #cancelTimer: Cancel | undefined = undefined;
   #timerDueMs = Number.POSITIVE_INFINITY;
   /** When the first record was delivered: from then on the ticks of every interval count. */
@@ -52,20 +53,21 @@ export class Sampler implements TopicSampler {
   }
 
   handleRecord(sample: Sample, nowMs: number): void {
-    if (this.#holding.has(sample) || !this.#outbox.isOpen) return;
+    if (this.#holding?.has(sample) || !this.#outbox.isOpen) return;
     if (nowMs >= sample.dueMs) this.#deliver(sample, nowMs);
     else {
+      this.#holding ??= new Set();
       this.#holding.add(sample);
       this.#wakeAt(sample.dueMs, nowMs);
     }
   }
 
   cancel(sample: Sample): void {
-    this.#holding.delete(sample);
+    this.#holding?.delete(sample);
   }
 
   release(sample: Sample): void {
-    if (this.#holding.delete(sample)) this.#deliver(sample, 0);
+    if (this.#holding?.delete(sample) === true) this.#deliver(sample, 0);
   }
 
   withdraw({ entry }: Sample): void {
@@ -74,12 +76,12 @@ export class Sampler implements TopicSampler {
 
   /** The connection is closed: what is held back is queued for replay [TD-33]. */
   close(): void {
-    for (const { entry } of this.#holding) this.#outbox.queueReplay(entry);
+    for (const { entry } of this.#holding ?? []) this.#outbox.queueReplay(entry);
     this.discard();
   }
 
   discard(): void {
-    this.#holding.clear();
+    this.#holding = undefined;
     this.#cancelTimer?.();
     this.#cancelTimer = undefined;
     this.#timerDueMs = Number.POSITIVE_INFINITY;
@@ -108,22 +110,22 @@ export class Sampler implements TopicSampler {
     this.#cancelTimer?.();
     this.#timerDueMs = dueMs;
     const delayMs = Math.min(Math.max(Math.ceil(dueMs - nowMs), 0), LONGEST_SLEEP_MS);
-    this.#cancelTimer = this.#context.clock.after(delayMs, this.#wake);
+    this.#cancelTimer = this.#context.clock.after(delayMs, () => this.#wake());
   }
 
-  readonly #wake = (): void => {
+  #wake(): void {
     this.#cancelTimer = undefined;
     this.#timerDueMs = Number.POSITIVE_INFINITY;
     const nowMs = this.#context.clock.monotonicMs();
     let nextMs = Number.POSITIVE_INFINITY;
-    for (const sample of [...this.#holding]) {
+    for (const sample of [...(this.#holding ?? [])]) {
       this.#context.refreshTargets(sample.entry);
-      if (!this.#holding.has(sample)) continue;
+      if (this.#holding?.has(sample) !== true) continue;
       if (nowMs >= sample.dueMs) {
         this.#holding.delete(sample);
         this.#deliver(sample, nowMs);
       } else nextMs = Math.min(nextMs, sample.dueMs);
     }
     if (nextMs < Number.POSITIVE_INFINITY) this.#wakeAt(nextMs, nowMs);
-  };
+  }
 }
