@@ -2,6 +2,7 @@ import type { Clock } from '@ubii/timing';
 
 import type { Config } from './adapters/config/config.ts';
 import { openStorage } from './adapters/storage/open-storage.ts';
+import { deriveKey } from './adapters/tokens/derive-key.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
 import type { ClusterPorts } from './core/areas/settings.ts';
 import type { Log } from './index.ts';
@@ -13,6 +14,8 @@ export interface MasterStores {
   readonly storage: ReturnType<typeof openStorage>;
   /** The other masters; undefined when this one is alone. */
   readonly cluster?: ClusterPorts;
+  /** Tells this installation apart from others of the cluster, the same in later runs. [CU-27] */
+  readonly installation?: string;
   /** Resolves when all that was written is stored, or cannot be. */
   close(): Promise<void>;
 }
@@ -37,7 +40,7 @@ export async function openStores(
   }
   // A master on its own does not load NATS.
   const { openCluster } = await import('./adapters/nats/open-cluster.ts');
-  return openCluster({
+  const cluster = await openCluster({
     address: config.cluster,
     name: config.clusterName,
     credentialsFile: config.clusterCredentials,
@@ -47,4 +50,9 @@ export async function openStores(
     clock,
     log,
   });
+  const ownKey = readOrCreateTokenKey(config.dataDir);
+  return {
+    ...cluster,
+    installation: Buffer.from(deriveKey(ownKey, 'installation')).toString('hex'),
+  };
 }

@@ -78,7 +78,7 @@ export async function startMaster({
     clock,
     log,
   });
-  const { key, cluster } = stores;
+  const { key, cluster, installation } = stores;
   const tokens = new HmacResumeTokens(key);
   const lan = await LanSwitch.create({
     config,
@@ -172,6 +172,7 @@ export async function startMaster({
     },
     {
       name: config.name,
+      ...(installation !== undefined && { installation }),
       version,
       limits,
       libraries,

@@ -1,7 +1,7 @@
 import { hkdfSync } from 'node:crypto';
 
 /** Purpose of a key; each purpose has its own key. */
-export type KeyPurpose = 'resume tokens' | 'credentials' | 'join secrets';
+export type KeyPurpose = 'resume tokens' | 'credentials' | 'join secrets' | 'installation';
 
 const KEY_BYTES = 32;
 /** Tells keys of this program, made in this way, from all others. */
