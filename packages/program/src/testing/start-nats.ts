@@ -28,7 +28,7 @@ export interface NatsServer {
   restart(): Promise<void>;
   /** Removes what it stored, while it does not run. */
   empty(): Promise<void>;
-  /** Ends it for good, and removes what it stored. */
+  /** Ends it, and removes what it stored. */
   stop(): Promise<void>;
 }
 

@@ -30,7 +30,7 @@ describe('[CU-56] the key of a cluster', () => {
     expect(await readOrCreateClusterKey(link, 'ubii_other_keys')).not.toEqual(key);
   });
 
-  it('is made anew after it was deleted', async () => {
+  it('is made again after it was deleted', async () => {
     const bucket = 'ubii_deleted_keys';
     const key = await readOrCreateClusterKey(link, bucket);
     await new KvBucket(link, bucket).write('token-key', undefined);

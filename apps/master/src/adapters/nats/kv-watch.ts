@@ -41,7 +41,7 @@ export interface WatchParts {
 
 /** The server says this often that nothing is missing, milliseconds. */
 const HEARTBEAT_MS = 2_000;
-/** After this time without a word the watch is lost, milliseconds. */
+/** After this time without a message, the watch is lost, milliseconds. */
 const SILENCE_MS = 3 * HEARTBEAT_MS;
 /** Operations after which a key has no value. */
 const REMOVALS: ReadonlySet<string> = new Set(['DEL', 'PURGE']);

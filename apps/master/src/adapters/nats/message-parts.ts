@@ -66,7 +66,7 @@ export class PartJoiner {
     return message.bytes;
   }
 
-  /** Forgets what has come of an incomplete message: the sender goes on with another one, or is gone. */
+  /** Forgets what has come of an incomplete message: the sender has begun another one, or is gone. */
   drop(sender: string): void {
     const message = this.#incomplete.get(sender);
     if (message === undefined) return;

@@ -106,7 +106,7 @@ export class NatsBus implements ClusterBus {
     }
   }
 
-  /** Of the library, which stops to read for good when this throws. */
+  /** Of the library, which stops reading permanently when this throws. */
   #receive(error: Error | null, msg: Msg): void {
     if (error !== null) {
       this.#link.log.error('messages of other masters cannot be received', {

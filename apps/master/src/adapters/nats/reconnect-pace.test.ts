@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 
 import { ReconnectPace } from './reconnect-pace.ts';
 
-it('[CU-60] waits longer after each attempt, up to 2 s, and begins anew after a success', () => {
+it('[CU-60] waits longer after each attempt, up to 2 s, and begins again after a success', () => {
   const pace = new ReconnectPace(() => 1);
   const delays = Array.from({ length: 9 }, () => {
     const delayMs = pace.delayMs();

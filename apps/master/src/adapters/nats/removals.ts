@@ -17,7 +17,7 @@ interface Removal {
 
 /**
  * What is left of deleted keys in a bucket. It tells masters that were away of the removal, and is removed itself
- * later, or a bucket of sessions that come and go would grow for ever. NATS does so by itself from version 2.11.
+ * later, or a bucket of sessions that come and go would grow forever. NATS does so by itself from version 2.11.
  */
 export class Removals {
   readonly #bucket: Pick<KvBucket, 'forget'>;
