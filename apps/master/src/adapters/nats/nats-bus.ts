@@ -54,8 +54,8 @@ export class NatsBus implements ClusterBus {
   }
 
   send(toMasterId: string, message: Uint8Array): void {
-    if (this.#joined === undefined || !isMasterId(toMasterId)) return;
-    this.#publish(this.#joined.subjects.to(toMasterId), message);
+    const subject = this.#joined?.subjects.to(toMasterId);
+    if (subject !== undefined) this.#publish(subject, message);
   }
 
   broadcast(message: Uint8Array): void {

@@ -1,6 +1,9 @@
 /** Ids of masters are UUIDs; nothing else becomes a part of a subject. */
 const UUID = /^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$/;
 
+/** Receivers whose subject is kept. */
+const MAX_KNOWN = 1_000;
+
 export function isMasterId(text: string): boolean {
   return UUID.test(text);
 }
@@ -9,29 +12,31 @@ export function isMasterId(text: string): boolean {
 export class BusSubjects {
   readonly #cluster: string;
   readonly #own: string;
+  readonly #to = new Map<string, string>();
+  /** What others send to this master. */
+  readonly forOwn: string;
+  /** What others send to every master. */
+  readonly forAll: string;
+  readonly toAll: string;
 
   /** @param masterId of the master that sends */
   constructor(cluster: string, masterId: string) {
     this.#cluster = cluster;
     this.#own = masterId;
+    this.forOwn = `ubii.${cluster}.to.${masterId}.*`;
+    this.forAll = `ubii.${cluster}.all.*`;
+    this.toAll = `ubii.${cluster}.all.${masterId}`;
   }
 
-  /** What others send to this master. */
-  get forOwn(): string {
-    return `ubii.${this.#cluster}.to.${this.#own}.*`;
-  }
-
-  /** What others send to every master. */
-  get forAll(): string {
-    return `ubii.${this.#cluster}.all.*`;
-  }
-
-  to(receiver: string): string {
-    return `ubii.${this.#cluster}.to.${receiver}.${this.#own}`;
-  }
-
-  get toAll(): string {
-    return `ubii.${this.#cluster}.all.${this.#own}`;
+  /** @returns undefined when that is no id of a master */
+  to(receiver: string): string | undefined {
+    const known = this.#to.get(receiver);
+    if (known !== undefined || !isMasterId(receiver)) return known;
+    // Masters come and go with new ids.
+    if (this.#to.size >= MAX_KNOWN) this.#to.clear();
+    const subject = `ubii.${this.#cluster}.to.${receiver}.${this.#own}`;
+    this.#to.set(receiver, subject);
+    return subject;
   }
 }
 
