@@ -119,6 +119,17 @@ describe('legacy ports', () => {
   });
 });
 
+describe('ports of ZeroMQ [SV-62]', () => {
+  it.each([
+    [[], undefined],
+    [['--zeromq-ports', 'off'], undefined],
+    [['--zeromq-ports', 'on'], { services: 8101, topicData: 8103 }],
+    [['--zeromq-ports', '0,0'], { services: 0, topicData: 0 }],
+  ])('%j', (flags, expected) => {
+    expect(resolve(flags).zeromqPorts).toEqual(expected);
+  });
+});
+
 describe('a wrong value is explained in one sentence', () => {
   it.each([
     [['--port', 'abc'], '--port must be a whole number from 0 to 65535'],
@@ -130,6 +141,9 @@ describe('a wrong value is explained in one sentence', () => {
     [['--lan=maybe'], 'true or false'],
     [['--legacy-ports', '8102'], 'two ports separated by a comma'],
     [['--legacy-ports', '1,2,3'], 'on, off, or two ports'],
+    [['--zeromq-ports', '1'], 'two ports separated by a comma, such as 8101,8103'],
+    [['--zeromq-ports', '8101,8102'], 'Port 8102 of --zeromq-ports cannot be used for anything'],
+    [['--zeromq-ports', '9000,9000'], 'Port 9000 of --zeromq-ports'],
     [['--print-endpoints', 'xml'], '--print-endpoints must be json'],
     [['--busy-percent', '0'], '--busy-percent must be a number from 1 to 100'],
     [['--publisher-percent', 'much'], '--publisher-percent must be a number from 1 to 100'],

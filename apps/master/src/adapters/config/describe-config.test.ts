@@ -21,6 +21,7 @@ it('[EX-50] tells every option as people write it', () => {
     '--port': '8080',
     '--lan': 'on',
     '--legacy-ports': 'off',
+    '--zeromq-ports': 'off',
     '--modules': 'none',
     '--allowed-origins': 'none',
     '--checks': 'throttle',

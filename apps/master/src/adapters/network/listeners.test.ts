@@ -1,4 +1,6 @@
+import { once } from 'node:events';
 import { createServer, type ServerResponse } from 'node:http';
+import { connect } from 'node:net';
 import { afterEach, describe, expect, it } from 'vitest';
 
 import { StreamLog } from '../log/stream-log.ts';
@@ -117,6 +119,35 @@ describe('opening ports', () => {
     }
     answers[0]!.end('late');
     expect(await (await slow).text()).toBe('late');
+  });
+
+  it('moves the ports of ZeroMQ to another host as well, each with what takes its connections', async () => {
+    const master = new Listeners({
+      onePort: undefined,
+      host: 'localhost',
+      log,
+      handleRequest: (_request, response) => response.end('hello'),
+      handleUpgrade: (_request, socket) => socket.destroy(),
+      zeromq: {
+        services: (socket) => socket.end('services'),
+        topicData: (socket) => socket.end('topic data'),
+      },
+    });
+    opened.push(master);
+    const zeromq = { services: 0, topicData: 0 };
+    await master.open({ main: 0, legacy: undefined, legacyWished: false, zeromq });
+    const { ports } = master;
+    const said = async (host: string, port: number): Promise<string> => {
+      const socket = connect(port, host).setEncoding('utf8');
+      const [text] = (await once(socket, 'data')) as [string];
+      return text;
+    };
+    expect(await said('127.0.0.1', ports.zeromq!.services)).toBe('services');
+    await master.move({ host: '127.0.0.2', onePort: undefined });
+    expect(master.ports).toEqual(ports);
+    expect(await said('127.0.0.2', ports.zeromq!.services)).toBe('services');
+    expect(await said('127.0.0.2', ports.zeromq!.topicData)).toBe('topic data');
+    await expect(said('127.0.0.1', ports.zeromq!.services)).rejects.toThrow('ECONNREFUSED');
   });
 
   it('stays where it is when the main port cannot be had on the other host', async () => {

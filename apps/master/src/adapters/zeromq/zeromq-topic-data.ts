@@ -140,7 +140,7 @@ export class ZeroMqTopicData {
   }
 }
 
-/** Reads on, so that the end of the other side is seen, but not for ever. */
+/** Reads on, so that the end of the other side is seen, up to a limit. */
 function discard(socket: Socket): void {
   let size = 0;
   socket.removeAllListeners('data');
