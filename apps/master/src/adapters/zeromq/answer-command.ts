@@ -1,9 +1,23 @@
+import type { Socket } from 'node:net';
+
 import { encodeCommand, readCommand } from './zmtp-frames.ts';
 
 /** Bytes of the time-to-live in PING. */
 const TTL_BYTES = 2;
 /** Most bytes that a PING asks to have back. */
 const MAX_CONTEXT_BYTES = 16;
+
+/** Answers wait for nobody: with so much unsent, there are none. */
+const MAX_UNSENT_BYTES = 64 * 1024;
+
+/** Returns what sends answers on a socket, unless its peer asks without taking them. */
+export function answersOn(
+  socket: Pick<Socket, 'write' | 'writableLength'>,
+): (answer: Buffer) => void {
+  return (answer) => {
+    if (socket.writableLength < MAX_UNSENT_BYTES) socket.write(answer);
+  };
+}
 
 /**
  * The answer to a command after the greeting: PONG to PING (ZMTP 3.1, heartbeats). It is the library of a peer that asks,

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { SuiteHost } from '../../testing/acceptance/suite-host.ts';
 import { LOCAL_CALLER } from '../../index.ts';
 import { RecordingConnection } from '../../testing/index.ts';
+import { answersOn } from './answer-command.ts';
 import { MessageReader } from './message-reader.ts';
 import { DELIMITER, MORE, ZmtpError, encodeCommand, encodeFrame } from './zmtp-frames.ts';
 
@@ -58,4 +59,20 @@ describe('messages of a DEALER', () => {
     await expect(heard(Uint8Array.of(4, 0))).rejects.toThrow(ZmtpError);
     await expect(heard(Uint8Array.of(4, 2, 9, 65))).rejects.toThrow('A command has no name.');
   });
+});
+
+it('leaves a peer that takes no answers without more of them [TD-53]', () => {
+  const written: Buffer[] = [];
+  const socket = {
+    writableLength: 0,
+    write(bytes: Buffer | string) {
+      written.push(Buffer.from(bytes as Buffer));
+      this.writableLength += bytes.length;
+      return true;
+    },
+  };
+  const answer = answersOn(socket);
+  const pong = encodeCommand('PONG', Buffer.alloc(16));
+  for (let i = 0; i < 100_000; i++) answer(pong);
+  expect(written.length).toBe(Math.ceil((64 * 1024) / pong.length));
 });

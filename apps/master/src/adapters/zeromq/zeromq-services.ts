@@ -8,6 +8,7 @@ import type { Doorkeeper } from '../network/doorkeeper.ts';
 import { answerRequest, type AnswerOptions } from '../services/answer-request.ts';
 import { drain } from '../services/bodies/drain.ts';
 import { binaryFormat, jsonFormat } from '../services/service-format.ts';
+import { answersOn } from './answer-command.ts';
 import { ByteSource, SourceEnded } from './byte-source.ts';
 import { greetPeer } from './greet-peer.ts';
 import { OpenSockets } from './open-sockets.ts';
@@ -78,7 +79,7 @@ export class ZeroMqServices {
     let goesOn = true;
     while (goesOn && !this.#isClosing) {
       this.#idle.add(socket);
-      const message = await takeRequest(source, (answer) => socket.write(answer)).finally(() =>
+      const message = await takeRequest(source, answersOn(socket)).finally(() =>
         this.#idle.delete(socket),
       );
       goesOn = await this.#answer(socket, source, caller, message);

@@ -5,6 +5,7 @@ import type { ClientClaim, ConnectionHandle, ConnectionHost, Log } from '../../c
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../addresses/address-kinds.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
+import { answersOn } from './answer-command.ts';
 import { ByteSource } from './byte-source.ts';
 import { greetPeer } from './greet-peer.ts';
 import { MessageReader } from './message-reader.ts';
@@ -97,7 +98,7 @@ export class ZeroMqTopicData {
 
   #listen(socket: Socket, handle: ConnectionHandle, rest: Buffer): void {
     const { log, maxMessageBytes } = this.#options;
-    const reader = new MessageReader(handle, maxMessageBytes, (answer) => socket.write(answer));
+    const reader = new MessageReader(handle, maxMessageBytes, answersOn(socket));
     const read = (chunk: Buffer): void => {
       handle.handleReadStart();
       try {
