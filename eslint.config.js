@@ -12,6 +12,7 @@ const noApps = {
     '@ubii/master/*',
     '@ubii/frontend',
     '@ubii/node',
+    '@ubii/bridge',
     '@ubii/benchmarks',
     '@ubii/e2e',
     '@ubii/robustness',
@@ -185,7 +186,7 @@ export default ts.config(
     files: ['packages/proto/**'],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
-  { files: ['packages/client-web/**'], rules: restrict(noApps, noVue, noModules) },
+  { files: ['packages/{client-program,client-web}/**'], rules: restrict(noApps, noVue, noModules) },
   {
     files: ['packages/{discovery,patterns,program,recording,timing,words}/**'],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
@@ -224,7 +225,7 @@ export default ts.config(
       ],
     },
   },
-  { files: ['apps/node/**'], rules: restrict(noApps) },
+  { files: ['apps/{bridge,node}/**'], rules: restrict(noApps) },
   {
     files: ['demos/ubi-party/src/sim/**'],
     ignores: ['**/*.test.ts', '**/testing/**'],

@@ -40,6 +40,7 @@ const builds = {
         'LICENSE',
         'apps/master/package.json',
         'apps/node/package.json',
+        'apps/bridge/package.json',
         'packages/vision/package.json',
       ],
     ],
@@ -65,6 +66,7 @@ const builds = {
     output: 'apps/node/dist/main.js',
     inputs: [
       ...everywhere,
+      'packages/client-program',
       'packages/client-web',
       'packages/discovery',
       'packages/program',
@@ -72,10 +74,22 @@ const builds = {
     ],
     build: async () => expectSuccess(await runNode(inRoot('apps/node/build.mjs'), [])),
   },
+  bridge: {
+    output: 'apps/bridge/dist/main.js',
+    inputs: [
+      ...everywhere,
+      ...['packages/client-program', 'packages/client-web', 'packages/discovery'],
+      ...['packages/program', 'apps/bridge'],
+    ],
+    build: async () => expectSuccess(await runNode(inRoot('apps/bridge/build.mjs'), [])),
+  },
 };
 
 /** Path of the built node, relative to the root. */
 export const nodeProgram = builds.node.output;
+
+/** Path of the built bridge, relative to the root. */
+export const bridgeProgram = builds.bridge.output;
 
 /** Path of the built programs for recordings, relative to the root. */
 export const recordingsProgram = 'apps/node/dist/recordings.js';

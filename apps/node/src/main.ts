@@ -1,13 +1,11 @@
+import { createLog, discoverMaster, readTokenFile } from '@ubii/client-program';
+import type { Log } from '@ubii/client-program';
 import { readVersion, runProgram, shutDownOnRequest } from '@ubii/program';
-import { discoverMaster } from './discover-master.ts';
-import { createLog } from './log.ts';
-import type { Log } from './log.ts';
 import { NODE_PROGRAM } from './options.ts';
 import type { Config } from './options.ts';
 import { openSandboxes } from './sandboxes.ts';
 import { startNode } from './start-node.ts';
 import type { RunningNode } from './start-node.ts';
-import { readTokenFile } from './token-file.ts';
 
 /** The process exits after this time, even if closing has not finished. */
 const SHUTDOWN_DEADLINE_MS = 1_900;

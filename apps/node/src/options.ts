@@ -1,6 +1,6 @@
 import { hostname } from 'node:os';
+import { checkJoining, identityOption, JOINING_OPTIONS } from '@ubii/client-program';
 import {
-  ConfigError,
   HELP_OPTIONS,
   listOption,
   logLevelOption,
@@ -8,7 +8,6 @@ import {
   parseChoice,
   parseFetchOrigins,
   parseName,
-  parsePath,
   parseWholeNumber,
   pathOption,
   switchOption,
@@ -20,29 +19,7 @@ const LEAST_MEGABYTES = 8;
 
 /** Every option. */
 export const OPTIONS = {
-  master: option({
-    placeholder: '<url>',
-    fallback: 'http://localhost:8080',
-    description: 'Address of the master.',
-    parse: parseUrl,
-  }),
-  discover: switchOption(
-    'Find the master in the local network (multicast DNS). With several masters, list them and exit.',
-  ),
-  join: option<string | undefined>({
-    placeholder: '<token|code>',
-    fallback: undefined,
-    fallbackText: 'none',
-    description:
-      'Token or code to join with, when the master runs on another machine. Needed once: the node stores its identity.',
-    isSecret: true,
-    parse: parseJoin,
-  }),
-  tokenFile: pathOption(
-    '<file>',
-    'none',
-    'File with the token to join with, so that the list of processes does not show it. The file admin-token in the data directory of a local master makes this node an admin.',
-  ),
+  ...JOINING_OPTIONS,
   modules: pathOption(
     '<folder>',
     'none',
@@ -90,14 +67,7 @@ export const OPTIONS = {
     description: 'Most space of recordings in the folder, in MiB; recordings stop beyond it.',
     parse: parseMegabytes,
   }),
-  identity: option<string | undefined>({
-    placeholder: '<file>|off',
-    fallback: undefined,
-    fallbackText: 'a file in the home directory, one for each name and master',
-    description:
-      'File with the identity of this node, so that its next run is the same client. off: each run is a new client.',
-    parse: (text, baseDir) => (text === 'off' ? 'off' : parsePath(text, baseDir)),
-  }),
+  identity: identityOption,
   printEndpoints: option<'json' | undefined>({
     placeholder: 'json',
     fallback: undefined,
@@ -123,36 +93,8 @@ export const NODE_PROGRAM: ProgramOptions<typeof OPTIONS> = {
 
 Each option is a flag and an environment variable. When both are set, the flag applies.
 `,
-  check({ discover, join, tokenFile }, given) {
-    if (discover && given.has('master')) {
-      throw new ConfigError(
-        'The options --master and --discover both choose the master. Remove one of them.',
-      );
-    }
-    if (join !== undefined && tokenFile !== undefined) {
-      throw new ConfigError(
-        'The options --join and --token-file both set the token. Remove one of them.',
-      );
-    }
-  },
+  check: checkJoining,
 };
-
-/** Returns the token or code. Also accepts the link of a QR code. */
-export function parseJoin(text: string): string {
-  const token = text.slice(text.indexOf('#') + 1).trim();
-  if (!/^[!-~][ -~]{0,199}$/.test(token)) {
-    throw new Error('a token or code, or a link that ends with one');
-  }
-  return token;
-}
-
-function parseUrl(text: string): string {
-  const url = URL.canParse(text) ? new URL(text) : undefined;
-  if (url === undefined || !/^https?:$/.test(url.protocol) || url.pathname !== '/') {
-    throw new Error('an http or https URL without a path, such as http://192.168.1.20:8080');
-  }
-  return url.origin;
-}
 
 /** @returns bytes */
 function parseMegabytes(text: string): number {

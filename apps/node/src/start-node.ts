@@ -1,12 +1,9 @@
 import { ConfigError, findBuilt } from '@ubii/program';
 import type { LogLevel } from '@ubii/program';
+import { createIdentityFile, createStateLog, defaultIdentityFile } from '@ubii/client-program';
+import type { Log } from '@ubii/client-program';
 import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
-import type {
-  ConnectionError,
-  ConnectionState,
-  IdentityStorage,
-  UbiiClient,
-} from '@ubii/client-web/node';
+import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { createProcessingNode } from '@ubii/client-web/processing';
 import type { NodeInstance, ProcessingNode } from '@ubii/client-web/processing';
 import { moduleLibrary } from '@ubii/modules';
@@ -20,8 +17,6 @@ import type { ModuleEvent, ProcessingModule } from '@ubii/proto';
 import { within } from '@ubii/timing';
 import { systemClock } from '@ubii/timing/system';
 import { counted } from '@ubii/words';
-import { createIdentityFile, defaultIdentityFile } from './identity-file.ts';
-import type { Log } from './log.ts';
 import type { Config } from './options.ts';
 import { openRecorder, watchCredential } from './recorder/open-recorder.ts';
 
@@ -102,7 +97,7 @@ export async function startNode({
     log('info', `${describeModules(folder.loaded.modules)} in ${config.modules}`);
   }
 
-  client.onState(createStateLog(log, config.master));
+  client.onState(createStateLog(log, config.master, 'node'));
   client.onError((problem) => log('warn', problem.message));
   node.onEvent((event) => log(...describeEvent(event)));
   node.onChange(createInstanceLog(log));
@@ -125,7 +120,7 @@ export async function startNode({
 
 function identityOf({ identity, master, name }: Config): IdentityStorage {
   if (identity === 'off') return createMemoryIdentity();
-  return createIdentityFile(identity ?? defaultIdentityFile(master, name));
+  return createIdentityFile(identity ?? defaultIdentityFile('nodes', master, name));
 }
 
 /** True when the node has all libraries of the module. Other modules are not offered. [PM-4] */
@@ -160,43 +155,6 @@ function describeModules(modules: readonly ProcessingModule[]): string {
   const names = modules.map(({ name }) => name).join(', ');
   if (modules.length === 0) return 'No modules';
   return `${counted(modules.length, 'module')} (${names})`;
-}
-
-/** Logs changes of the connection. Logs only the first of several failed attempts as a warning. */
-function createStateLog(log: Log, master: string): (state: ConnectionState) => void {
-  let isLogged = false;
-  return (state) => {
-    switch (state.status) {
-      case 'connected':
-        isLogged = false;
-        return log('info', `Connected to ${master} as ${state.clientId}`);
-      case 'reconnecting':
-        if (isLogged)
-          return log('debug', `Connection attempt ${state.attempt} failed: ${state.error.message}`);
-        isLogged = true;
-        return log(
-          'warn',
-          `No connection to ${master}: ${state.error.message}. Retrying until it succeeds`,
-        );
-      case 'closed':
-        return state.error === undefined
-          ? log('info', `Disconnected from ${master}`)
-          : log(
-              'error',
-              `${master} refused this node: ${state.error.message}${hintFor(state.error)}`,
-            );
-      case 'connecting':
-        return log('info', `Connecting to ${master}`);
-      case 'idle':
-        return;
-    }
-  };
-}
-
-function hintFor({ reason }: ConnectionError): string {
-  return reason === 'join'
-    ? ' Start it with --join <code>; the terminal of the master shows the code.'
-    : '';
 }
 
 const EVENT_LEVELS: { readonly [K in ModuleEventKind]: LogLevel } = {

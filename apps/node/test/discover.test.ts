@@ -4,7 +4,7 @@ import { createSocket } from 'node:dgram';
 import { announceMaster } from '@ubii/discovery';
 import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished } from 'vitest';
-import { discoverMaster } from '../src/discover-master.ts';
+import { discoverMaster } from '@ubii/client-program';
 import { masterProgram, nodeProgram } from './build-programs.ts';
 
 const TIMEOUT_MS = 60_000;

@@ -1,10 +1,10 @@
 import { createMemoryIdentity, createClient } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
-import { temporaryFolder } from '@ubii/program/testing';
+import { RunningProgram, temporaryFolder } from '@ubii/program/testing';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { Program, recordingsProgram, startMaster } from './programs.ts';
+import { recordingsProgram, startMaster } from './programs.ts';
 
 // Each test starts several programs, which takes long on a busy machine.
 vi.setConfig({ testTimeout: 60_000 });
@@ -18,7 +18,7 @@ async function joinAs(url: string, name: string): Promise<UbiiClient> {
 
 /** Runs a program of recordings to its end. @returns what it wrote to standard output */
 async function run(...args: readonly string[]): Promise<string> {
-  const program = new Program(recordingsProgram, args);
+  const program = new RunningProgram(recordingsProgram, args);
   expect(await program.ended(), program.stderr).toBe(0);
   return program.stdout;
 }
@@ -32,7 +32,7 @@ async function recordSteps(file: string): Promise<string> {
   publisher.publish('/elsewhere', 'double', 9);
   // The value that is there when the recording begins is part of it.
   step(1);
-  const recorder = new Program(recordingsProgram, [
+  const recorder = new RunningProgram(recordingsProgram, [
     ...['record', file, '--master', url, '--topics', '/lab/**', '--name', 'Three steps'],
     ...['--log-level', 'debug'],
   ]);
@@ -77,7 +77,7 @@ describe('the programs for recordings', () => {
       'Ada,/lab/step,vector2,3,-3',
     ]);
 
-    const again = new Program(recordingsProgram, ['export', file, '--out', tables]);
+    const again = new RunningProgram(recordingsProgram, ['export', file, '--out', tables]);
     expect(await again.ended()).toBe(1);
     expect(again.stderr).toContain('lab-step.csv cannot be written: it exists');
   });
@@ -98,7 +98,7 @@ describe('the programs for recordings', () => {
     expect(await run('import', table, '--name', 'Again')).toContain('Imported 3 records.');
     expect(await topics(join(folder, 'out/lab-step.mcap'))).toMatchObject([step]);
 
-    const late = new Program(recordingsProgram, [
+    const late = new RunningProgram(recordingsProgram, [
       ...['export', file, '--format', 'mcap', '--from', '900', '--topics', '/none', ...out],
     ]);
     expect(await late.ended()).toBe(1);
@@ -125,7 +125,7 @@ describe('the programs for recordings', () => {
     await run(...share, '--out', join(folder, 'b'), '--format', 'mcap');
     const text = await run('info', join(folder, 'b/Shared-recording.mcap'), '--json');
     expect(JSON.parse(text)).toMatchObject({ topics: [{ topic: '/lab/step', clientName: ada }] });
-    const broken = new Program(recordingsProgram, ['export', file, '--personal', file]);
+    const broken = new RunningProgram(recordingsProgram, ['export', file, '--personal', file]);
     expect(await broken.ended()).toBe(1);
     expect(broken.stderr).toContain('The rules for personal data are no JSON object');
   });
@@ -159,7 +159,7 @@ describe('the programs for recordings', () => {
       [join(folder, 'none.mcap'), 'cannot be opened: it does not exist'],
       [text, 'cannot be read'],
     ] as const) {
-      const program = new Program(recordingsProgram, ['info', path]);
+      const program = new RunningProgram(recordingsProgram, ['info', path]);
       expect(await program.ended()).toBe(1);
       expect(program.stderr).toContain(words);
     }

@@ -8,7 +8,7 @@ import {
 } from '@ubii/proto';
 import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import { clockEvent, type Recorder } from '@ubii/recording/recorder';
-import type { Log } from '../log.ts';
+import type { Log } from '@ubii/client-program';
 import { followFacts, presentFacts } from './recorded-facts.ts';
 import { RunningFeed } from './running-feed.ts';
 import { Uploads } from './uploads.ts';

@@ -5,7 +5,7 @@ import { ConfigError } from '@ubii/program';
 import { recordingPath } from '@ubii/recording/node';
 import { WorkerRecorder } from '@ubii/recording/thread';
 import { systemClock } from '@ubii/timing/system';
-import type { Log } from '../log.ts';
+import type { Log } from '@ubii/client-program';
 import { keptFile } from './kept-file.ts';
 import { NodeRecorder } from './node-recorder.ts';
 import { sendFile } from './send-file.ts';

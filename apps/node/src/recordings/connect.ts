@@ -1,14 +1,11 @@
+import { discoverMaster, JOINING_OPTIONS, readTokenFile } from '@ubii/client-program';
+import type { Log } from '@ubii/client-program';
 import { createClient, type UbiiClient } from '@ubii/client-web/node';
 import { ConfigError } from '@ubii/program';
-import { discoverMaster } from '../discover-master.ts';
-import type { Log } from '../log.ts';
 import { OPTIONS, type Config } from '../options.ts';
-import { readTokenFile } from '../token-file.ts';
-
-const { master, discover, join, tokenFile, logLevel } = OPTIONS;
 
 /** Options of programs that join a master for one task. */
-export const CONNECTION_OPTIONS = { master, discover, join, tokenFile, logLevel } as const;
+export const CONNECTION_OPTIONS = { ...JOINING_OPTIONS, logLevel: OPTIONS.logLevel } as const;
 
 type ConnectionOptions = Pick<Config, 'master' | 'discover' | 'join' | 'tokenFile'>;
 

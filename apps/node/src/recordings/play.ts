@@ -18,7 +18,7 @@ import {
 } from '@ubii/recording';
 import { systemClock } from '@ubii/timing/system';
 import { counted } from '@ubii/words';
-import { createLog } from '../log.ts';
+import { createLog } from '@ubii/client-program';
 import { connect, CONNECTION_OPTIONS } from './connect.ts';
 import { durationText, openRecording } from './recording-words.ts';
 import { replayedRecord } from './replayed-record.ts';

@@ -11,7 +11,7 @@ import {
 import type { OptionValues, ProgramOptions } from '@ubii/program';
 import { RecordingWriter } from '@ubii/recording';
 import { counted } from '@ubii/words';
-import { createLog } from '../log.ts';
+import { createLog } from '@ubii/client-program';
 import { ClientRecorder } from './client-recorder.ts';
 import { connect, CONNECTION_OPTIONS } from './connect.ts';
 import { bytesText, createRecording, durationText } from './recording-words.ts';

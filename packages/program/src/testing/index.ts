@@ -1,1 +1,2 @@
+export { RunningProgram } from './running-program.ts';
 export { temporaryFolder } from './temporary-folder.ts';

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { readOptions } from '@ubii/program';
 import { temporaryFolder } from '@ubii/program/testing';
 import { expect, it } from 'vitest';
-import { NODE_PROGRAM } from './options.ts';
+import { checkJoining, JOINING_OPTIONS } from './joining-options.ts';
 import { readTokenFile } from './token-file.ts';
 
 function fileWith(text: string): string {
@@ -24,8 +24,14 @@ it('throws an error with the reason for an invalid file', () => {
 });
 
 it('replaces a token on the command line', () => {
+  const program = {
+    options: JOINING_OPTIONS,
+    environmentPrefix: 'UBII_NODE_',
+    about: '',
+    check: checkJoining,
+  };
   const read = (args: string[], env = {}) =>
-    readOptions(NODE_PROGRAM, args, env, '/folder').values.tokenFile;
+    readOptions(program, args, env, '/folder').values.tokenFile;
   expect(read(['--token-file', 'a'])).toBe('/folder/a');
   expect(read([], { UBII_NODE_TOKEN_FILE: '/b' })).toBe('/b');
   expect(() => read(['--token-file', 'a', '--join', 'K7QF-2MXR'])).toThrow('Remove one of them');

@@ -10,7 +10,7 @@ function newFile(): string {
 
 const ada = { clientId: 'ada', resumeToken: 'secret' };
 
-describe('the identity of a node', () => {
+describe('the identity of a program', () => {
   it('[PM-63] is available in the next run, also after a deregistration', () => {
     const file = newFile();
     expect(createIdentityFile(file).load()).toBeUndefined();
@@ -43,7 +43,7 @@ describe('the identity of a node', () => {
 
   it('has a file for each name and master', () => {
     const env = { XDG_STATE_HOME: '/state' };
-    const file = (master: string, name: string) => defaultIdentityFile(master, name, env);
+    const file = (master: string, name: string) => defaultIdentityFile('nodes', master, name, env);
     expect(file('http://localhost:8080', 'a/b')).toBe(
       '/state/ubi-interact/nodes/a%2Fb%20at%20localhost%3A8080.json',
     );

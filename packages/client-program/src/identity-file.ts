@@ -14,8 +14,8 @@ interface Kept {
 }
 
 /**
- * Stores the identity of a node in a file, so that the next run gets the modules that sessions assigned
- * to the node. [PM-63] Does not load an identity that another running process uses. The file is a
+ * Stores the identity of a program in a file, so that its next run is the same client: a node gets the modules
+ * that sessions assigned to it. [PM-63] Does not load an identity that another running process uses. The file is a
  * secret: a program that reads it can connect as this client.
  */
 export function createIdentityFile(
@@ -46,14 +46,19 @@ export function createIdentityFile(
   };
 }
 
-/** Returns the default path of the identity file of a node. */
+/**
+ * Returns the default path of the identity file of a program.
+ *
+ * @param kind folder of the programs of one kind
+ */
 export function defaultIdentityFile(
+  kind: 'nodes' | 'bridges',
   master: string,
   name: string,
   env: Environment = process.env,
 ): string {
   const file = encodeURIComponent(`${name} at ${new URL(master).host}`);
-  return join(userStateFolder(env), 'nodes', `${file}.json`);
+  return join(userStateFolder(env), kind, `${file}.json`);
 }
 
 function read(path: string): Kept | undefined {

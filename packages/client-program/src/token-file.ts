@@ -1,6 +1,5 @@
 import { ConfigError } from '@ubii/program';
 import { readFileSync } from 'node:fs';
-import { parseJoin } from './options.ts';
 
 /**
  * Reads a token from a file, such as `admin-token` in the data directory of a master [AC-44].
@@ -27,4 +26,13 @@ export function readTokenFile(file: string): string {
       `The file ${file} (--token-file) must contain ${(error as Error).message}.`,
     );
   }
+}
+
+/** Returns the token or code. Also accepts the link of a QR code. */
+export function parseJoin(text: string): string {
+  const token = text.slice(text.indexOf('#') + 1).trim();
+  if (!/^[!-~][ -~]{0,199}$/.test(token)) {
+    throw new Error('a token or code, or a link that ends with one');
+  }
+  return token;
 }

@@ -1,0 +1,6 @@
+export * from './discover-master.ts';
+export * from './identity-file.ts';
+export * from './joining-options.ts';
+export * from './log.ts';
+export * from './state-log.ts';
+export * from './token-file.ts';

@@ -1,0 +1,68 @@
+import { ConfigError, option, parsePath, pathOption, switchOption } from '@ubii/program';
+import { parseJoin } from './token-file.ts';
+
+/** Options of programs that join a master. */
+export const JOINING_OPTIONS = {
+  master: option({
+    placeholder: '<url>',
+    fallback: 'http://localhost:8080',
+    description: 'Address of the master.',
+    parse: parseMasterUrl,
+  }),
+  discover: switchOption(
+    'Find the master in the local network (multicast DNS). With several masters, list them and exit.',
+  ),
+  join: option<string | undefined>({
+    placeholder: '<token|code>',
+    fallback: undefined,
+    fallbackText: 'none',
+    description:
+      'Token or code to join with, when the master runs on another machine. Needed once: the program stores its identity.',
+    isSecret: true,
+    parse: parseJoin,
+  }),
+  tokenFile: pathOption(
+    '<file>',
+    'none',
+    'File with the token to join with, so that the list of processes does not show it. The file admin-token in the data directory of a local master makes the client an admin.',
+  ),
+} as const;
+
+/** Where the identity of the program is stored: a file, `off`, or by default one for each name and master. */
+export const identityOption = option<string | undefined>({
+  placeholder: '<file>|off',
+  fallback: undefined,
+  fallbackText: 'a file in the home directory, one for each name and master',
+  description:
+    'File with the identity of this program, so that its next run is the same client. off: each run is a new client.',
+  parse: (text, baseDir) => (text === 'off' ? 'off' : parsePath(text, baseDir)),
+});
+
+/** @throws ConfigError for options that contradict each other */
+export function checkJoining(
+  values: {
+    readonly discover: boolean;
+    readonly join: string | undefined;
+    readonly tokenFile: string | undefined;
+  },
+  given: ReadonlySet<string>,
+): void {
+  if (values.discover && given.has('master')) {
+    throw new ConfigError(
+      'The options --master and --discover both choose the master. Remove one of them.',
+    );
+  }
+  if (values.join !== undefined && values.tokenFile !== undefined) {
+    throw new ConfigError(
+      'The options --join and --token-file both set the token. Remove one of them.',
+    );
+  }
+}
+
+function parseMasterUrl(text: string): string {
+  const url = URL.canParse(text) ? new URL(text) : undefined;
+  if (url === undefined || !/^https?:$/.test(url.protocol) || url.pathname !== '/') {
+    throw new Error('an http or https URL without a path, such as http://192.168.1.20:8080');
+  }
+  return url.origin;
+}
