@@ -12,8 +12,14 @@ const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-s
 /** Chromium and the fonts its pages need, as Debian calls them. */
 const browserPackages = ['chromium', 'fonts-liberation'];
 
-/** Commands that tests call, in stories with a network of their own and in clusters, and Debian's packages with them. */
-const tools = { certutil: 'libnss3-tools', ip: 'iproute2', 'nats-server': 'nats-server' };
+/**
+ * Commands that tests call, in stories with a network of their own, in clusters and in tests of the bridge, and Debian's packages
+ * with them. Debian starts no service in a container; elsewhere its Mosquitto listens on loopback only.
+ */
+const tools = {
+  ...{ certutil: 'libnss3-tools', ip: 'iproute2' },
+  ...{ mosquitto: 'mosquitto', 'nats-server': 'nats-server' },
+};
 
 const playwright = readJson(inRoot('e2e/package.json')).devDependencies['@playwright/test'];
 
@@ -61,7 +67,9 @@ function missingTools() {
 }
 
 function foldersOfPrograms() {
-  return (process.env.PATH ?? '').split(delimiter).filter((folder) => folder !== '');
+  const path = (process.env.PATH ?? '').split(delimiter).filter((folder) => folder !== '');
+  // Where Debian has servers, which is in the path of root only.
+  return process.platform === 'win32' ? path : [...path, '/usr/sbin'];
 }
 
 function findBrowser() {

@@ -78,6 +78,7 @@ function foldersInOrder() {
   return [
     'apps/master/src',
     'apps/node/src',
+    'apps/bridge/src',
     'apps/frontend/src',
     'benchmarks/src',
     'e2e/fixtures',

@@ -16,7 +16,7 @@ const licenceFile = /^(licen[cs]e|copying|notice|third-?party)/i;
  * @property {string} licence SPDX expression
  * @property {string} author who is named in its manifest; empty when nobody is
  * @property {string} url where it comes from; empty when it does not say so
- * @property {string[]} parts which of `frontend`, `master`, `node`, `vision` have it in them
+ * @property {string[]} parts which of `frontend`, `master`, `node`, `bridge`, `vision` have it in them
  * @property {string} text its licence files, one after the other; empty when it brings none
  */
 
@@ -119,6 +119,7 @@ export function licencesPlugins() {
           frontend: [...files, ...sandbox],
           master: [...(await filesOfProgram('apps/master')), ...sandbox],
           node: [...(await filesOfProgram('apps/node')), ...sandbox],
+          bridge: await filesOfProgram('apps/bridge'),
           vision: filesOfVision(),
         });
         const own = { ...describe(inRoot()), name: 'Ubi-Interact' };

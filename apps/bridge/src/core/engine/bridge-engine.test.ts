@@ -1,0 +1,166 @@
+import { describe, expect, it } from 'vitest';
+import { createEngineBench } from '../../testing/engine-bench.ts';
+import { mappingOf } from '../../testing/mapping-of.ts';
+import { BRIDGE_LIMITS } from '../limits.ts';
+
+const inMapping = mappingOf('in', 'sensors/+/temp', '/mqtt/{1}/temp');
+const outMapping = mappingOf('out', 'out/{1}', '/garden/*');
+const both = mappingOf('both', 'home/+', '/home/{1}', { retained: true });
+
+describe('a bridge between a master and another system', () => {
+  it('passes values in both directions, each to its address [BR-2]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([inMapping, outMapping]);
+    expect(bench.patterns()).toEqual([{ glob: '/garden/*' }]);
+    bench.receive('sensors/kitchen/temp', '21.5');
+    bench.receive('sensors/kitchen/humidity', '3');
+    bench.record('/garden/wind', 4);
+    expect(bench.published).toEqual([['/mqtt/kitchen/temp', 21.5]]);
+    expect(bench.sent).toEqual([['out/wind', '4']]);
+    expect(bench.lane(0, 'in')).toMatchObject({
+      ...{ passed: 1, refused: 0, dropped: 0, topics: 1 },
+      lastValue: { address: '/mqtt/kitchen/temp', text: '21.5' },
+    });
+  });
+
+  it('counts what is refused, with the reason [BR-33]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([inMapping, outMapping]);
+    bench.receive('sensors/kitchen/temp', 'warm');
+    bench.record('/garden/wind', 'strong', 'ada', 'string');
+    expect(bench.lane(0, 'in')).toMatchObject({
+      ...{ passed: 0, refused: 1 },
+      lastError: { address: 'sensors/kitchen/temp' },
+    });
+    expect(bench.lane(0, 'in').lastError?.message).toContain('is not JSON');
+    expect(bench.lane(1, 'out').lastError?.message).toBe('Expected double, got string.');
+    bench.answer.sent = { kind: 'dropped', reason: 'The broker is not connected.' };
+    bench.record('/garden/wind', 4);
+    expect(bench.lane(1, 'out')).toMatchObject({ passed: 0, refused: 1, dropped: 1 });
+  });
+
+  it('refuses topics of the master, wildcards in addresses, and what is too long [BR-30]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([mappingOf('in', '#', '{1}'), outMapping]);
+    bench.receive('ubii/client/x', '1');
+    bench.receive('info/x', '1');
+    bench.receive(`a/${'b'.repeat(BRIDGE_LIMITS.addressBytes)}`, '1');
+    bench.record('/garden/+', 1);
+    bench.record('/garden/#', 1);
+    expect(bench.published).toEqual([]);
+    expect(bench.sent).toEqual([]);
+    expect([bench.lane(0, 'in').refused, bench.lane(1, 'out').refused]).toEqual([3, 2]);
+  });
+
+  it('bounds topics, sizes and the rate of what comes [BR-30]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([mappingOf('in', 'a/+', '/a/{1}', { maxTopics: 2, maxBytes: 3 })]);
+    for (const name of ['x', 'y', 'z', 'x']) bench.receive(`a/${name}`, '1');
+    bench.receive('a/x', '1234');
+    expect(bench.published.map(([topic]) => topic)).toEqual(['/a/x', '/a/y', '/a/x']);
+    expect(bench.lane(0, 'in')).toMatchObject({ passed: 3, refused: 2, topics: 2 });
+    for (let index = 0; index < BRIDGE_LIMITS.messagesPerSecond; index++) {
+      bench.receive('a/x', '1');
+    }
+    expect(bench.engine.report().overRate).toBe(5);
+    bench.clock.advanceSync(1_000);
+    bench.receive('a/x', '2');
+    expect(bench.published.at(-1)).toEqual(['/a/x', 2]);
+  });
+
+  it('samples each topic, and never withholds the newest value [BR-31]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([mappingOf('in', 'a/+', '/a/{1}', { maxRateHz: 10 })]);
+    for (const value of [1, 2, 3]) bench.receive('a/x', String(value));
+    bench.receive('a/y', '9');
+    expect(bench.published).toEqual([
+      ['/a/x', 1],
+      ['/a/y', 9],
+    ]);
+    bench.clock.advanceSync(100);
+    expect(bench.published.at(-1)).toEqual(['/a/x', 3]);
+    expect(bench.lane(0, 'in')).toMatchObject({ passed: 3, dropped: 1 });
+    bench.receive('a/x', '4');
+    bench.engine.close();
+    expect(bench.clock.timerCount).toBe(0);
+  });
+
+  it('sends nothing back to where it came from [BR-20] [BR-21] [BR-22]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([both]);
+    bench.record('/home/lamp', 1, 'bridge');
+    bench.bridges.handleClient({ id: 'other', tags: ['bridge to the broker'], isGone: false });
+    bench.bridges.handleClient({ id: 'third', tags: ['bridge to elsewhere'], isGone: false });
+    bench.record('/home/lamp', 2, 'other');
+    bench.receive('home/lamp', '3', { isOurs: true });
+    expect([bench.sent, bench.published]).toEqual([[], []]);
+    expect([bench.lane(0, 'out').returned, bench.lane(0, 'in').returned]).toEqual([2, 1]);
+    bench.record('/home/lamp', 4, 'third');
+    bench.bridges.handleClient({ id: 'other', tags: ['bridge to the broker'], isGone: true });
+    bench.record('/home/lamp', 5, 'other');
+    expect(bench.sent.map(([, text]) => text)).toEqual(['4', '5']);
+  });
+
+  it('finds what a system without marks sends back, once for each message [BR-23]', () => {
+    const bench = createEngineBench({ returnsMessages: true });
+    bench.engine.setMappings([mappingOf('both', 'home/+', '/home/{1}')]);
+    bench.record('/home/lamp', 1);
+    bench.receive('home/lamp', '1');
+    expect(bench.published).toEqual([]);
+    bench.receive('home/lamp', '1');
+    expect(bench.published).toEqual([['/home/lamp', 1]]);
+    bench.record('/home/lamp', 2);
+    bench.clock.advanceSync(BRIDGE_LIMITS.echoMs + 1);
+    bench.receive('home/lamp', '2');
+    expect(bench.published.at(-1)).toEqual(['/home/lamp', 2]);
+  });
+
+  it('a newer value of one side takes the place of one that waits for it [BR-31]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([{ ...both, maxRateHz: 1 }]);
+    bench.record('/home/lamp', 1);
+    bench.record('/home/lamp', 2);
+    bench.receive('home/lamp', '3');
+    bench.clock.advanceSync(2_000);
+    expect(bench.sent).toEqual([['home/lamp', '1']]);
+    expect(bench.published).toEqual([['/home/lamp', 3]]);
+  });
+
+  it('ends a retained value on the other side, and only its own [BR-13]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([both, mappingOf('out', 'moment/{1}', '/moment/*')]);
+    bench.record('/home/lamp', 1);
+    bench.record('/moment/x', 1);
+    bench.gone('/home/lamp');
+    bench.gone('/moment/x');
+    expect(bench.sent.slice(2)).toEqual([['home/lamp', undefined]]);
+    bench.receive('home/fan', '1');
+    bench.gone('/home/fan');
+    bench.receive('home/fan', '');
+    expect(bench.published).toEqual([
+      ['/home/fan', 1],
+      ['/home/fan', undefined],
+    ]);
+    expect(bench.sent).toHaveLength(3);
+  });
+
+  it('goes on counting when the mappings change, and ends what they do not say any more [BR-4]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([inMapping, outMapping]);
+    bench.receive('sensors/kitchen/temp', '1');
+    bench.engine.setMappings([{ ...inMapping, maxRateHz: 1 }]);
+    bench.receive('sensors/kitchen/temp', '2');
+    bench.record('/garden/wind', 4);
+    expect(bench.lane(0, 'in').passed).toBe(2);
+    expect([bench.sent, bench.patterns()]).toEqual([[], []]);
+  });
+
+  it('counts what waited for the connection and was dropped [BR-32]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([outMapping]);
+    bench.engine.handleDropped(outMapping, 'Too many messages wait for the connection.');
+    bench.engine.handleRefused('no packet');
+    expect(bench.lane(0, 'out').dropped).toBe(1);
+    expect(bench.engine.report()).toMatchObject({ refused: 1, lastRefusal: 'no packet' });
+  });
+});

@@ -1,0 +1,146 @@
+import { isMasterTopic } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
+import { BRIDGE_LIMITS } from '../limits.ts';
+import type { EchoMemory } from '../loop/echo-memory.ts';
+import { fillPath, matchPath } from '../mapping/address-path.ts';
+import type { Mapping } from '../mapping/mapping.ts';
+import type { PayloadCodec, TypedValue } from '../payload/payload-codec.ts';
+import type { ForeignMessage } from '../ports/foreign-system.ts';
+import type { TopicMaster } from '../ports/topic-master.ts';
+import { LaneCounters } from './lane-report.ts';
+import type { LaneReport } from './lane-report.ts';
+import { Sampler } from './sampler.ts';
+
+/** What the lanes of a bridge share. */
+export interface LaneWorld<P> {
+  readonly clock: Clock;
+  readonly codec: PayloadCodec<P>;
+  readonly master: TopicMaster;
+  /** For systems that send back what they get. */
+  readonly echoes: EchoMemory | undefined;
+}
+
+/** One mapping from the other system into the master. */
+export class InLane<P> {
+  readonly mapping: Mapping;
+  readonly #world: LaneWorld<P>;
+  readonly #counters: LaneCounters;
+  readonly #sampler: Sampler;
+  /** A value for the topic came from there: what waits for the other direction is older. */
+  onTaken: (message: { readonly topic: string; readonly address: string }) => void = () =>
+    undefined;
+
+  constructor(mapping: Mapping, world: LaneWorld<P>, counters = new LaneCounters()) {
+    this.mapping = mapping;
+    this.#world = world;
+    this.#counters = counters;
+    this.#sampler = new Sampler(world.clock, mapping.maxRateHz, mapping.maxTopics);
+  }
+
+  get counters(): LaneCounters {
+    return this.#counters;
+  }
+
+  /** Returns the topic for an address; `undefined` when the mapping does not select it. */
+  topicFor(address: string): string | undefined {
+    const captures = matchPath(this.mapping.foreign, address);
+    return captures && fillPath(this.mapping.topic, captures);
+  }
+
+  handleMessage(message: ForeignMessage<P>, topic: string): void {
+    const { address, sizeBytes } = message;
+    if (message.isOurs) return this.#counters.handleReturned();
+    const problem = topicProblem(topic);
+    if (problem !== undefined) return this.#refuse(address, problem);
+    if (message.isEmpty && this.mapping.retained) return this.#end(message, topic);
+    if (sizeBytes > this.mapping.maxBytes) {
+      return this.#refuse(
+        address,
+        `The message has ${sizeBytes} bytes; the mapping takes ${this.mapping.maxBytes}.`,
+      );
+    }
+    let read: TypedValue;
+    try {
+      read = this.#world.codec.read(message.payload, this.mapping);
+    } catch (error) {
+      return this.#refuse(address, (error as Error).message);
+    }
+    if (this.#world.echoes?.takeEcho(this.#echoKey(address), contentOf(read)) === true) {
+      return this.#counters.handleReturned();
+    }
+    this.#offer(message, topic, read);
+  }
+
+  /** A message goes to an address from which it may come back. */
+  handleSent(address: string, payload: P): void {
+    const { echoes, codec } = this.#world;
+    if (echoes === undefined) return;
+    try {
+      echoes.handleSent(this.#echoKey(address), contentOf(codec.read(payload, this.mapping)));
+    } catch {
+      // What this mapping cannot read, it will not take either.
+    }
+  }
+
+  /** The topic has a newer value of a client. */
+  handleNewer(topic: string): void {
+    this.#sampler.end(topic);
+  }
+
+  report(): LaneReport {
+    return this.#counters.report(this.#sampler.size);
+  }
+
+  close(): void {
+    this.#sampler.close();
+  }
+
+  #offer(message: ForeignMessage<P>, topic: string, read: TypedValue): void {
+    const { address, sizeBytes } = message;
+    const offered = this.#sampler.offer(topic, () => {
+      const { format, value, timestampMs = message.timestampMs } = read;
+      try {
+        this.#world.master.publish(topic, format, value, timestampMs);
+      } catch (error) {
+        return this.#refuse(address, (error as Error).message);
+      }
+      this.#counters.handlePassed(topic, value, sizeBytes, this.#world.clock.nowMs());
+      this.onTaken({ topic, address });
+    });
+    if (offered === 'replaced') this.#counters.handleReplaced();
+    if (offered === 'full') {
+      this.#refuse(
+        address,
+        `The mapping has made ${this.mapping.maxTopics} topics. Select fewer addresses, or raise maxTopics.`,
+      );
+    }
+  }
+
+  #end({ address }: ForeignMessage<P>, topic: string): void {
+    if (!this.#sampler.has(topic)) return;
+    this.#sampler.end(topic);
+    this.#world.master.endTopic(topic);
+    this.#counters.handlePassed(topic, 'no value any more', 0, this.#world.clock.nowMs());
+    this.onTaken({ topic, address });
+  }
+
+  #refuse(address: string, reason: string): void {
+    this.#counters.handleRefused(address, reason, this.#world.clock.nowMs());
+  }
+
+  #echoKey(address: string): string {
+    return `${this.mapping.name}\n${address}`;
+  }
+}
+
+function contentOf({ format, value }: TypedValue): string {
+  return `${format} ${JSON.stringify(value)}`;
+}
+
+/** Says why a topic may not be used; `undefined` when it may. [TD-13] [TD-16] */
+function topicProblem(topic: string): string | undefined {
+  if (isMasterTopic(topic)) return `The topic ${topic} is one of the master.`;
+  if (/\p{Cc}/u.test(topic)) return 'The address has control characters.';
+  const isTooLong = new TextEncoder().encode(topic).length > BRIDGE_LIMITS.addressBytes;
+  return isTooLong ? `The topic has more than ${BRIDGE_LIMITS.addressBytes} bytes.` : undefined;
+}

@@ -1,0 +1,73 @@
+import { BRIDGE_LIMITS } from '../limits.ts';
+import { shown } from '../payload/plain-values.ts';
+
+/** Larger values are shown by their size, and not kept. */
+const KEPT_VALUE_BYTES = 4_096;
+
+/** How one direction of a mapping does. [BR-33] */
+export interface LaneReport {
+  readonly passed: number;
+  /** Content that does not fit, or an address that may not be used. */
+  readonly refused: number;
+  /** Over a limit, or replaced by a newer one. */
+  readonly dropped: number;
+  /** Not sent back to where it came from. */
+  readonly returned: number;
+  /** Topics, or addresses, that the mapping has made. */
+  readonly topics: number;
+  readonly lastError?: {
+    readonly message: string;
+    readonly atMs: number;
+    readonly address: string;
+  };
+  readonly lastValue?: { readonly address: string; readonly text: string; readonly atMs: number };
+}
+
+/** Counts for one direction of a mapping. */
+export class LaneCounters {
+  #passed = 0;
+  #refused = 0;
+  #dropped = 0;
+  #returned = 0;
+  #lastError: LaneReport['lastError'];
+  #last: { readonly address: string; readonly value: unknown; readonly atMs: number } | undefined;
+
+  handlePassed(address: string, value: unknown, sizeBytes: number, atMs: number): void {
+    this.#passed++;
+    const kept = sizeBytes <= KEPT_VALUE_BYTES ? value : `${sizeBytes} bytes`;
+    this.#last = { address, value: kept, atMs };
+  }
+
+  handleRefused(address: string, message: string, atMs: number): void {
+    this.#refused++;
+    this.#lastError = { address, message, atMs };
+  }
+
+  handleDropped(address: string, message: string, atMs: number): void {
+    this.#dropped++;
+    this.#lastError = { address, message, atMs };
+  }
+
+  /** A newer value took its place: that is no error. */
+  handleReplaced(): void {
+    this.#dropped++;
+  }
+
+  handleReturned(): void {
+    this.#returned++;
+  }
+
+  report(topics: number): LaneReport {
+    const last = this.#last && {
+      address: this.#last.address,
+      text: shown(this.#last.value, BRIDGE_LIMITS.shownChars),
+      atMs: this.#last.atMs,
+    };
+    return {
+      ...{ passed: this.#passed, refused: this.#refused, dropped: this.#dropped },
+      ...{ returned: this.#returned, topics },
+      ...(this.#lastError && { lastError: this.#lastError }),
+      ...(last && { lastValue: last }),
+    };
+  }
+}

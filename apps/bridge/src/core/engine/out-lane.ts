@@ -1,0 +1,143 @@
+import { decodeRecord } from '@ubii/proto';
+import { BRIDGE_LIMITS } from '../limits.ts';
+import { fillPath, matchPath } from '../mapping/address-path.ts';
+import type { Mapping } from '../mapping/mapping.ts';
+import type { ForeignSystem, Sent } from '../ports/foreign-system.ts';
+import type { MasterRecord } from '../ports/topic-master.ts';
+import type { LaneWorld } from './in-lane.ts';
+import { LaneCounters } from './lane-report.ts';
+import type { LaneReport } from './lane-report.ts';
+import { Sampler } from './sampler.ts';
+
+/** What an `OutLane` needs besides. */
+export interface OutWorld<P> extends LaneWorld<P> {
+  readonly foreign: Pick<ForeignSystem<P>, 'send'>;
+  /** Whether a client is a bridge to the same system, or this one. [BR-20] */
+  isFromThere(publisherId: string): boolean;
+  /** A message leaves for an address. */
+  onSent(address: string, payload: P): void;
+}
+
+/** One mapping from the master into the other system. */
+export class OutLane<P> {
+  readonly mapping: Mapping;
+  readonly #world: OutWorld<P>;
+  readonly #counters: LaneCounters;
+  readonly #sampler: Sampler;
+  /** A client published a value for the address: what waits for the other direction is older. */
+  onTaken: (topic: string) => void = () => undefined;
+
+  constructor(mapping: Mapping, world: OutWorld<P>, counters = new LaneCounters()) {
+    this.mapping = mapping;
+    this.#world = world;
+    this.#counters = counters;
+    this.#sampler = new Sampler(world.clock, mapping.maxRateHz, mapping.maxTopics);
+  }
+
+  get counters(): LaneCounters {
+    return this.#counters;
+  }
+
+  handleRecord(record: MasterRecord): void {
+    const address = this.#addressFor(record.topic);
+    if (address === undefined) return;
+    if (this.#world.isFromThere(record.publisherId)) {
+      this.#sampler.end(address);
+      return this.#counters.handleReturned();
+    }
+    const problem = addressProblem(address);
+    if (problem !== undefined) return this.#refuse(record.topic, problem);
+    if (record.bytes.byteLength > this.mapping.maxBytes) {
+      return this.#refuse(
+        record.topic,
+        `The record has ${record.bytes.byteLength} bytes; the mapping takes ${this.mapping.maxBytes}.`,
+      );
+    }
+    this.onTaken(record.topic);
+    const offered = this.#sampler.offer(address, () => this.#send(record, address));
+    if (offered === 'replaced') this.#counters.handleReplaced();
+    if (offered === 'full') {
+      this.#refuse(
+        record.topic,
+        `The mapping has made ${this.mapping.maxTopics} addresses. Select fewer topics, or raise maxTopics.`,
+      );
+    }
+  }
+
+  /** The topic has no value any more. What another one put there stays. [BR-13] */
+  handleGone(topic: string): void {
+    const address = this.#addressFor(topic);
+    if (address === undefined || !this.#sampler.has(address)) return;
+    this.#sampler.end(address);
+    if (!this.mapping.retained) return;
+    this.#count(
+      topic,
+      'no value any more',
+      0,
+      this.#world.foreign.send({ address, payload: undefined, mapping: this.mapping }),
+    );
+  }
+
+  /** The address has a newer value from the other system. */
+  handleNewer(address: string): void {
+    this.#sampler.end(address);
+  }
+
+  /** A message that waited for the connection was dropped. */
+  handleDropped(reason: string): void {
+    this.#counters.handleDropped('', reason, this.#world.clock.nowMs());
+  }
+
+  report(): LaneReport {
+    return this.#counters.report(this.#sampler.size);
+  }
+
+  close(): void {
+    this.#sampler.close();
+  }
+
+  #addressFor(topic: string): string | undefined {
+    const captures = matchPath(this.mapping.topic, topic);
+    return captures && fillPath(this.mapping.foreign, captures);
+  }
+
+  #send({ topic, bytes }: MasterRecord, address: string): void {
+    const { codec, foreign } = this.#world;
+    let payload: P;
+    let value: unknown;
+    try {
+      const record = decodeRecord(bytes);
+      if (record.format === undefined) return;
+      const { format } = this.mapping;
+      if (format !== undefined && record.format !== format) {
+        throw new Error(`Expected ${format}, got ${record.format}.`);
+      }
+      value = record.value;
+      payload = codec.write({ ...record, bytes }, this.mapping);
+    } catch (error) {
+      return this.#refuse(topic, (error as Error).message);
+    }
+    const sent = foreign.send({ address, payload, mapping: this.mapping });
+    if (sent.kind === 'sent' || sent.kind === 'waiting') this.#world.onSent(address, payload);
+    this.#count(address, value, bytes.byteLength, sent);
+  }
+
+  #count(address: string, value: unknown, sizeBytes: number, sent: Sent): void {
+    const nowMs = this.#world.clock.nowMs();
+    if (sent.kind === 'dropped') this.#counters.handleDropped(address, sent.reason, nowMs);
+    else if (sent.kind === 'refused') this.#counters.handleRefused(address, sent.reason, nowMs);
+    else this.#counters.handlePassed(address, value, sizeBytes, nowMs);
+  }
+
+  #refuse(address: string, reason: string): void {
+    this.#counters.handleRefused(address, reason, this.#world.clock.nowMs());
+  }
+}
+
+/** Says why an address may not be used; `undefined` when it may. */
+function addressProblem(address: string): string | undefined {
+  // Wildcards of MQTT, of which no message may have one in its topic; OSC has more.
+  if (/[+#\p{Cc}]/u.test(address)) return 'The address has a wildcard or control characters.';
+  const isTooLong = new TextEncoder().encode(address).length > BRIDGE_LIMITS.addressBytes;
+  return isTooLong ? `The address has more than ${BRIDGE_LIMITS.addressBytes} bytes.` : undefined;
+}

@@ -1,0 +1,56 @@
+import type { Mapping } from '../mapping/mapping.ts';
+
+/** A message of the other system. */
+export interface ForeignMessage<P> {
+  readonly address: string;
+  /** Not changed later. */
+  readonly payload: P;
+  readonly sizeBytes: number;
+  /** A message without content, which says that the address has no value any more. */
+  readonly isEmpty: boolean;
+  /** A bridge of the same master sent it: it says so itself. [BR-21] */
+  readonly isOurs: boolean;
+  /** When it was sent, milliseconds since the Unix epoch, as far as the system says. */
+  readonly timestampMs?: number | undefined;
+}
+
+/** A message for the other system. */
+export interface OutgoingMessage<P> {
+  readonly address: string;
+  /** `undefined`: the address has no value any more. */
+  readonly payload: P | undefined;
+  readonly mapping: Mapping;
+}
+
+/** What becomes of a message: it left, it waits for the connection, or it was dropped or refused, with the reason. */
+export type Sent =
+  | { readonly kind: 'sent' | 'waiting' }
+  | { readonly kind: 'dropped' | 'refused'; readonly reason: string };
+
+/** How the connection to the other system is. */
+export type ForeignState =
+  | { readonly status: 'connecting' | 'connected' | 'closed' }
+  | { readonly status: 'waiting'; readonly reason: string };
+
+/** What happens at the other system. */
+export interface ForeignEvents<P> {
+  handleMessage(message: ForeignMessage<P>): void;
+  /** Something that is no message, or one over the limits, with the reason. */
+  handleRefused(reason: string): void;
+  /** A message that `send` said is waiting was dropped. */
+  handleDropped(mapping: Mapping, reason: string): void;
+  handleState(state: ForeignState): void;
+}
+
+/** Another system with messages at addresses. Its adapter connects again by itself, after growing pauses. [BR-40] */
+export interface ForeignSystem<P> {
+  /** Begins to connect. Called once. */
+  open(events: ForeignEvents<P>): void;
+  /** The mappings that hold from now on: receives what those of direction `in` and `both` select. [BR-4] */
+  setMappings(mappings: readonly Mapping[]): void;
+  send(message: OutgoingMessage<P>): Sent;
+  /** Says whether the bridge reaches the master, as far as the system has that. [BR-41] */
+  setAvailable(isAvailable: boolean): void;
+  /** Says that the bridge leaves, as far as the system has that, and closes. Nothing is told afterwards. */
+  close(): Promise<void>;
+}

@@ -1,0 +1,97 @@
+import { createHash } from 'node:crypto';
+import type { UbiiClient } from '@ubii/client-web/node';
+import { systemClock } from '@ubii/timing/system';
+import { createTopicMaster } from './adapters/master/client-topic-master.ts';
+import { watchDevices } from './adapters/master/watch-devices.ts';
+import { createMqttSystem } from './adapters/mqtt/mqtt-system.ts';
+import { createBridgeLink } from './core/bridge-link.ts';
+import type { BridgeLink, LinkOptions } from './core/bridge-link.ts';
+import { HomeAssistant } from './core/home-assistant/home-assistant.ts';
+import type { OtherBridges } from './core/loop/other-bridges.ts';
+import type { MappingFile } from './core/mapping/read-mapping-file.ts';
+import { bytesCodec } from './core/payload/bytes-codec.ts';
+import type { Credentials } from './credentials.ts';
+import type { Target } from './options.ts';
+
+/** Arguments of `createLink`. */
+export interface LinkSetup {
+  readonly client: UbiiClient;
+  readonly target: Target;
+  readonly bridges: OtherBridges;
+  readonly credentials: Credentials;
+  readonly ca: Buffer | undefined;
+  /** UDP port for OSC. */
+  readonly listen: number | undefined;
+  /** The file as it is now. */
+  file(): MappingFile;
+  masterId(): string;
+  readonly onState: LinkOptions<unknown>['onState'];
+  onError(error: unknown): void;
+}
+
+/** A link that follows the mapping file. */
+export interface RunningLink extends BridgeLink {
+  /** The mapping file has changed. */
+  refresh(): void;
+}
+
+/** Creates the link for the protocol of the target. */
+export function createLink(setup: LinkSetup): RunningLink {
+  switch (setup.target.protocol) {
+    case 'mqtt':
+      return mqttLink(setup);
+    default:
+      throw new Error(`No adapter for ${setup.target.protocol}.`);
+  }
+}
+
+function sharedOptions({ client, bridges, onState }: LinkSetup) {
+  return { clock: systemClock, master: createTopicMaster(client), bridges, onState };
+}
+
+function mqttLink(setup: LinkSetup): RunningLink {
+  const { client, target, credentials, ca } = setup;
+  const { homeAssistant: settings, availability = defaultAvailability(client.name) } = setup.file();
+  const system = createMqttSystem({
+    ...{ url: target.url, ...credentials, ca, availability },
+    clientId: `ubii-${createHash('sha256').update(client.id).digest('hex').slice(0, 16)}`,
+    masterId: setup.masterId,
+  });
+  const homeAssistant =
+    settings &&
+    new HomeAssistant({
+      ...{ settings, availability },
+      ownId: () => client.id,
+      send: (message) => void system.send(message),
+      onChange: () => refresh(),
+    });
+  const link = createBridgeLink(
+    { ...sharedOptions(setup), system, codec: bytesCodec, returnsMessages: false },
+    homeAssistant,
+  );
+  const refresh = (): void => link.setMappings(setup.file().mappings);
+  let unwatch: (() => void) | undefined;
+  return {
+    ...link,
+    refresh,
+    open() {
+      link.open();
+      refresh();
+      if (homeAssistant === undefined) return;
+      unwatch = watchDevices(
+        client,
+        (devices) => homeAssistant.handleDevices(devices),
+        setup.onError,
+      );
+    },
+    close() {
+      unwatch?.();
+      return link.close();
+    },
+  };
+}
+
+/** `hall bridge` -> `ubii/hall-bridge/status` */
+function defaultAvailability(name: string): string {
+  return `ubii/${name.toLowerCase().replace(/[^a-z0-9]+/g, '-')}/status`;
+}

@@ -1,0 +1,159 @@
+import { createIdentityFile, createStateLog, defaultIdentityFile } from '@ubii/client-program';
+import type { Log } from '@ubii/client-program';
+import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
+import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
+import { within } from '@ubii/timing';
+import { systemClock } from '@ubii/timing/system';
+import { counted } from '@ubii/words';
+import { watchBridges } from './adapters/master/client-topic-master.ts';
+import type { ForeignState } from './core/ports/foreign-system.ts';
+import { bridgeTag, OtherBridges } from './core/loop/other-bridges.ts';
+import type { MappingFile } from './core/mapping/read-mapping-file.ts';
+import { createLink } from './create-link.ts';
+import type { RunningLink } from './create-link.ts';
+import type { Credentials } from './credentials.ts';
+import type { Config, Target } from './options.ts';
+import { startReports } from './start-reports.ts';
+import { loadMappingFile, watchMappingFile } from './watch-mapping-file.ts';
+
+/** Time for each step of the shutdown, milliseconds. */
+const STOP_TIMEOUT_MS = 800;
+/** A master that announces no clients has no other bridges either. */
+const BRIDGES_TIMEOUT_MS = 3_000;
+
+/** Arguments of `startBridge`. */
+export interface BridgeSetup {
+  readonly config: Config;
+  readonly target: Target;
+  readonly credentials: Credentials;
+  readonly ca: Buffer | undefined;
+  readonly log: Log;
+}
+
+/** A bridge that is connected or connecting. */
+export interface RunningBridge {
+  readonly client: UbiiClient;
+  /** Leaves both sides. Resolves after at most two `STOP_TIMEOUT_MS`. */
+  close(): Promise<void>;
+}
+
+/**
+ * Starts a bridge. It connects to the other system when it has reached the master for the first time, and tries both until it
+ * succeeds.
+ *
+ * @throws ConfigError when the mapping file is missing or wrong
+ */
+export function startBridge(setup: BridgeSetup): RunningBridge {
+  const { config, target, log } = setup;
+  let file = loadMappingFile(config.mapping, target.protocol);
+  const system = file.system ?? target.system;
+  const client = createBridgeClient(setup, system);
+  let link: RunningLink | undefined;
+  let reports: (() => void) | undefined;
+  let masterId = '';
+  let isOpening = false;
+  const onError = (error: unknown): void => log('warn', messageOf(error));
+
+  const openLink = async (): Promise<void> => {
+    ({ id: masterId } = await client.call('serverConfiguration'));
+    link?.setAvailable(true);
+    if (isOpening) return;
+    isOpening = true;
+    const bridges = new OtherBridges(system);
+    const { credentials, ca } = setup;
+    const opened = createLink({
+      ...{ client, target, bridges, credentials, ca, listen: config.listen },
+      file: () => file,
+      masterId: () => masterId,
+      onState: createSystemLog(log, target),
+      onError,
+    });
+    link = opened;
+    // Before anything is passed on: what other bridges publish came from the same system. [BR-22]
+    await within(systemClock, BRIDGES_TIMEOUT_MS, watchBridges(client, bridges));
+    opened.setAvailable(client.state.status === 'connected');
+    opened.open();
+    reports = startReports(client, systemClock, () => ({
+      ...{ protocol: target.protocol, system, file: config.mapping },
+      ...opened.report(),
+    }));
+  };
+  client.onState(createStateLog(log, config.master, 'bridge'));
+  client.onState(({ status }) => {
+    if (status === 'connected') openLink().catch(onError);
+    else link?.setAvailable(false);
+  });
+  client.onError(onError);
+  client.connect().catch((error: unknown) => {
+    log('error', `The bridge no longer tries to connect: ${messageOf(error)}`);
+  });
+  log('info', `${describeFile(file)} in ${config.mapping}`);
+  const unwatch = watchMappingFile(config.mapping, target.protocol, {
+    onChange(next) {
+      warnOfRestart(file, next, log);
+      file = next;
+      link?.refresh();
+      log('info', `${describeFile(file)} in ${config.mapping}, which has changed`);
+    },
+    onError: (message) => log('error', `${message} The mappings stay as they are.`),
+  });
+
+  return {
+    client,
+    async close() {
+      unwatch();
+      reports?.();
+      const ignore = (): void => undefined;
+      await within(systemClock, STOP_TIMEOUT_MS, link?.close().catch(ignore) ?? Promise.resolve());
+      await within(systemClock, STOP_TIMEOUT_MS, client.close().catch(ignore));
+    },
+  };
+}
+
+function createBridgeClient({ config, log }: BridgeSetup, system: string): UbiiClient {
+  return createClient({
+    ...{ url: config.master, name: config.name, publishIntervalMs: 0 },
+    description: `Connects topics with ${system}`,
+    tags: ['bridge', bridgeTag(system)],
+    // As a node, it is told which topics end [TD-42]; it runs no modules.
+    node: { acceptsWork: false },
+    onError: (error, source) => log('error', `Error in ${source}: ${messageOf(error)}`),
+    ...(config.join === undefined ? {} : { joinToken: config.join }),
+    identity: identityOf(config),
+  });
+}
+
+function identityOf({ identity, master, name }: Config): IdentityStorage {
+  if (identity === 'off') return createMemoryIdentity();
+  return createIdentityFile(identity ?? defaultIdentityFile('bridges', master, name));
+}
+
+function describeFile({ mappings, homeAssistant }: MappingFile): string {
+  const discovery = homeAssistant === undefined ? '' : ' and discovery of Home Assistant';
+  return `${counted(mappings.length, 'mapping')}${discovery}`;
+}
+
+function warnOfRestart(before: MappingFile, next: MappingFile, log: Log): void {
+  const fixed = ({ system, availability, homeAssistant }: MappingFile): string =>
+    JSON.stringify([system, availability, homeAssistant]);
+  if (fixed(before) === fixed(next)) return;
+  log('warn', 'Changes of system, availability and homeAssistant apply from the next start.');
+}
+
+/** Logs the connection to the other system; of several failed attempts, the first. */
+function createSystemLog(log: Log, { url }: Target): (state: ForeignState) => void {
+  let logged = '';
+  return (state) => {
+    const text = `${state.status} ${'reason' in state ? state.reason : ''}`;
+    if (text === logged) return;
+    logged = text;
+    if (state.status === 'connected') log('info', `Connected to ${url}`);
+    else if (state.status === 'waiting') {
+      log('warn', `No connection to ${url}: ${state.reason}. Retrying until it succeeds`);
+    }
+  };
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

@@ -1,0 +1,65 @@
+import { encodeRecord } from '@ubii/proto';
+import type { DataFormat, RecordInit } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
+import { BridgeEngine } from '../core/engine/bridge-engine.ts';
+import { EchoMemory } from '../core/loop/echo-memory.ts';
+import { OtherBridges } from '../core/loop/other-bridges.ts';
+import { bytesCodec } from '../core/payload/bytes-codec.ts';
+import type { OutgoingMessage, Sent } from '../core/ports/foreign-system.ts';
+import type { MasterListener, TopicMaster } from '../core/ports/topic-master.ts';
+
+/** An engine between a master and a system in memory. */
+export function createEngineBench({ returnsMessages = false } = {}) {
+  const clock = new FakeClock();
+  const published: [topic: string, value: unknown][] = [];
+  const sent: [address: string, text: string | undefined][] = [];
+  const listeners = new Map<MasterListener, object>();
+  const bridges = new OtherBridges('the broker');
+  const answer: { sent: Sent } = { sent: { kind: 'sent' } };
+  const master: TopicMaster = {
+    ownId: 'bridge',
+    publish: (topic, _format, value) => void published.push([topic, value]),
+    endTopic: (topic) => void published.push([topic, undefined]),
+    subscribe(pattern, listener) {
+      listeners.set(listener, pattern);
+      return () => void listeners.delete(listener);
+    },
+  };
+  const engine = new BridgeEngine<Uint8Array>({
+    ...{ clock, codec: bytesCodec, master, bridges },
+    echoes: returnsMessages ? new EchoMemory(clock) : undefined,
+    foreign: {
+      setMappings: () => undefined,
+      send({ address, payload }: OutgoingMessage<Uint8Array>) {
+        sent.push([address, payload && new TextDecoder().decode(payload)]);
+        return answer.sent;
+      },
+    },
+  });
+  return {
+    ...{ clock, engine, bridges, published, sent, answer },
+    /** What the engine has subscribed to. */
+    patterns: () => [...listeners.values()],
+    /** A message comes from the other system. */
+    receive(address: string, text: string, more: { readonly isOurs?: boolean } = {}) {
+      const payload = new TextEncoder().encode(text);
+      engine.handleMessage({
+        ...{ address, payload, sizeBytes: payload.byteLength },
+        ...{ isEmpty: payload.byteLength === 0, isOurs: more.isOurs ?? false },
+      });
+    },
+    /** A client publishes. */
+    record(topic: string, value: unknown, publisherId = 'ada', format: DataFormat = 'double') {
+      const bytes = encodeRecord({ topic, format, value } as RecordInit);
+      for (const listener of [...listeners.keys()]) {
+        listener.onRecord({ topic, bytes, publisherId });
+      }
+    },
+    gone(topic: string) {
+      for (const listener of [...listeners.keys()]) listener.onGone(topic);
+    },
+    lane(index: number, direction: 'in' | 'out') {
+      return engine.report().mappings[index]![direction]!;
+    },
+  };
+}

@@ -1,0 +1,95 @@
+import { spawn } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { connect, createServer } from 'node:net';
+import type { AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
+import { delimiter, join } from 'node:path';
+
+const MISSING = `Tests of the bridge need the broker Mosquitto (command \`mosquitto\`), and it was not found. Install it:
+  Debian, Ubuntu   apt-get install mosquitto   (as root, \`npm test\` does that by itself)
+  macOS            brew install mosquitto`;
+
+function findMosquitto(): string {
+  const folders = [...(process.env['PATH'] ?? '').split(delimiter), '/usr/sbin', '/usr/local/sbin'];
+  const found = folders.map((folder) => join(folder, 'mosquitto')).find((path) => existsSync(path));
+  if (found === undefined) throw new Error(MISSING);
+  return found;
+}
+
+/** A broker of its own on a free port of the loopback. */
+export interface Broker {
+  readonly url: string;
+  readonly port: number;
+  readonly folder: string;
+  stop(): Promise<void>;
+  start(): Promise<void>;
+  /** Stops it, and removes its files. */
+  close(): Promise<void>;
+}
+
+/** @param lines of its configuration besides */
+export async function startBroker(
+  lines: (folder: string) => readonly string[] = () => ['allow_anonymous true'],
+): Promise<Broker> {
+  const program = findMosquitto();
+  const folder = mkdtempSync(join(tmpdir(), 'ubii-mosquitto-'));
+  const port = await freePort();
+  const config = join(folder, 'mosquitto.conf');
+  let child: ChildProcess | undefined;
+  const text = [
+    `listener ${port} 127.0.0.1`,
+    'persistence false',
+    // As root it would become the user mosquitto, who may not read the folder.
+    ...(process.getuid?.() === 0 ? ['user root'] : []),
+    ...lines(folder),
+  ];
+  writeFileSync(config, text.join('\n'));
+  const broker: Broker = {
+    ...{ url: `mqtt://127.0.0.1:${port}`, port, folder },
+    async start() {
+      child = spawn(program, ['-c', config], { stdio: ['ignore', 'ignore', 'pipe'] });
+      let said = '';
+      child.stderr?.on('data', (more) => (said += more));
+      await untilListening(port, child, () => said);
+    },
+    async stop() {
+      const ending = child;
+      child = undefined;
+      if (ending === undefined || ending.exitCode !== null) return;
+      const ended = new Promise((resolve) => ending.once('exit', resolve));
+      ending.kill();
+      await ended;
+    },
+    async close() {
+      await broker.stop();
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+  await broker.start();
+  return broker;
+}
+
+async function freePort(): Promise<number> {
+  const server = createServer();
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address() as AddressInfo;
+  await new Promise((resolve) => server.close(resolve));
+  return port;
+}
+
+async function untilListening(port: number, child: ChildProcess, said: () => string) {
+  for (;;) {
+    if (child.exitCode !== null) throw new Error(`Mosquitto ended: ${said()}`);
+    const isOpen = await new Promise<boolean>((resolve) => {
+      const socket = connect(port, '127.0.0.1');
+      socket.once('connect', () => {
+        socket.destroy();
+        resolve(true);
+      });
+      socket.once('error', () => resolve(false));
+    });
+    if (isOpen) return;
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
+}
