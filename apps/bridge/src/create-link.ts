@@ -4,6 +4,10 @@ import { systemClock } from '@ubii/timing/system';
 import { createTopicMaster } from './adapters/master/client-topic-master.ts';
 import { watchDevices } from './adapters/master/watch-devices.ts';
 import { createMqttSystem } from './adapters/mqtt/mqtt-system.ts';
+import { oscCodec } from './adapters/osc/osc-codec.ts';
+import { createOscSystem } from './adapters/osc/osc-system.ts';
+import { rosCodec } from './adapters/rosbridge/ros-codec.ts';
+import { createRosbridgeSystem } from './adapters/rosbridge/rosbridge-system.ts';
 import { createBridgeLink } from './core/bridge-link.ts';
 import type { BridgeLink, LinkOptions } from './core/bridge-link.ts';
 import { HomeAssistant } from './core/home-assistant/home-assistant.ts';
@@ -40,8 +44,10 @@ export function createLink(setup: LinkSetup): RunningLink {
   switch (setup.target.protocol) {
     case 'mqtt':
       return mqttLink(setup);
-    default:
-      throw new Error(`No adapter for ${setup.target.protocol}.`);
+    case 'osc':
+      return oscLink(setup);
+    case 'rosbridge':
+      return rosbridgeLink(setup);
   }
 }
 
@@ -87,6 +93,41 @@ function mqttLink(setup: LinkSetup): RunningLink {
     close() {
       unwatch?.();
       return link.close();
+    },
+  };
+}
+
+function oscLink(setup: LinkSetup): RunningLink {
+  const { host, port } = setup.target;
+  const system = createOscSystem({ host, port, listen: setup.listen, clock: systemClock });
+  return followFile(
+    setup,
+    createBridgeLink({
+      ...{ ...sharedOptions(setup), system, codec: oscCodec, returnsMessages: true },
+    }),
+  );
+}
+
+function rosbridgeLink(setup: LinkSetup): RunningLink {
+  const { url } = setup.target;
+  const system = createRosbridgeSystem({ url, ca: setup.ca, clock: systemClock });
+  return followFile(
+    setup,
+    createBridgeLink({
+      ...{ ...sharedOptions(setup), system, codec: rosCodec, returnsMessages: true },
+    }),
+  );
+}
+
+/** A link whose mappings are those of the file. */
+function followFile(setup: LinkSetup, link: BridgeLink): RunningLink {
+  const refresh = (): void => link.setMappings(setup.file().mappings);
+  return {
+    ...link,
+    refresh,
+    open() {
+      link.open();
+      refresh();
     },
   };
 }

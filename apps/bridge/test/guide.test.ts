@@ -14,6 +14,8 @@ function fileOf(name: string): string {
 it.each([
   ['bridge.json', 'mqtt', 3],
   ['home.json', 'mqtt', 0],
+  ['controller.json', 'osc', 2],
+  ['robot.json', 'rosbridge', 2],
 ] as [string, Protocol, number][])(
   '%s of the guide is a mapping file of %s [BR-1]',
   (name, protocol, count) => {

@@ -1,4 +1,5 @@
 import { parseSides } from '../core/mapping/address-path.ts';
+import { OTHER_PROTOCOLS } from '../core/mapping/mapping.ts';
 import type { Mapping } from '../core/mapping/mapping.ts';
 
 /** A mapping with defaults. */
@@ -11,7 +12,7 @@ export function mappingOf(
   return {
     ...{ name: `${foreign} ${direction} ${topic}`, direction, format: 'double', payload: 'json' },
     ...parseSides(foreign, topic, direction),
-    ...{ field: [], qos: 0, retained: false, rosType: '' },
+    ...{ field: [], qos: 0, retained: false, ...OTHER_PROTOCOLS },
     ...{ maxRateHz: 0, maxTopics: 1_000, maxBytes: 65_536 },
     ...more,
   };

@@ -1,4 +1,5 @@
 import { literalPath } from '../mapping/literal-path.ts';
+import { OTHER_PROTOCOLS } from '../mapping/mapping.ts';
 import type { Mapping } from '../mapping/mapping.ts';
 import type { OutgoingMessage } from '../ports/foreign-system.ts';
 import { NODE_PREFIX } from './entities.ts';
@@ -87,6 +88,6 @@ const CONFIG_MAPPING: Mapping = {
   direction: 'out',
   foreign: literalPath(''),
   topic: literalPath(''),
-  ...{ format: undefined, payload: 'json', field: [], rosType: '' },
+  ...{ format: undefined, payload: 'json', field: [], ...OTHER_PROTOCOLS },
   ...{ qos: 1, retained: true, maxRateHz: 0, maxTopics: 1, maxBytes: 64 * 1024 },
 };

@@ -2,6 +2,7 @@ import { ComponentIOType, parseDataFormat } from '@ubii/proto';
 import type { Component, DataFormat, Device } from '@ubii/proto';
 import { BRIDGE_LIMITS } from '../limits.ts';
 import { literalPath } from '../mapping/literal-path.ts';
+import { OTHER_PROTOCOLS } from '../mapping/mapping.ts';
 import type { Mapping, PayloadKind } from '../mapping/mapping.ts';
 import type { HomeAssistantSettings } from '../mapping/read-mapping-file.ts';
 import { BUTTON_EVENTS, BUTTON_FORMATS } from '../payload/button-events.ts';
@@ -119,7 +120,7 @@ function entityOf(device: Device, component: Component, world: EntityWorld): Ent
       direction: isSubscriber ? 'in' : 'out',
       foreign: literalPath(isSubscriber ? `${topic}/set` : topic),
       topic: literalPath(component.topic),
-      ...{ format, payload: kind.payload, field: [], rosType: '' },
+      ...{ format, payload: kind.payload, field: [], ...OTHER_PROTOCOLS },
       // The newest state is there for a Home Assistant that starts later; commands and events are of their moment.
       retained: !isSubscriber && kind.payload !== 'event',
       ...{ qos: 1, maxRateHz: kind.payload === 'event' ? 0 : 5, maxTopics: 1 },

@@ -1,5 +1,6 @@
 import type { Device } from '@ubii/proto';
 import { parseSides } from '../mapping/address-path.ts';
+import { OTHER_PROTOCOLS } from '../mapping/mapping.ts';
 import type { Mapping } from '../mapping/mapping.ts';
 import type { HomeAssistantSettings } from '../mapping/read-mapping-file.ts';
 import type { ForeignMessage, OutgoingMessage } from '../ports/foreign-system.ts';
@@ -33,7 +34,14 @@ export class HomeAssistant {
     this.#found = {
       ...{ name: 'Home Assistant: earlier run', direction: 'in' },
       ...parseSides(this.#discovery.filter, '/', 'in'),
-      ...{ format: undefined, payload: 'bytes', field: [], qos: 1, retained: true, rosType: '' },
+      ...{
+        format: undefined,
+        payload: 'bytes',
+        field: [],
+        qos: 1,
+        retained: true,
+        ...OTHER_PROTOCOLS,
+      },
       ...{ maxRateHz: 0, maxTopics: 1, maxBytes: 64 * 1024 },
     };
   }

@@ -34,11 +34,24 @@ export interface Mapping {
   readonly retained: boolean;
   /** Message type of ROS, such as `std_msgs/Float64`; empty for other systems. */
   readonly rosType: string;
+  /** rosbridge only: how messages come, and how many it keeps while the bridge is slow. */
+  readonly compression: 'none' | 'cbor';
+  readonly queueLength: number;
+  /** OSC only: messages leave in bundles with the time of the value. */
+  readonly timeTag: boolean;
   /** Messages of one address or topic per second; the newest is never withheld permanently. 0: no limit */
   readonly maxRateHz: number;
   readonly maxTopics: number;
   readonly maxBytes: number;
 }
+
+/** Members of a mapping that only OSC and rosbridge have, where they mean nothing. */
+export const OTHER_PROTOCOLS = {
+  rosType: '',
+  compression: 'none',
+  queueLength: 1,
+  timeTag: false,
+} as const;
 
 export const takesIn = ({ direction }: Pick<Mapping, 'direction'>): boolean => direction !== 'out';
 export const givesOut = ({ direction }: Pick<Mapping, 'direction'>): boolean => direction !== 'in';

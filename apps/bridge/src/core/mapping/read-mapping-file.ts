@@ -2,7 +2,7 @@ import { isDataFormat } from '@ubii/proto';
 import type { DataFormat } from '@ubii/proto';
 import * as v from 'valibot';
 import { BRIDGE_LIMITS } from '../limits.ts';
-import { parseSides } from './address-path.ts';
+import { isPattern, parseSides } from './address-path.ts';
 import { parseField } from './field-path.ts';
 import { PAYLOADS } from './mapping.ts';
 import type { Mapping, PayloadKind, Protocol, Qos } from './mapping.ts';
@@ -67,7 +67,7 @@ const MAPPINGS = {
     qos: v.optional(v.picklist([0, 1, 2], 'must be 0, 1 or 2')),
     retained: v.optional(flag),
   }),
-  osc: v.strictObject({ ...COMMON }),
+  osc: v.strictObject({ ...COMMON, timeTag: v.optional(flag) }),
   rosbridge: v.strictObject({
     ...COMMON,
     type: v.pipe(
@@ -77,6 +77,9 @@ const MAPPINGS = {
         'must be a message type with its package, such as "std_msgs/Float64"',
       ),
     ),
+    compression: v.optional(v.picklist(['none', 'cbor'], 'must be "none" or "cbor"')),
+    queueLength: v.optional(whole(0, 1_000)),
+    retained: v.optional(flag),
   }),
 };
 
@@ -112,6 +115,9 @@ interface WrittenMapping {
   readonly qos?: number | undefined;
   readonly retained?: boolean | undefined;
   readonly type?: string | undefined;
+  readonly timeTag?: boolean | undefined;
+  readonly compression?: Mapping['compression'] | undefined;
+  readonly queueLength?: number | undefined;
   readonly maxRateHz?: number | undefined;
   readonly maxTopics?: number | undefined;
   readonly maxBytes?: number | undefined;
@@ -186,6 +192,11 @@ function compile(written: WrittenMapping, protocol: Protocol, place: string): Ma
   const sides = at('', () => parseSides(written.foreign, written.topic, direction));
   at('.topic', () => expectTopicOfClients(written.topic));
   if (protocol === 'mqtt') checkPayload(written, payload, place);
+  if (protocol === 'rosbridge' && takesIn && isPattern(sides.foreign)) {
+    throw new Error(
+      `${place}.foreign: rosbridge subscribes to single topics. Write a mapping for each.`,
+    );
+  }
   if (takesIn && format === undefined && payload !== 'protobuf') {
     throw new Error(
       `${place}.format is missing. Set the data format of the topics, such as "double".`,
@@ -200,6 +211,9 @@ function compile(written: WrittenMapping, protocol: Protocol, place: string): Ma
     retained: written.retained ?? false,
     // ROS 2 writes std_msgs/msg/Float64 for what ROS 1 calls std_msgs/Float64.
     rosType: (written.type ?? '').replace('/msg/', '/'),
+    timeTag: written.timeTag ?? false,
+    compression: written.compression ?? 'none',
+    queueLength: written.queueLength ?? 1,
     maxRateHz: written.maxRateHz ?? 0,
     maxTopics: written.maxTopics ?? BRIDGE_LIMITS.topicsPerMapping,
     maxBytes: written.maxBytes ?? BRIDGE_LIMITS.messageBytes,

@@ -1,0 +1,46 @@
+import type { PayloadCodec } from '../../core/payload/payload-codec.ts';
+import { toValue } from '../../core/payload/plain-values.ts';
+import { ROS_TYPES } from './ros-types.ts';
+import type { RosMessage, RosType } from './ros-types.ts';
+
+/** Values of topics as messages of ROS, and back. [BR-70] */
+export const rosCodec: PayloadCodec<RosMessage> = {
+  read(message, { format, rosType }) {
+    if (format === undefined) throw new Error('The mapping has no data format.');
+    const json = typeOf(rosType).read(message, format);
+    const value = format === 'image2D' ? checkedImage(json) : toValue(format, plainNumbers(json));
+    return { format, value, timestampMs: stampOf(message) };
+  },
+  write({ format, value }, { rosType }) {
+    const type = typeOf(rosType);
+    if (type.formats.includes(format)) return type.write(value, format);
+    throw new Error(`${rosType} carries ${type.formats.join(', ')}, not ${format}.`);
+  },
+};
+
+function typeOf(rosType: string): RosType {
+  const type = ROS_TYPES[rosType];
+  if (type === undefined) throw new Error(`The message type ${rosType} is not supported.`);
+  return type;
+}
+
+/** Bytes are no JSON. */
+function checkedImage(json: unknown): unknown {
+  const { data, ...rest } = json as { readonly data: Uint8Array };
+  const empty = toValue('image2D', { ...rest, width: 0, height: 0 }) as object;
+  return { ...empty, ...rest, data };
+}
+
+/** CBOR has integers of 64 bits. */
+function plainNumbers(json: unknown): unknown {
+  return typeof json === 'bigint' ? Number(json) : json;
+}
+
+/** Time of the header, milliseconds since the Unix epoch; ROS 1 has `secs`, ROS 2 `sec`. */
+function stampOf({ header }: RosMessage): number | undefined {
+  const { stamp } = (header ?? {}) as { readonly stamp?: Readonly<Record<string, unknown>> };
+  const seconds = Number(stamp?.['sec'] ?? stamp?.['secs']);
+  const nanoseconds = Number(stamp?.['nanosec'] ?? stamp?.['nsecs'] ?? 0);
+  // Messages that nobody stamped have 0.
+  return seconds > 0 && nanoseconds >= 0 ? seconds * 1_000 + nanoseconds / 1e6 : undefined;
+}
