@@ -18,7 +18,7 @@ import { encodeReply, takeRequest, type ServiceMessage } from './service-message
 const OPENING_BRACE = 0x7b;
 
 export interface ZeroMqServicesOptions extends AnswerOptions {
-  readonly callers: Pick<CallerReader, 'read'>;
+  readonly callers: Pick<CallerReader, 'prepare' | 'read'>;
   readonly log: Log;
   readonly clock: Clock;
   readonly doorkeeper: Pick<Doorkeeper, 'of'>;
@@ -68,13 +68,16 @@ export class ZeroMqServices {
   async #serve(socket: Socket): Promise<void> {
     const { callers, clock, greetingMs } = this.#options;
     // Before anything else: of a socket that is gone nothing is known any more.
-    const caller = callers.read({ headers: {}, socket });
+    const prepared = callers.prepare({ headers: {}, socket });
     const source = new ByteSource(socket);
     const cancel = clock.after(greetingMs, () => socket.destroy());
     const peer = await greetPeer(socket, source, {
       own: 'REP',
       accepted: ['REQ', 'DEALER'],
     }).finally(cancel);
+    await prepared;
+    if (socket.destroyed) return;
+    const caller = callers.read({ headers: {}, socket });
     socket.write(peer.acceptance);
     let goesOn = true;
     while (goesOn && !this.#isClosing) {

@@ -27,7 +27,7 @@ clientConnectionSuite('ZeroMqTopicData', openBench);
 async function openBench(host: ConnectionHost): Promise<ConnectionBench> {
   const topicData = new ZeroMqTopicData({
     master: host,
-    callers: { read: () => TRUSTED_CALLER },
+    callers: { prepare: () => undefined, read: () => TRUSTED_CALLER },
     log: new RecordingLog(),
     clock: new SystemClock(),
     maxMessageBytes: MAX_MESSAGE_BYTES,

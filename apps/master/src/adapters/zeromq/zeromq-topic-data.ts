@@ -22,7 +22,7 @@ const HOLD_MS = 10_000;
 
 export interface ZeroMqTopicDataOptions {
   readonly master: ConnectionHost;
-  readonly callers: Pick<CallerReader, 'read'>;
+  readonly callers: Pick<CallerReader, 'prepare' | 'read'>;
   readonly log: Log;
   readonly clock: Pick<Clock, 'after'>;
   /** Knows the connections of sockets. */
@@ -68,14 +68,16 @@ export class ZeroMqTopicData {
   async #open(socket: Socket): Promise<void> {
     const { master, callers, clock, greetingMs, doorkeeper } = this.#options;
     // Before anything else: of a socket that is gone nothing is known any more.
-    const caller = callers.read({ headers: {}, socket });
+    const prepared = callers.prepare({ headers: {}, socket });
     const addressKind = kindOfPeer(socket.remoteAddress);
     const source = new ByteSource(socket);
     const cancel = clock.after(greetingMs, () => socket.destroy());
     const peer = await greetPeer(socket, source, { own: 'ROUTER', accepted: ['DEALER'] }).finally(
       cancel,
     );
+    await prepared;
     if (socket.destroyed) return;
+    const caller = callers.read({ headers: {}, socket });
     const rest = source.release();
     // An existing client says its id, and knows no token.
     const claim: ClientClaim = {
