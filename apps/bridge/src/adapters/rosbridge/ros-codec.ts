@@ -1,7 +1,8 @@
 import type { PayloadCodec } from '../../core/payload/payload-codec.ts';
 import { toValue } from '../../core/payload/plain-values.ts';
+import type { RosMessage } from './ros-message.ts';
 import { ROS_TYPES } from './ros-types.ts';
-import type { RosMessage, RosType } from './ros-types.ts';
+import type { RosType } from './ros-types.ts';
 
 /** Values of topics as messages of ROS, and back. [BR-70] */
 export const rosCodec: PayloadCodec<RosMessage> = {

@@ -1,6 +1,6 @@
 import { Image2DDataFormat } from '@ubii/proto';
 import type { Image2D } from '@ubii/proto';
-import type { RosMessage } from './ros-types.ts';
+import type { RosMessage } from './ros-message.ts';
 
 interface Encoding {
   readonly channels: number;

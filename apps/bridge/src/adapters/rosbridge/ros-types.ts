@@ -2,9 +2,7 @@ import { isCompressedImage } from '@ubii/proto';
 import type { DataFormat, Image2D } from '@ubii/proto';
 import { NUMBER_MEMBERS } from '../../core/payload/members.ts';
 import { fromRosImage, rosBytes, toRosImage } from './ros-images.ts';
-
-/** A message of ROS, as JSON has it. */
-export type RosMessage = Readonly<Record<string, unknown>>;
+import type { RosMessage } from './ros-message.ts';
 
 /** How messages of one type are values of one format. */
 export interface RosType {

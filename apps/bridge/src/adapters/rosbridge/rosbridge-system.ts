@@ -12,7 +12,7 @@ import type {
   Sent,
 } from '../../core/ports/foreign-system.ts';
 import { readFrame } from './read-frame.ts';
-import type { RosMessage } from './ros-types.ts';
+import type { RosMessage } from './ros-message.ts';
 
 const HEARTBEAT_MS = 15_000;
 const OPEN_TIMEOUT_MS = 10_000;

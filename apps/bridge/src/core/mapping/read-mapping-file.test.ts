@@ -40,8 +40,14 @@ describe('a mapping file [BR-1]', () => {
       ...{ name: 'temperatures', field: ['values', 0, 'celsius'], qos: 1, retained: true },
       ...{ maxRateHz: 5, maxTopics: 3, maxBytes: 100 },
     });
-    const twist = { ...temperature, format: 'vector3', type: 'geometry_msgs/msg/Vector3' };
-    expect(readOne(twist, 'rosbridge')).toMatchObject({ rosType: 'geometry_msgs/Vector3' });
+    const speed = { direction: 'in', foreign: '/speed', topic: '/speed', format: 'vector3' };
+    expect(readOne({ ...speed, type: 'geometry_msgs/msg/Vector3' }, 'rosbridge')).toMatchObject({
+      ...{ rosType: 'geometry_msgs/Vector3', compression: 'none', queueLength: 1 },
+    });
+    expect(() => readOne({ ...temperature, type: 'std_msgs/Float64' }, 'rosbridge')).toThrow(
+      'rosbridge subscribes to single topics',
+    );
+    expect(readOne({ ...speed, timeTag: true }, 'osc')).toMatchObject({ timeTag: true });
   });
 
   it.each([
