@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { SessionState, type Init, type Session } from '@ubii/proto';
 import type { TestClient, TestMaster } from '../../src/testing/index.ts';
 import { doubling, TOPICS } from '../sessions/session-world.ts';
-import type { ClusterWorld} from './cluster-world.ts';
+import type { ClusterWorld } from './cluster-world.ts';
 import { clusterOf } from './cluster-world.ts';
 
 /** Asks a master, and lets messages between masters arrive meanwhile. */

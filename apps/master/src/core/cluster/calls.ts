@@ -42,7 +42,12 @@ export class Calls {
   }
 
   /** @throws ServiceError when it cannot be reached, or does not answer in time */
-  call(masterId: string, request: ServiceRequest, facts: CallerFacts): Promise<ServiceReply> {
+  call(
+    masterId: string,
+    request: ServiceRequest,
+    facts: CallerFacts,
+    timeoutMs = this.#context.limits.serviceTimeoutMs,
+  ): Promise<ServiceReply> {
     if (this.#pending.size >= MAX_CALLS) {
       const text = 'Too many requests wait for answers of other masters. Send the request again.';
       return Promise.reject(new ServiceError('resource_exhausted', text));
@@ -50,7 +55,7 @@ export class Calls {
     this.#number = (this.#number + 1) % 0x7fffffff;
     const number = this.#number;
     return new Promise((resolve, reject) => {
-      const cancel = this.#context.clock.after(this.#context.limits.serviceTimeoutMs, () =>
+      const cancel = this.#context.clock.after(timeoutMs, () =>
         this.#fail(number, 'did not answer in time'),
       );
       this.#pending.set(number, { masterId, resolve, reject, cancel });

@@ -8,6 +8,7 @@ import {
   type Init,
   type ServiceReply,
   type ServiceRequest,
+  type TopicStatistics,
 } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
@@ -22,6 +23,7 @@ import { quote } from '../texts/quote.ts';
 import { endForeign } from '../topics/foreign-records.ts';
 import { Calls, type Answer } from './calls.ts';
 import { describeClient, Directory, type DirectoryContext } from './directory.ts';
+import { ForeignTopics } from './foreign-topics.ts';
 import { HELLO_MS, Members, type Member } from './members.ts';
 import { OwnInterest, type InterestContext } from './own-interest.ts';
 import type { PeerContext } from './peer-subscriber.ts';
@@ -32,6 +34,9 @@ import { ToldRecords, type ToldContext } from './told-records.ts';
 
 /** Time in which changes of clients are collected, milliseconds. */
 const NEWS_MS = 20;
+
+/** Time that other masters have to add to a reply, milliseconds. */
+const GATHER_MS = 1_000;
 
 /** Dependencies of a cluster. */
 export interface ClusterContext
@@ -60,6 +65,7 @@ export class Cluster implements BusListener {
   readonly #told: ToldRecords;
   readonly #mirror: SessionMirror;
   readonly #calls: Calls;
+  readonly #topics: ForeignTopics;
   readonly #takeover: Takeover;
   readonly #peers = new Map<string, Peer>();
   /** Masters whose values end when they stay away, with that time; monotonic milliseconds. */
@@ -83,6 +89,12 @@ export class Cluster implements BusListener {
     this.#told = new ToldRecords(context);
     this.#mirror = new SessionMirror(context);
     this.#calls = new Calls(context);
+    this.#topics = new ForeignTopics({
+      ...context,
+      masterIds: () => this.#peers.keys(),
+      call: (id, request, facts) =>
+        this.#calls.call(id, request, facts, GATHER_MS).catch(() => undefined),
+    });
     this.#takeover = new Takeover(context, this.members);
     context.onSessionNews.add((topic, session) => {
       for (const peer of this.#peers.values()) peer.tellSession({ topic, session });
@@ -150,6 +162,26 @@ export class Cluster implements BusListener {
   /** Has a service request answered by another master. @throws ServiceError when it does not answer */
   call(masterId: string, request: ServiceRequest, facts: CallerFacts): Promise<ServiceReply> {
     return this.#calls.call(masterId, request, facts);
+  }
+
+  /** Counters of the topics of all masters that changed since a cursor. [CU-29] */
+  topicStatistics(cursor: number, facts: CallerFacts): Promise<Init<TopicStatistics>> {
+    return this.#topics.read(cursor, facts);
+  }
+
+  /**
+   * Asks every other master the same. [CU-29]
+   *
+   * @returns the replies of those that answered within a second
+   */
+  async callAll(request: ServiceRequest, facts: CallerFacts): Promise<ServiceReply[]> {
+    const asked = [...this.#peers.keys()].map((id) =>
+      this.#calls.call(id, request, facts, GATHER_MS).catch(() => undefined),
+    );
+    const replies = await Promise.all(asked);
+    return replies.filter(
+      (reply) => reply !== undefined && reply.error === undefined,
+    ) as ServiceReply[];
   }
 
   /** A node says something: masters that run modules there are told, if it is at this master. [CU-24] */

@@ -34,7 +34,9 @@ export function readClientReport(
   request: ClientReportRequest,
 ): Init<ClientReport> {
   const wanted = new Set(request.clientIds);
-  const reported = [...clients.values()].filter(({ id }) => wanted.size === 0 || wanted.has(id));
+  const reported = [...clients.values()].filter(
+    ({ id, home }) => home?.isLost !== false && (wanted.size === 0 || wanted.has(id)),
+  );
   return {
     masterTimeMs: clock.nowMs(),
     measuredMs: clientMeter.seconds * 1000,

@@ -31,7 +31,12 @@ export const CLIENT_SERVICES = [
   define('latencyClientsList', {
     roles: READERS,
     handle: ({ clients }) => ({
-      elements: [...clients.values()].map(({ id, latencyMs }) => ({ id, latency: latencyMs })),
+      elements: [...clients.values()]
+        .filter(({ home }) => home === undefined)
+        .map(({ id, latencyMs }) => ({ id, latency: latencyMs })),
+    }),
+    gather: ({ elements }, others) => ({
+      elements: [...(elements ?? []), ...others.flatMap((other) => other.elements)],
     }),
   }),
 ];

@@ -37,6 +37,11 @@ export interface ServiceDefinition<S extends ServiceName, P extends keyof Core> 
   readonly isSignOfLife?: boolean;
   /** A name or id of what the call changes. With it, calls are audited [EX-90]. */
   readonly auditObject?: (core: Pick<Core, P>, payload: NonNullable<ServicePayload<S>>) => string;
+  /** Adds what other masters reply to the same request to the reply [CU-29]. */
+  readonly gather?: (
+    reply: Init<ServiceReplyOf<S>>,
+    others: readonly ServiceReplyOf<S>[],
+  ) => Init<ServiceReplyOf<S>>;
   /** Returns the payload of the reply. @throws ServiceError when the request cannot be fulfilled */
   readonly handle: (
     core: Pick<Core, P>,
@@ -64,6 +69,10 @@ export interface Service extends ServiceRight {
   /** A name or id of what an audited call changes; may be empty. */
   auditObjectOf(core: Core, request: ServiceRequest): string;
   handle(core: Core, request: ServiceRequest, call: ServiceCall): Promise<Init<ServiceReply>>;
+  /** Undefined: other masters have nothing to add. */
+  readonly gather:
+    | ((reply: Init<ServiceReply>, others: readonly ServiceReply[]) => Init<ServiceReply>)
+    | undefined;
 }
 
 /** Returns a function that defines services whose handlers use no more than these parts of the master. */
@@ -77,7 +86,7 @@ function defineService<S extends ServiceName, P extends keyof Core>(
   definition: ServiceDefinition<S, P>,
 ): Service {
   const { roles, subject, mayNameOthers = false, isSignOfLife = true } = definition;
-  const { auditObject, target, handle } = definition;
+  const { auditObject, target, gather, handle } = definition;
   const info: ServiceInfo = SERVICES[name];
   const given = (request: ServiceRequest) =>
     payloadOf(info, request) as NonNullable<ServicePayload<S>> | undefined;
@@ -106,6 +115,18 @@ function defineService<S extends ServiceName, P extends keyof Core>(
       const reply = await handle(core, given(request) as ServicePayload<S>, call);
       return { [info.reply]: reply };
     },
+    gather:
+      gather &&
+      ((reply, others) => {
+        const payloads = others.map((other) => other[info.reply] as ServiceReplyOf<S> | undefined);
+        const own = reply[info.reply] as Init<ServiceReplyOf<S>>;
+        return {
+          [info.reply]: gather(
+            own,
+            payloads.filter((one) => one !== undefined),
+          ),
+        };
+      }),
   };
 }
 

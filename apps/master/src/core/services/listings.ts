@@ -29,6 +29,9 @@ export function listingServices(all: () => readonly Service[]): readonly Service
         }
         return { elements };
       },
+      gather: ({ elements }, others) => ({
+        elements: [...new Set([...(elements ?? []), ...others.flatMap((other) => other.elements)])],
+      }),
     }),
   ];
 }

@@ -22,6 +22,10 @@ export const MONITORING_SERVICES = [
       requireElements(core, wanted.clientIds);
       return readClientReport(core, wanted);
     },
+    gather: (report, others) => ({
+      ...report,
+      clients: [...(report.clients ?? []), ...others.flatMap(({ clients }) => clients)],
+    }),
   }),
   limitList,
   // [EX-37]

@@ -19,15 +19,17 @@ const MAX_TURN_MS = 8;
  * Answers a request, whatever it holds; never rejects [SV-2].
  *
  * @param known who called, when that was found before the body was read
+ * @param isOfMaster another master asks for its caller
  */
 export function answerRequest(
   core: Core,
   request: ServiceRequest,
   facts: CallerFacts,
   known?: Caller,
+  isOfMaster = false,
 ): Promise<ServiceAnswer> {
   core.counters.countRequest(request.topic);
-  const call = new Call(core, facts, known);
+  const call = new Call(core, facts, known, isOfMaster);
   const { serviceTimeoutMs } = core.limits;
   return new Promise((resolve) => {
     const cancel = core.clock.after(serviceTimeoutMs, () => {
@@ -82,7 +84,7 @@ function forwarded(
   request: ServiceRequest,
   call: Call,
 ): Promise<ServiceAnswer> | undefined {
-  if (core.masters === undefined) return undefined;
+  if (core.masters === undefined || call.isOfMaster) return undefined;
   // Nothing is carried for callers who may not ask.
   core.access.authorize(call.caller, service, request.topic, service.subjectOf(request));
   return forward(core, service, request, call.facts)?.then((reply) => ({
@@ -106,7 +108,10 @@ async function handle(
     const client = core.clients.get(actsFor);
     if (client !== undefined) core.clients.handleSign(client);
   }
-  const reply = await service.handle(core, bounded, call);
+  let reply = await service.handle(core, bounded, call);
+  if (service.gather !== undefined && core.masters !== undefined && !call.isOfMaster) {
+    reply = service.gather(reply, await core.masters.callAll(bounded, call.facts)); // [CU-29]
+  }
   return { reply, afterReply: () => call.finish() };
 }
 
@@ -170,6 +175,7 @@ class Call implements ServiceCall {
   readonly place: string;
   readonly isHere: boolean;
   readonly address: string | undefined;
+  readonly isOfMaster: boolean;
   readonly #core: Core;
   readonly facts: CallerFacts;
   #caller: Caller | undefined = undefined;
@@ -177,7 +183,7 @@ class Call implements ServiceCall {
   #isFinished = false;
   #lastYieldMs: number;
 
-  constructor(core: Core, facts: CallerFacts, known?: Caller) {
+  constructor(core: Core, facts: CallerFacts, known: Caller | undefined, isOfMaster: boolean) {
     this.#core = core;
     this.facts = facts;
     // Admitted callers are identified again: their access may have been revoked while the body arrived.
@@ -185,6 +191,7 @@ class Call implements ServiceCall {
     this.place = facts.place;
     this.isHere = facts.isHere;
     this.address = facts.address;
+    this.isOfMaster = isOfMaster;
     this.#lastYieldMs = core.clock.monotonicMs();
   }
 

@@ -1,4 +1,5 @@
 import type { Caller } from '../access/caller.ts';
+import type { CallerFacts } from '../ports/caller-facts.ts';
 
 /** Context of one call, besides its request. */
 export interface ServiceCall {
@@ -6,6 +7,10 @@ export interface ServiceCall {
   readonly caller: Caller;
   /** Unit by which wrong codes of this caller are counted. [AC-17] */
   readonly place: string;
+  /** What the transport knows of the caller. */
+  readonly facts: CallerFacts;
+  /** Another master asks for its caller: what other masters have is not of interest [CU-29]. */
+  readonly isOfMaster: boolean;
   /** True when the caller is on this machine, without a proxy in between [AC-43]. */
   readonly isHere: boolean;
   /** Its address, where `place` is a network. */

@@ -40,7 +40,26 @@ export const topicSubscribers = definer<keyof Parts>()('topicSubscribers', {
       elements: topics.map((topic) => ({ topic, count: subscribersOf(core, topic).count })),
     };
   },
+  gather: ({ elements }, others) => ({
+    elements: (elements ?? []).map((own, i) =>
+      others.reduce((all, { elements: of }) => both(all, of[i]), own),
+    ),
+  }),
 });
+
+/** The subscribers of a topic here, and at another master. */
+function both(
+  own: Init<TopicSubscribers>,
+  other: TopicSubscribers | undefined,
+): Init<TopicSubscribers> {
+  if (other === undefined) return own;
+  return {
+    ...own,
+    count: (own.count ?? 0) + other.count,
+    clientIds: [...(own.clientIds ?? []), ...other.clientIds],
+    modules: [...(own.modules ?? []), ...other.modules],
+  };
+}
 
 /** [EX-96] */
 function requireOwn(caller: ServiceCall['caller'], topic: string): void {

@@ -4,7 +4,7 @@ import { definer } from './define-service.ts';
 import { topicSubscribers } from './topic-subscribers.ts';
 import { topicSubscription } from './topic-subscription.ts';
 
-const define = definer<'topics' | 'clock'>();
+const define = definer<'topics' | 'clock' | 'masters'>();
 
 /** Services on topics and subscriptions. */
 export const TOPIC_SERVICES = [
@@ -13,6 +13,10 @@ export const TOPIC_SERVICES = [
   // [EX-11]
   define('topicStatistics', {
     roles: READERS,
-    handle: ({ topics, clock }, { cursor }) => readTopicStatistics(topics, cursor, clock.nowMs()),
+    handle({ topics, clock, masters }, { cursor }, call) {
+      return masters === undefined || call.isOfMaster
+        ? readTopicStatistics(topics, cursor, clock.nowMs())
+        : masters.topicStatistics(cursor, call.facts); // [CU-29]
+    },
   }),
 ];

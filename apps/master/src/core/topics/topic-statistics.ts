@@ -18,8 +18,9 @@ export function readTopicStatistics(
   };
 }
 
-function statisticOf(entry: TopicEntry, topics: TopicTable): TopicStatistic {
-  const { direct, sampled } = topics.targetsOf(entry);
+/** The counters of one topic. */
+export function statisticOf(entry: TopicEntry, topics: TopicTable): TopicStatistic {
+  const { ownDirect, ownSampled } = topics.targetsOf(entry);
   return {
     topic: entry.topic,
     dataFormat: dataFormatOf(entry),
@@ -28,7 +29,8 @@ function statisticOf(entry: TopicEntry, topics: TopicTable): TopicStatistic {
     bytes: entry.bytes,
     dropped: entry.dropped,
     publishedMs: entry.publishedMs,
-    subscribers: direct.length + sampled.length,
+    // Other masters say how many theirs are.
+    subscribers: ownDirect + ownSampled,
     valueBytes: entry.record?.byteLength ?? 0,
   };
 }

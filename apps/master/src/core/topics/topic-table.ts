@@ -59,6 +59,11 @@ export class TopicTable {
     return this.#sequence;
   }
 
+  /** The epoch of the statistics that goes on now. */
+  get epoch(): number {
+    return this.#epoch;
+  }
+
   values(): Iterable<TopicEntry> {
     return this.#entries.values();
   }
