@@ -16,6 +16,7 @@ export type { ComponentProfile } from './core/subscriptions/component-profile.ts
 export { ConnectionError } from './core/connection/connection-error.ts';
 export type { ConnectionErrorReason } from './core/connection/connection-error.ts';
 export type { ConnectionState, ConnectionStatus } from './core/connection/connection-state.ts';
+export type { MasterChange } from './core/connection/moves.ts';
 export type {
   ComponentInit,
   DeviceInit,
@@ -31,6 +32,7 @@ export type { Cancel, Clock } from '@ubii/timing';
 export { systemClock } from '@ubii/timing/system';
 export type { ErrorHandler, ErrorSource } from './core/ports/error-handler.ts';
 export type { IdentityStorage } from './core/ports/identity-storage.ts';
+export type { MasterWays, WaysTo } from './core/ports/master-ways.ts';
 export type { RandomSource } from './core/ports/random.ts';
 export type { ServiceExchange, ServiceTransport } from './core/ports/service-transport.ts';
 export type {

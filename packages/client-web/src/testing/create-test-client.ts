@@ -5,6 +5,7 @@ import type { ClientOptions } from '../core/client/client-options.ts';
 import type { ConnectionState } from '../core/connection/connection-state.ts';
 import { createUbiiClient } from '../core/client/create-ubii-client.ts';
 import type { ClientProblem, UbiiClient } from '../core/client/ubii-client.ts';
+import type { MasterWays } from '../core/ports/master-ways.ts';
 import { systemUuid } from '../system-uuid.ts';
 import { createMemoryServices, createMemoryTopicData } from '../transports/memory.ts';
 import type { MemoryMaster } from '../transports/memory.ts';
@@ -17,12 +18,23 @@ export interface TestClient {
   readonly problems: ClientProblem[];
 }
 
+const GONE: MemoryMaster = {
+  handleServiceRequest: () => Promise.reject(new Error('there is no master')),
+  openConnection: () => undefined,
+};
+
+function waysOf(master: MemoryMaster): MasterWays {
+  return { services: createMemoryServices(master), topicData: createMemoryTopicData(master) };
+}
+
 /** A client of a master in the same process. Jitter is none, unless the options say otherwise. */
 export function createTestClient(
   master: MemoryMaster,
   options: Partial<ClientOptions> & {
     readonly clock?: FakeClock;
     readonly patterns?: PatternSource;
+    /** Other masters, by their base URLs. */
+    readonly others?: ReadonlyMap<string, MemoryMaster>;
   } = {},
 ): TestClient {
   const clock = options.clock ?? new FakeClock();
@@ -35,8 +47,8 @@ export function createTestClient(
       uuid: systemUuid,
       // Fails the test run, unless the test expects the error.
       reportError: (error) => void Promise.reject(error),
-      services: createMemoryServices(master),
-      topicData: createMemoryTopicData(master),
+      master: { url: options.url, ...waysOf(master) },
+      ...(options.others && { waysTo: (url) => waysOf(options.others?.get(url) ?? GONE) }),
     },
   );
   const states: ConnectionState[] = [];

@@ -55,6 +55,8 @@ export class FakeMaster implements MemoryMaster {
   readonly nodeMessages: NodeMessage[] = [];
   /** Credential that clients receive; undefined for none. [AC-13] */
   credential: string | undefined;
+  /** Addresses of the others that clients are told. [CU-26] */
+  masters: readonly string[] = [];
   /** Clients that closed a socket with a code of their own, in order. [EX-55] */
   readonly farewells: { readonly clientId: string; readonly code: number }[] = [];
   /** Services beyond its own, by topic. */
@@ -254,6 +256,7 @@ export class FakeMaster implements MemoryMaster {
         resumed: isResumed,
         masterVersion: '1.2.3',
         tellsTime: this.timeMs !== undefined,
+        masters: [...this.masters],
         ...(this.credential !== undefined && { credential: this.credential }),
       },
     };

@@ -25,6 +25,7 @@ export function membershipOf(change: Partial<Membership> & { clientId?: string }
     isExtended: true,
     tellsTime: false,
     masterVersion: '1.2.3',
+    masters: [],
     role: undefined,
     serial: 1,
     ...rest,
@@ -100,6 +101,8 @@ export const EVENTS: readonly RunEvent[] = [
   { type: 'patience-over', patienceMs: 2_000 },
   { type: 'retry-due' },
   { type: 'retry-now' },
+  { type: 'recheck' },
+  { type: 'visit', url: 'http://other' },
   { type: 'drop', error: new ConnectionError('refused', 'unknown client') },
   { type: 'close', farewell: {} },
 ];

@@ -2,6 +2,7 @@ import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import type { ErrorHandler } from '../ports/error-handler.ts';
 import type { IdentityStorage } from '../ports/identity-storage.ts';
+import type { WaysTo } from '../ports/master-ways.ts';
 import type { RandomSource } from '../ports/random.ts';
 import type { ServiceTransport } from '../ports/service-transport.ts';
 import type { TopicDataTransport } from '../ports/topic-data-transport.ts';
@@ -54,5 +55,7 @@ export interface ClientOptions {
   readonly transports?: {
     readonly services?: ServiceTransport;
     readonly topicData?: TopicDataTransport;
+    /** Ways to another master of the cluster. @default HTTP and WebSocket, unless there are own ways to the first one */
+    readonly waysTo?: WaysTo;
   };
 }

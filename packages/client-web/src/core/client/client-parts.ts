@@ -1,4 +1,4 @@
-import type { ServiceError } from '@ubii/proto';
+import { MASTERS_TOPIC, type ServiceError } from '@ubii/proto';
 import type { EncodedNodeMessage } from '@ubii/proto/wire';
 import { Listeners } from '../callbacks/listeners.ts';
 import { withFallback } from '../callbacks/program-errors.ts';
@@ -6,11 +6,14 @@ import { ConnectionError } from '../connection/connection-error.ts';
 import type { Arrival } from '../connection/connection-model.ts';
 import { Connection } from '../connection/connection.ts';
 import { createMemoryIdentity } from '../connection/identity.ts';
+import { Masters } from '../connection/masters.ts';
+import { Moves } from '../connection/moves.ts';
 import { ProfileSync } from '../connection/profile-sync.ts';
-import { DEFAULT_RECONNECT_POLICY } from '../connection/reconnect-policy.ts';
+import { DEFAULT_RECONNECT_POLICY, type ReconnectPolicy } from '../connection/reconnect-policy.ts';
 import { Registration } from '../connection/registration.ts';
 import { reportingStorage } from '../connection/reporting-storage.ts';
 import { RoundTripWindow, type RoundTrip } from '../connection/round-trip.ts';
+import { Scout } from '../connection/scout.ts';
 import { DeviceRegistry } from '../devices/device-registry.ts';
 import type { ClientPorts } from '../ports/client-ports.ts';
 import type { ErrorHandler } from '../ports/error-handler.ts';
@@ -35,6 +38,8 @@ export class ClientParts {
   readonly programCalls: ServiceCalls;
   readonly calls: ClientCalls;
   readonly registration: Registration;
+  readonly masters: Masters;
+  readonly moves: Moves;
   readonly profile: ProfileSync;
   readonly connection: Connection;
   readonly subscriptions: TopicSubscriptions;
@@ -50,9 +55,12 @@ export class ClientParts {
   readonly #options: ClientOptions;
   readonly #ports: ClientPorts;
   readonly #timeoutMs: number;
+  #hearsOfMasters = false;
 
   constructor(options: ClientOptions, ports: ClientPorts) {
-    const { clock, services } = ports;
+    const { clock } = ports;
+    this.masters = new Masters(ports.master, ports.waysTo);
+    const { services } = this.masters;
     const onError = withFallback(options.onError ?? ports.reportError, ports.reportError);
     this.#options = options;
     this.#ports = ports;
@@ -83,7 +91,14 @@ export class ClientParts {
     this.inbox = this.#createInbox();
     this.devices = this.#createDevices();
     this.masterClock = new MasterClock(clock, () => this.connection.link?.measureTime(), onError);
+    this.moves = new Moves({
+      masters: this.masters,
+      registration: this.registration,
+      calls: this.programCalls,
+      onError,
+    });
     this.connection = this.#createConnection(() => registrationCalls.freshen());
+    this.#followMasters();
     this.publisher = new Publisher({
       clock,
       masterTime: this.masterClock,
@@ -162,13 +177,14 @@ export class ClientParts {
   }
 
   #createConnection(freshenServices: () => void): Connection {
-    const { clock, random, topicData } = this.#ports;
+    const { clock, random } = this.#ports;
     return new Connection({
       clock,
       random,
-      policy: { ...DEFAULT_RECONNECT_POLICY, ...this.#options.reconnect },
+      policy: this.#policy,
       registration: this.registration,
-      transport: topicData,
+      transport: this.masters.topicData,
+      moves: this.moves,
       openTimeoutMs: this.#timeoutMs,
       freshenServices,
       handleBinary: (bytes) => this.inbox.handleBinary(bytes),
@@ -185,6 +201,40 @@ export class ClientParts {
       restore: (arrival) => this.#restore(arrival),
       onError: this.reportError,
     });
+  }
+
+  get #policy(): ReconnectPolicy {
+    return { ...DEFAULT_RECONNECT_POLICY, ...this.#options.reconnect };
+  }
+
+  /** Where to go when the master is lost. [CU-80] */
+  #followMasters(): void {
+    const { connection, masters } = this;
+    const scout = new Scout({
+      clock: this.#ports.clock,
+      random: this.#ports.random,
+      policy: this.#policy,
+      masters,
+      outage: () => connection.outage,
+      recheck: () => connection.recheck(),
+      visit: (url) => connection.visit(url),
+    });
+    connection.onState((state) => {
+      scout.handleState(state);
+      if (state.status === 'connected') this.#learnMasters();
+    });
+  }
+
+  #learnMasters(): void {
+    const { masters, registration, subscriptions } = this;
+    const told = registration.membership?.masters ?? [];
+    masters.learn(told);
+    // A master that is alone has nothing to tell, and is spared a subscription of every client.
+    if (told.length === 0 || this.#hearsOfMasters) return;
+    this.#hearsOfMasters = true;
+    subscriptions
+      .subscribe({ topic: MASTERS_TOPIC }, { format: 'stringList' })
+      .onRecord(({ value }) => masters.learn(value.elements));
   }
 
   async #restore({ membership, previousId }: Arrival): Promise<void> {

@@ -14,6 +14,7 @@ import type { ConnectionState } from '../connection/connection-state.ts';
 import type { ClientRole } from '../connection/join.ts';
 import { failureOf, LEFT } from '../connection/link-failure.ts';
 import type { ClientProfile } from '../connection/membership.ts';
+import type { MasterChange } from '../connection/moves.ts';
 import type { RoundTrip } from '../connection/round-trip.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from '../devices/devices.ts';
 import type { ClientPorts } from '../ports/client-ports.ts';
@@ -106,6 +107,18 @@ class Client implements UbiiClient {
 
   onError(fn: (problem: ClientProblem) => void): Unsubscribe {
     return this.#parts.problemListeners.add(fn);
+  }
+
+  get masterUrl(): string | undefined {
+    return this.#parts.masters.url;
+  }
+
+  get otherMasters(): readonly string[] {
+    return this.#parts.masters.others;
+  }
+
+  onMaster(fn: (change: MasterChange) => void): Unsubscribe {
+    return this.#parts.moves.onMaster(fn);
   }
 
   onIdentityChange(fn: (change: IdentityChange) => void): Unsubscribe {

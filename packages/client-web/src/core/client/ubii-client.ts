@@ -18,6 +18,7 @@ import type { ClientRole } from '../connection/join.ts';
 import type { ErrorHandler } from '../ports/error-handler.ts';
 import type { PublishOptions } from '../publishing/publish-buffer.ts';
 import type { ClientProfile } from '../connection/membership.ts';
+import type { MasterChange } from '../connection/moves.ts';
 import type { RoundTrip } from '../connection/round-trip.ts';
 import type { SubscribeOptions, Subscription } from '../subscriptions/subscription.ts';
 import type { MasterTime } from '../time/master-time.ts';
@@ -91,6 +92,16 @@ export interface UbiiClient {
   updateProfile(change: Partial<ClientProfile>): Promise<void>;
   /** Calls `fn` after the master gave the client another id. */
   onIdentityChange(fn: (change: IdentityChange) => void): Unsubscribe;
+
+  /**
+   * Base URL of the master that the client is at, such as `http://10.0.0.5:8080`; another one after `onMaster`. Requests
+   * that are not service calls go there. `undefined` when the options have transports and no `url`.
+   */
+  readonly masterUrl: string | undefined;
+  /** Base URLs of the other masters of the cluster that this client could go to, as far as its master told. [CU-80] */
+  readonly otherMasters: readonly string[];
+  /** Calls `fn` when the client lost its master and went on at another one of the cluster, as itself. [CU-83] */
+  onMaster(fn: (change: MasterChange) => void): Unsubscribe;
 
   readonly state: ConnectionState;
   /** Calls `fn` after every change of `state`. */

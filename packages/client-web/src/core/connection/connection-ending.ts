@@ -5,6 +5,7 @@ import type {
   MachineContext,
   MachineEffect,
   MachineState,
+  Outage,
   Step,
 } from './connection-model.ts';
 import { BROKEN, isAnswered, isTold, remedyFor } from './link-failure.ts';
@@ -34,6 +35,7 @@ export function fail(
   context: MachineContext,
   mustHurry = false,
 ): Step {
+  if (state.memory.isVisiting) return failVisit(state, failure, context);
   const remedy = remedyFor(failure);
   const effects: readonly MachineEffect[] = [
     ...endPhase(state),
@@ -48,6 +50,7 @@ export function fail(
     failedAttempts,
     hasHurried: hurries || state.memory.hasHurried,
     wasSilent: (failure.wasUp && failure.error.reason === 'timeout') || state.memory.wasSilent,
+    outage: outageOf(state, failure, context),
   };
   const delayMs = reconnectDelayMs(
     context.policy,
@@ -56,21 +59,53 @@ export function fail(
     isAnswered(failure),
   );
   if (remedy === 'stop' || delayMs === undefined) return stop(memory, effects, failure.error);
-  const waitMs = hurries ? 0 : delayMs;
+  return wait(state, memory, effects, { failure, delayMs: hurries ? 0 : delayMs, context });
+}
+
+/** Whatever another master says, the client still has its own. [CU-83] */
+function failVisit(state: LiveState, failure: LinkFailure, context: MachineContext): Step {
+  const memory = { ...state.memory, isVisiting: false };
+  const effects: readonly MachineEffect[] = [
+    ...endPhase(state),
+    ...closeLink(state, {}),
+    { type: 'leave-master' },
+  ];
+  const { policy, chance } = context;
+  const delayMs =
+    reconnectDelayMs(policy, memory.failedAttempts, () => chance, false) ??
+    policy.maxUnansweredDelayMs;
+  return wait(state, memory, effects, { failure, delayMs, context });
+}
+
+/** Waits for the next attempt at the own master. */
+function wait(
+  state: LiveState,
+  memory: ConnectionMemory,
+  effects: readonly MachineEffect[],
+  { failure, delayMs, context }: { failure: LinkFailure; delayMs: number; context: MachineContext },
+): Step {
   const announced = {
     status: 'reconnecting',
     attempt: state.phase === 'connected' ? 1 : state.announced.attempt + 1,
-    nextAttemptMs: context.nowMs + waitMs,
+    nextAttemptMs: context.nowMs + delayMs,
     error: failure.error,
   } as const;
   return {
     state: { phase: 'waiting', announced, memory },
-    effects: [
-      ...effects,
-      { type: 'start-retry', delayMs: waitMs },
-      { type: 'announce', state: announced },
-    ],
+    effects: [...effects, { type: 'start-retry', delayMs }, { type: 'announce', state: announced }],
   };
+}
+
+/** A link that ends is the beginning; an attempt that is answered, even by a refusal, the end. [CU-81] */
+function outageOf(
+  state: LiveState,
+  failure: LinkFailure,
+  { monotonicMs }: MachineContext,
+): Outage | undefined {
+  if (state.phase === 'connected') return { sinceMs: monotonicMs, failedStartMs: undefined };
+  if (isAnswered(failure)) return undefined;
+  const sinceMs = state.memory.outage?.sinceMs ?? monotonicMs;
+  return { sinceMs, failedStartMs: state.startedMs };
 }
 
 function countFailure(state: LiveState, { monotonicMs, policy }: MachineContext): number {

@@ -86,6 +86,8 @@ describe('transition()', () => {
       'connected + close = closed: stop-sleep-watch, settle, announce',
       'waiting + retry-due = registering: start-patience, register',
       'waiting + retry-now = registering: cancel-retry, trust, start-patience, register',
+      'waiting + recheck = registering: cancel-retry, start-patience, register',
+      'waiting + visit = registering: cancel-retry, visit-master, register',
       'waiting + close = closed: cancel-retry, settle, announce',
       'closed + connect = registering: register, announce',
       'closed + close = closed: settle, announce',
@@ -126,6 +128,44 @@ describe('transition()', () => {
 
   it('has no doubt after a socket that is refused silently when it has not joined', () => {
     expect(types(runTo('opening').fail({ wasUp: false }))).not.toContain('doubt');
+  });
+});
+
+describe('an attempt at another master [CU-83]', () => {
+  const visiting = () => {
+    const run = runTo('connected');
+    run.fail();
+    run.send({ type: 'visit', url: 'http://other' });
+    return run;
+  };
+
+  it('that succeeds keeps it', () => {
+    const run = visiting();
+    const effects = run.send(OURS, UP, { type: 'restored' });
+    expect(types(effects)).toBe(
+      'cancel-patience, keep-master, start-sleep-watch, settle, announce',
+    );
+    expect(types(run.fail())).not.toContain('leave-master');
+  });
+
+  it.each([
+    ['a refusal', failure('refused', 1006, false, FORBIDDEN)],
+    ['close code 4003', failure('closed', 4003, true)],
+    ['close code 4010', failure('disconnected', 4010, true)],
+    ['silence', failure('timeout')],
+  ] as const)('that ends with %s leads back to the own master, as it was', (_, why) => {
+    const run = visiting();
+    run.send(OURS);
+    expect(types(run.send({ type: 'failed', failure: why }))).toBe(
+      'cancel-patience, close-link, leave-master, start-retry, announce',
+    );
+    expect(run.state.phase).toBe('waiting');
+  });
+
+  it('that a program closed is one at the own master when it connects again', () => {
+    const run = visiting();
+    run.send({ type: 'close', farewell: {} });
+    expect(types(run.send({ type: 'connect' }))).toBe('leave-master, register, announce');
   });
 });
 

@@ -40,6 +40,10 @@ export function transition(
       return state.phase === 'waiting'
         ? startAttempt(state.announced, state.memory, context)
         : stay(state);
+    case 'recheck':
+      return state.phase === 'waiting' ? recheck(state, context) : stay(state);
+    case 'visit':
+      return state.phase === 'waiting' ? visit(state, event.url, context) : stay(state);
     case 'drop':
       return state.phase === 'connected'
         ? fail(state, { error: event.error, code: BROKEN, wasUp: true }, context)
@@ -75,9 +79,31 @@ function advance(state: LiveState, event: AttemptEvent, context: MachineContext)
 
 function connect(memory: ConnectionMemory, context: MachineContext): Step {
   const announced = { status: 'connecting', attempt: 1 } as const;
-  const fresh = { ...memory, failedAttempts: 0, hasHurried: false };
+  const fresh = { ...memory, failedAttempts: 0, hasHurried: false, isVisiting: false };
   const { state, effects } = startAttempt(announced, fresh, context);
-  return { state, effects: [...effects, { type: 'announce', state: announced }] };
+  return {
+    state,
+    effects: [
+      ...(memory.isVisiting ? [{ type: 'leave-master' } as const] : []), // it was closed there
+      ...effects,
+      { type: 'announce', state: announced },
+    ],
+  };
+}
+
+/** [CU-82] */
+function recheck({ announced, memory }: In<'waiting'>, context: MachineContext): Step {
+  const { state, effects } = startAttempt(announced, memory, context);
+  return { state, effects: [{ type: 'cancel-retry' }, ...effects] };
+}
+
+/** [CU-83] */
+function visit({ announced, memory }: In<'waiting'>, url: string, context: MachineContext): Step {
+  const { state, effects } = startAttempt(announced, { ...memory, isVisiting: true }, context);
+  return {
+    state,
+    effects: [{ type: 'cancel-retry' }, { type: 'visit-master', url }, ...effects],
+  };
 }
 
 function startAttempt(
@@ -87,7 +113,9 @@ function startAttempt(
 ): Step {
   const attempt = memory.attemptId + 1;
   const patienceMs = FIRST_PATIENCE_MS * 2 ** memory.slowAttempts;
-  const isTimed = announced.status === 'reconnecting' && patienceMs < openTimeoutMs;
+  // Another master has just answered. It may be slow because many come at once, and not faster by their asking again.
+  const isTimed =
+    announced.status === 'reconnecting' && patienceMs < openTimeoutMs && !memory.isVisiting;
   return {
     state: {
       phase: 'registering',
@@ -137,10 +165,18 @@ function arrive({ membership, memory }: In<'restoring'>, context: MachineContext
       phase: 'connected',
       announced,
       connectedMs: context.monotonicMs,
-      memory: { ...memory, lastId: clientId, slowAttempts: 0, hasHurried: false },
+      memory: {
+        ...memory,
+        lastId: clientId,
+        slowAttempts: 0,
+        hasHurried: false,
+        outage: undefined,
+        isVisiting: false,
+      },
     },
     effects: [
       { type: 'cancel-patience' },
+      ...(memory.isVisiting ? [{ type: 'keep-master' } as const] : []),
       { type: 'start-sleep-watch' },
       { type: 'settle', error: undefined },
       { type: 'announce', state: announced },

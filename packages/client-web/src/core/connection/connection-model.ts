@@ -20,6 +20,18 @@ export interface ConnectionMemory {
   readonly slowAttempts: number;
   /** Whether the last link fell silent. [CL-43] */
   readonly wasSilent: boolean;
+  /** How long the own master has not answered; `undefined` while it does. [CU-81] */
+  readonly outage: Outage | undefined;
+  /** Whether the attempt under way is one at another master. [CU-83] */
+  readonly isVisiting: boolean;
+}
+
+/** A time in which the own master does not answer; monotonic milliseconds. */
+export interface Outage {
+  /** When the link was lost, or the first attempt without an answer failed. */
+  readonly sinceMs: number;
+  /** Start of the last attempt that failed; `undefined` before. */
+  readonly failedStartMs: number | undefined;
 }
 
 interface Attempting<P> {
@@ -87,6 +99,10 @@ export type MachineEvent =
   /** The network may work again. [CL-41] */
   | { readonly type: 'retry-now' }
   | { readonly type: 'retry-due' }
+  /** Another master answers: the own one is asked again at once. [CU-82] */
+  | { readonly type: 'recheck' }
+  /** The own one did not answer then. [CU-82] */
+  | { readonly type: 'visit'; readonly url: string }
   /** The link of a connected client does not work. */
   | { readonly type: 'drop'; readonly error: ConnectionError }
   | { readonly type: 'close'; readonly farewell: Farewell }
@@ -113,6 +129,9 @@ export interface MachineContext {
 export type MachineEffect =
   | { readonly type: 'register'; readonly attempt: number }
   | { readonly type: 'cancel-registration'; readonly error: ConnectionError }
+  /** The attempts from here on are at another master; at the own one again; the other one is the own one from now on. */
+  | { readonly type: 'visit-master'; readonly url: string }
+  | { readonly type: 'leave-master' | 'keep-master' }
   /** Whether the client's knowledge of its registration is valid, doubtful or invalid; or the identity is discarded. */
   | { readonly type: 'trust' | 'doubt' | 'invalidate' | 'forget' }
   | { readonly type: 'open-link'; readonly attempt: number; readonly membership: Membership }
@@ -146,5 +165,7 @@ export const IDLE: MachineState = {
     hasHurried: false,
     slowAttempts: 0,
     wasSilent: false,
+    outage: undefined,
+    isVisiting: false,
   },
 };

@@ -21,6 +21,8 @@ import type { RandomSource } from '../ports/random.ts';
 import type { TopicDataTransport } from '../ports/topic-data-transport.ts';
 import type { ReconnectPolicy } from './reconnect-policy.ts';
 import type { Membership } from './membership.ts';
+import type { Moves } from './moves.ts';
+import type { Outage } from './connection-model.ts';
 import type { Registration } from './registration.ts';
 import { SleepWatch } from './sleep-watch.ts';
 
@@ -31,6 +33,8 @@ export interface ConnectionOptions {
   readonly policy: ReconnectPolicy;
   readonly registration: Registration;
   readonly transport: TopicDataTransport;
+  /** Follows the client to another master. */
+  readonly moves: Pick<Moves, 'visit' | 'leave' | 'keep'>;
   /** Timeout for opening a socket, milliseconds. */
   readonly openTimeoutMs: number;
   /** The network is another one than before, and nothing said so. */
@@ -66,6 +70,11 @@ export class Connection {
 
   get state(): ConnectionState {
     return this.#state.announced;
+  }
+
+  /** While the own master does not answer. [CU-81] */
+  get outage(): Outage | undefined {
+    return this.#state.memory.outage;
   }
 
   /** The link of a connected client. */
@@ -106,6 +115,16 @@ export class Connection {
     this.#handle({ type: 'retry-now' });
   }
 
+  /** Tries at once when waiting to try again: the network is there. [CU-82] */
+  recheck(): void {
+    this.#handle({ type: 'recheck' });
+  }
+
+  /** Tries another master when waiting to try again. [CU-83] */
+  visit(url: string): void {
+    this.#handle({ type: 'visit', url });
+  }
+
   /** Ends the link of a connected client as failed, as if it had broken. */
   drop(error: ConnectionError): void {
     this.#handle({ type: 'drop', error });
@@ -142,12 +161,18 @@ export class Connection {
   }
 
   #perform(effect: MachineEffect): void {
-    const { clock, registration } = this.#options;
+    const { clock, moves, registration } = this.#options;
     switch (effect.type) {
       case 'register':
         return this.#register(effect.attempt);
       case 'cancel-registration':
         return registration.cancel(effect.error);
+      case 'visit-master':
+        return moves.visit(effect.url);
+      case 'leave-master':
+        return moves.leave();
+      case 'keep-master':
+        return moves.keep();
       case 'trust':
       case 'doubt':
       case 'invalidate':

@@ -22,6 +22,8 @@ export interface Membership {
   readonly tellsTime: boolean;
   /** Semantic version; `undefined` for an original master. */
   readonly masterVersion: string | undefined;
+  /** Addresses of the other masters of its cluster, as told. [CU-26] */
+  readonly masters: readonly string[];
   /** Role of the client; `undefined` on masters without roles. [AC-20] */
   readonly role: ClientRole | undefined;
   /** Another number after each registration with which the master may have lost what it knew of us. */

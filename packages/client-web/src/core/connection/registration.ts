@@ -1,11 +1,10 @@
 import { ClientState, ServiceError } from '@ubii/proto';
-import type { Init, ServiceName, ServiceReplyOf, ServiceRequestOf } from '@ubii/proto';
+import type { Client, Init, ServiceName, ServiceReplyOf, ServiceRequestOf } from '@ubii/proto';
 import { Admission } from './admission.ts';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
-import { clientRole } from './join.ts';
-import { LIBRARY_NAME } from './library-name.ts';
 import type { ClientProfile, Membership } from './membership.ts';
+import { membershipOf, registrationOf } from './registration-message.ts';
 import type { IdentityStorage } from '../ports/identity-storage.ts';
 
 /** Calls of services, as far as a registration needs them. */
@@ -34,6 +33,8 @@ export class Registration {
   #membership: Membership | undefined;
   /** An earlier identity that the master has not confirmed yet. */
   #doubted: Membership | undefined;
+  /** Of the own master, while another one is asked; `undefined` at the own one. [CU-83] */
+  #parked: { readonly membership?: Membership; readonly doubted?: Membership } | undefined;
   #hasLoaded = false;
   #clientId = '';
   /** The master has an older profile. */
@@ -146,6 +147,26 @@ export class Registration {
     }
   }
 
+  /** Another master is asked from now on: it knows the client by id and token alone. [CU-83] */
+  visit(): void {
+    const { membership, doubted } = { membership: this.#membership, doubted: this.#doubted };
+    this.#parked = { ...(membership && { membership }), ...(doubted && { doubted }) };
+    this.#membership = undefined;
+    this.#doubted = undefined;
+  }
+
+  /** The own master is asked again, with what was known of it. */
+  leave(): void {
+    this.#membership = this.#parked?.membership;
+    this.#doubted = this.#parked?.doubted;
+    this.#parked = undefined;
+  }
+
+  /** The other master is the own one from now on. */
+  keep(): void {
+    this.#parked = undefined;
+  }
+
   /** Gives up what is being asked. */
   cancel(error: ConnectionError): void {
     this.#calls.rejectAll(error);
@@ -171,6 +192,7 @@ export class Registration {
   invalidate(): void {
     this.#membership = undefined;
     this.#doubted = undefined;
+    if (this.#parked !== undefined) this.#parked = {};
   }
 
   /** The master may not know us any more: ask it by registering again, if it can be asked. */
@@ -213,7 +235,7 @@ export class Registration {
 
   /** Leaves the master, and forgets who we were. [CL-16] */
   async deregister(timeoutMs: number): Promise<void> {
-    const membership = this.#membership ?? this.#doubted;
+    const membership = this.#membership ?? this.#doubted ?? this.#parked?.membership;
     if (membership === undefined) return;
     const { credential } = this;
     const { clientId } = membership.identity;
@@ -227,51 +249,35 @@ export class Registration {
 
   async #register(): Promise<Membership> {
     const profile = this.#profile;
-    const { name, description, tags, node, processingModules, isDedicatedNode } = profile;
-    const resumeToken = this.#identity?.resumeToken;
-    const message: Init<ServiceRequestOf<'clientRegistration'>> = {
-      name,
-      ...(description === '' ? {} : { description }),
-      ...(tags.length === 0 ? {} : { tags: [...tags] }),
-      ...(processingModules.length === 0 ? {} : { processingModules: [...processingModules] }),
-      ...(isDedicatedNode ? { isDedicatedProcessingNode: true } : {}),
-      // An id without a token proves nothing, and an original master refuses the id of a client it still has.
-      ...(resumeToken === undefined ? {} : { id: this.#identity!.clientId }),
-      extension: {
-        recordLists: true, // [EX-2]
-        library: LIBRARY_NAME, // [EX-25]
-        ...(resumeToken === undefined ? {} : { resumeToken }), // [EX-3]
-        ...(node === undefined ? {} : { node }), // [PM-60]
-      },
-    };
-    const client = await this.#admission.admit((bearer) =>
-      this.#calls.call('clientRegistration', message, undefined, bearer),
-    );
+    const message = registrationOf(profile, this.#identity);
+    const register = (bearer: string) =>
+      this.#calls.call('clientRegistration', message, undefined, bearer);
+    const client =
+      this.#parked === undefined
+        ? await this.#admission.admit(register)
+        : await this.#registerElsewhere(register);
     if (client.id === '') {
       throw new ConnectionError(
         'protocol',
         'Expected a client id in the reply to the registration',
       );
     }
-    const { extension } = client;
+    const membership = membershipOf(client, this.#serial);
     this.#clientId = client.id;
-    this.#identity = {
-      clientId: client.id,
-      resumeToken: extension?.resumeToken || undefined,
-      ...(extension?.credential ? { credential: extension.credential } : {}), // [AC-13]
-    };
-    const membership: Membership = {
-      identity: this.#identity,
-      isExtended: extension !== undefined, // [EX-1]
-      tellsTime: extension?.tellsTime ?? false,
-      masterVersion: extension?.masterVersion || undefined,
-      role: clientRole(extension?.role ?? 0),
-      serial: this.#serial,
-    };
+    this.#identity = membership.identity;
     this.#membership = membership;
     this.#isProfileNew = this.#profile !== profile;
     this.#storage.save(this.#identity);
     return membership;
+  }
+
+  /** As itself or not at all: an address may lead to the master of somebody else by now. [CU-83] */
+  async #registerElsewhere(register: (bearer: string) => Promise<Client>): Promise<Client> {
+    const client = await register(this.credential ?? '');
+    if (client.id === this.#clientId) return client;
+    const bearer = client.extension?.credential || undefined;
+    await this.#calls.call('clientDeregistration', { id: client.id }, undefined, bearer);
+    throw new ConnectionError('refused', 'The other master does not know this client');
   }
 
   #dropCredential(credential: string): void {

@@ -2,9 +2,8 @@ import type { PatternSource } from '@ubii/patterns';
 import type { Clock } from '@ubii/timing';
 import type { ErrorHandler } from './error-handler.ts';
 import type { IdSource } from './id-source.ts';
+import type { MasterAt, WaysTo } from './master-ways.ts';
 import type { RandomSource } from './random.ts';
-import type { ServiceTransport } from './service-transport.ts';
-import type { TopicDataTransport } from './topic-data-transport.ts';
 
 /** Ports of a client. */
 export interface ClientPorts {
@@ -13,8 +12,10 @@ export interface ClientPorts {
   /** Matches the regular expressions of subscriptions. */
   readonly patterns: PatternSource;
   readonly uuid: IdSource;
-  readonly services: ServiceTransport;
-  readonly topicData: TopicDataTransport;
+  /** The master that the program named. */
+  readonly master: MasterAt;
+  /** The client stays at its master without it. [CU-80] */
+  readonly waysTo?: WaysTo;
   /** Takes errors of the program's own code when the options have no `onError`. Does not throw. */
   readonly reportError: ErrorHandler;
 }

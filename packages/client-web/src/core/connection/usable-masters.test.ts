@@ -1,0 +1,36 @@
+import { describe, expect, it } from 'vitest';
+import { usableMasters } from './usable-masters.ts';
+
+describe('the masters that a client can use [CU-80]', () => {
+  const LAN = 'http://10.0.0.5:8080';
+
+  it.each([
+    ['of other machines', LAN, ['http://10.0.0.6:8080/'], ['http://10.0.0.6:8080']],
+    ['below a path', LAN, ['https://m.example/ubii/'], ['https://m.example/ubii']],
+    ['encrypted ones', LAN, ['https://10.0.0.6:8080'], ['https://10.0.0.6:8080']],
+    ['each once, not its own', LAN, [LAN, 'http://b', 'http://b/'], ['http://b']],
+    [
+      'no unencrypted one after an encrypted one',
+      'https://a',
+      ['http://b', 'https://c'],
+      ['https://c'],
+    ],
+    ['not what another machine calls itself', LAN, ['http://localhost:8080', 'http://[::1]:1'], []],
+    [
+      'those of this machine, on this machine',
+      'http://localhost:1',
+      ['http://127.0.0.1:2'],
+      ['http://127.0.0.1:2'],
+    ],
+    ['no other schemes, names and secrets', LAN, ['ftp://b', 'b', '', 'http://me:you@b'], []],
+    ['none when its own address is not known', undefined, ['http://b'], []],
+    ['none that is longer than an address', LAN, [`http://b/${'x'.repeat(200)}`], []],
+  ])('%s', (_, own, told, usable) => {
+    expect(usableMasters(told, own)).toEqual(usable);
+  });
+
+  it('are not too many', () => {
+    const told = Array.from({ length: 100 }, (_, i) => `http://m${i}`);
+    expect(usableMasters(told, 'http://a')).toHaveLength(64);
+  });
+});

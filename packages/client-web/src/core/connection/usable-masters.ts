@@ -1,0 +1,44 @@
+/** A cluster has fewer masters, and a master fewer addresses; no more are tried. */
+const MAX_ADDRESSES = 64;
+const MAX_CHARACTERS = 200;
+
+/**
+ * Which of the addresses that a master told a client can use. [CU-80]
+ * @param ownUrl of the master that told them
+ * @returns each once, without a slash at the end
+ */
+export function usableMasters(
+  told: readonly string[],
+  ownUrl: string | undefined,
+): readonly string[] {
+  const own = parse(ownUrl ?? '');
+  if (own === undefined) return [];
+  const usable = new Set<string>();
+  for (const text of told.slice(0, MAX_ADDRESSES)) {
+    const url = parse(text);
+    // What shows who the client is never goes unencrypted when it came encrypted.
+    if (url === undefined || (own.protocol === 'https:' && url.protocol !== 'https:')) continue;
+    // For a client of another machine, the address of a machine for itself is that of its own.
+    if (isLoopback(url) && !isLoopback(own)) continue;
+    if (baseOf(url) !== baseOf(own)) usable.add(baseOf(url));
+  }
+  return [...usable];
+}
+
+function parse(text: string): URL | undefined {
+  if (text.length > MAX_CHARACTERS) return undefined;
+  try {
+    const url = new URL(text);
+    return /^https?:$/.test(url.protocol) && url.username === '' ? url : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+function baseOf({ origin, pathname }: URL): string {
+  return `${origin}${pathname}`.replace(/\/+$/, '');
+}
+
+function isLoopback({ hostname }: URL): boolean {
+  return /^(127(\.\d+){3}|\[::1\]|localhost|.*\.localhost)$/.test(hostname);
+}
