@@ -32,6 +32,7 @@ import { OwnAddresses } from './adapters/addresses/own-addresses.ts';
 import { listNetworkAddresses } from './adapters/addresses/network-addresses.ts';
 import { refuseOriginal } from './adapters/original/original-files.ts';
 import { openOriginal } from './adapters/original/open-original.ts';
+import { originsOf } from './adapters/network/page-origins.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
@@ -87,11 +88,13 @@ export async function startMaster({
     onOpen: () => announceIfWished(),
   });
   const ownAddresses = new OwnAddresses();
+  const clusterOrigins = (): string[] => originsOf(master.otherMasterAddresses());
   const policy = new OriginPolicy({
     isOnLan: () => lan.isOpen,
     host: lan.host,
     allowedOrigins: config.allowedOrigins,
     isOwnAddress: (address) => ownAddresses.has(address),
+    clusterOrigins,
   });
   const legacyNetworks = new Networks(config.allowLegacy);
   const proxies = new Networks(config.trustedProxy);
@@ -205,6 +208,7 @@ export async function startMaster({
   const app = await createHttpApp({
     master,
     policy,
+    clusterOrigins,
     callers,
     log,
     name: config.name,

@@ -6,13 +6,12 @@ import type {
   UbiiClient,
 } from '@ubii/client-web/node';
 import { createMemoryServices, createMemoryTopicData } from '@ubii/client-web/testing';
-import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
-import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import { settle } from '@ubii/timing/testing';
 import { FakeClock } from '@ubii/timing/testing';
-import type { CallerFacts, CallerStanding, Limits } from '../src/index.ts';
-import { openMemoryChannel, TestMaster } from '../src/testing/index.ts';
-import type { MemoryChannel, TestMasterOptions } from '../src/testing/index.ts';
+import type { Limits } from '../src/index.ts';
+import { TestMaster } from '../src/testing/index.ts';
+import type { TestMasterOptions } from '../src/testing/index.ts';
+import { MemoryMasterOf } from './memory-master-of.ts';
 
 /** Time passes in steps of this size, with a turn for promises after each, milliseconds. */
 const STEP_MS = 50;
@@ -25,18 +24,16 @@ export interface WorldClient {
 }
 
 /** A whole master and whole clients of our library in memory, on one clock. */
-export class ClientWorld implements MemoryMaster {
-  readonly clock = new FakeClock();
-  /** While true, the master is not available. */
-  isDown = false;
-  /** The transport's classification of the callers. */
-  standing: CallerStanding = 'trusted';
+export class ClientWorld extends MemoryMasterOf {
+  readonly clock: FakeClock;
   readonly #options: Omit<TestMasterOptions, 'clock'>;
   #test: TestMaster;
   #runs = 0;
-  readonly #open = new Set<{ peer: MemoryPeer; channel: MemoryChannel }>();
 
   constructor(limits: Partial<Limits> = {}, options: Omit<TestMasterOptions, 'clock'> = {}) {
+    const clock = new FakeClock();
+    super(() => this.#test, clock);
+    this.clock = clock;
     this.#options = { limits, ...options };
     this.#test = new TestMaster({ ...this.#options, clock: this.clock });
   }
@@ -78,16 +75,6 @@ export class ClientWorld implements MemoryMaster {
     }
   }
 
-  /** Breaks every link, as a network does. */
-  async drop(): Promise<void> {
-    for (const { peer, channel } of this.#open) {
-      peer.close(1006, '');
-      channel.handleClose();
-    }
-    this.#open.clear();
-    await settle();
-  }
-
   /** The master's process ends and another one starts with the same data directory. */
   async restart(): Promise<void> {
     await this.#test.master.close();
@@ -99,55 +86,5 @@ export class ClientWorld implements MemoryMaster {
       grants: this.#test.grants,
       idsGiven: 1_000 * ++this.#runs,
     });
-  }
-
-  async handleServiceRequest(
-    request: ServiceRequest,
-    bearer?: string,
-  ): Promise<Init<ServiceReply>> {
-    if (this.isDown) throw new Error('the master is down');
-    const { reply, afterReply } = await this.#test.master.handleServiceRequest(
-      request,
-      this.#callerWith(bearer),
-    );
-    void Promise.resolve().then(() => {
-      afterReply();
-      this.clock.endTurnSync();
-    });
-    return reply;
-  }
-
-  #callerWith(bearer: string | undefined): CallerFacts {
-    const isHere = this.standing === 'trusted' || this.standing === 'local';
-    return { standing: this.standing, isHere, place: '192.168.1.50', bearer };
-  }
-
-  openConnection(
-    query: { clientId: string; resumeToken: string | undefined },
-    peer: MemoryPeer,
-  ): MemoryConnection | undefined {
-    if (this.isDown) return undefined;
-    const claim = { clientId: query.clientId, token: query.resumeToken };
-    const dial = { claim, caller: this.#callerWith(undefined) };
-    const channel = openMemoryChannel(this.#test.master, dial, peer);
-    this.clock.endTurnSync();
-    if (channel === undefined) return undefined;
-    const open = { peer, channel };
-    this.#open.add(open);
-    return {
-      handleBinary: (bytes) => {
-        channel.handleBinary(bytes);
-        this.clock.endTurnSync();
-      },
-      handleText: (text) => {
-        channel.handleText(text);
-        this.clock.endTurnSync();
-      },
-      handleClose: (code) => {
-        this.#open.delete(open);
-        channel.handleClose(code);
-        this.clock.endTurnSync();
-      },
-    };
   }
 }

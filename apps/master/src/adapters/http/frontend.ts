@@ -6,7 +6,7 @@ import { SANDBOX_WORKER_FILES } from '@ubii/pm-sandbox';
 import { ServiceError } from '@ubii/proto';
 
 import { NOT_BUILT_PAGE } from './not-built-page.ts';
-import { CONTENT_SECURITY_POLICY } from './security-headers.ts';
+import { contentSecurityPolicy } from './security-headers.ts';
 
 /** Files under this path carry a hash of their content in their name. */
 const HASHED = '/assets/';
@@ -18,8 +18,13 @@ const ASK_FIRST = 'no-cache';
  * Serves the built frontend. Paths of pages are the frontend's own: they all get its one document.
  *
  * @param folder the built frontend; where there is none, a page says so
+ * @param clusterOrigins of the other masters [CU-91]
  */
-export async function addFrontend(app: FastifyInstance, folder: string): Promise<void> {
+export async function addFrontend(
+  app: FastifyInstance,
+  folder: string,
+  clusterOrigins: () => readonly string[],
+): Promise<void> {
   const isBuilt = existsSync(join(folder, 'index.html'));
   if (isBuilt) {
     await app.register(fastifyStatic, {
@@ -29,8 +34,9 @@ export async function addFrontend(app: FastifyInstance, folder: string): Promise
       cacheControl: false,
       setHeaders: (reply, path) => {
         const name = path.slice(folder.length).replaceAll('\\', '/');
-        reply.header('content-security-policy', policyOf(name));
-        reply.header('cache-control', name.startsWith(HASHED) ? ONE_YEAR : ASK_FIRST);
+        const others = clusterOrigins();
+        reply.header('content-security-policy', policyOf(name, others));
+        reply.header('cache-control', cachingOf(name, others.length > 0));
       },
     });
   }
@@ -41,9 +47,15 @@ export async function addFrontend(app: FastifyInstance, folder: string): Promise
 }
 
 /** Workers with modules get a stricter policy than pages. Compressed copies have longer names. */
-function policyOf(name: string): string {
+function policyOf(name: string, others: readonly string[]): string {
   const worker = Object.values(SANDBOX_WORKER_FILES).find(({ path }) => name.startsWith(path));
-  return worker?.csp ?? CONTENT_SECURITY_POLICY;
+  return worker?.csp ?? contentSecurityPolicy(others);
+}
+
+/** Browsers keep the policy of a page that was not modified, whatever comes with that answer. */
+function cachingOf(name: string, isInCluster: boolean): string {
+  if (name.startsWith(HASHED)) return ONE_YEAR;
+  return isInCluster && /\.html(\.[a-z]+)?$/.test(name) ? 'no-store' : ASK_FIRST;
 }
 
 /**
@@ -80,7 +92,7 @@ function explainMissing({ method, url }: FastifyRequest): ServiceError {
 function sendNotBuilt(reply: FastifyReply): FastifyReply {
   return reply
     .code(503)
-    .header('content-security-policy', CONTENT_SECURITY_POLICY)
+    .header('content-security-policy', contentSecurityPolicy([]))
     .header('cache-control', 'no-store')
     .type('text/html; charset=utf-8')
     .send(NOT_BUILT_PAGE);

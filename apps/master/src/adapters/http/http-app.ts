@@ -26,6 +26,8 @@ import { addStatus } from './status-routes.ts';
 export interface HttpAppOptions {
   readonly master: Master;
   readonly policy: OriginPolicy;
+  /** Origins of the other masters of the cluster. */
+  readonly clusterOrigins: () => readonly string[];
   readonly callers: CallerReader;
   readonly log: Log;
   readonly name: string;
@@ -79,7 +81,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   addAuthority(app, options.authority);
   addAssets(app, options.assets);
   addRecordings(app, options);
-  await addFrontend(app, frontendFolder);
+  await addFrontend(app, frontendFolder, options.clusterOrigins);
   await app.ready();
   return app;
 }

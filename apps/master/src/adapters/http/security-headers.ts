@@ -2,20 +2,23 @@
  * Sources that pages may load and run: none from other origins, no inline scripts. Components of libraries set inline
  * styles; workers and pictures are created from blobs. Sent with every file of the frontend: a worker obeys the policy
  * of its own response, not that of its page.
+ *
+ * @param otherMasters origins of the other masters of the cluster, which a page asks when its own is lost [CU-91]
  */
-export const CONTENT_SECURITY_POLICY = [
-  "default-src 'self'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "style-src 'self' 'unsafe-inline'",
-  "img-src 'self' data: blob:",
-  "font-src 'self' data:",
-  "worker-src 'self' blob:",
-  "connect-src 'self' ws: wss:",
-  "object-src 'none'",
-  "base-uri 'self'",
-  "form-action 'self'",
-  "frame-ancestors 'self'",
-].join('; ');
+export const contentSecurityPolicy = (otherMasters: readonly string[]): string =>
+  [
+    "default-src 'self'",
+    "script-src 'self' 'wasm-unsafe-eval'",
+    "style-src 'self' 'unsafe-inline'",
+    "img-src 'self' data: blob:",
+    "font-src 'self' data:",
+    "worker-src 'self' blob:",
+    ["connect-src 'self' ws: wss:", ...otherMasters].join(' '),
+    "object-src 'none'",
+    "base-uri 'self'",
+    "form-action 'self'",
+    "frame-ancestors 'self'",
+  ].join('; ');
 
 /** Device features that pages use, each after the user's permission. */
 const USED_FEATURES = [

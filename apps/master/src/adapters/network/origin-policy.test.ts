@@ -127,6 +127,45 @@ describe('[SV-8] origins', () => {
   });
 });
 
+describe('[CU-90] pages of the other masters of a cluster', () => {
+  const policy = new OriginPolicy({
+    isOnLan: () => false,
+    host: 'b.example.org',
+    allowedOrigins: [],
+    clusterOrigins: () => ['https://a.example.org', 'http://198.51.100.7:8080'],
+  });
+
+  it.each(['https://a.example.org', 'HTTPS://A.EXAMPLE.ORG', 'http://198.51.100.7:8080'])(
+    'may call: %s',
+    (origin) => {
+      expect(policy.judge({ host: 'b.example.org', origin })).toEqual({ kind: 'allowed', origin });
+    },
+  );
+
+  it.each([
+    'http://a.example.org',
+    'https://a.example.org:8443',
+    'https://a.example.org.evil.example',
+    'https://x.a.example.org',
+    'http://198.51.100.7',
+    'http://198.51.100.8:8080',
+    'null',
+  ])('have exactly these origins: not %s', (origin) => {
+    expect(verdict(policy, origin, 'b.example.org')).not.toBe('allowed');
+  });
+
+  it('have no rights of this machine', () => {
+    for (const origin of ['https://a.example.org', 'http://198.51.100.7:8080']) {
+      expect(policy.pageOf({ host: 'localhost:8080', origin })).toBe('foreign');
+    }
+  });
+
+  it('do not make a name one of this master', () => {
+    const verdictOfName = policy.judge({ host: 'a.example.org', origin: 'https://a.example.org' });
+    expect(verdictOfName.kind).toBe('refused');
+  });
+});
+
 describe('whose a page is, on this machine', () => {
   const policy = new OriginPolicy({
     isOnLan: () => true,

@@ -12,6 +12,11 @@ export interface OriginPolicyOptions {
    * resolves to (the Python node does), which is no loopback address everywhere. @default never
    */
   readonly isOwnAddress?: (address: string) => boolean;
+  /**
+   * Origins of the other masters of the cluster. Their pages may call: their clients come here when their master is
+   * lost. They are no pages of this machine, and show who they are as those of other machines do. [CU-90] @default none
+   */
+  readonly clusterOrigins?: () => readonly string[];
 }
 
 /** Decision about a request, from headers that browsers set and pages cannot change. */
@@ -115,11 +120,12 @@ export class OriginPolicy {
     if (this.#patterns.some((pattern) => pattern.test(origin))) return true;
     if (!/^https?:\/\//.test(origin)) return false;
     const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
-    const { isOnLan, isOwnAddress } = this.#options;
+    const { isOnLan, isOwnAddress, clusterOrigins } = this.#options;
     return (
       isLoopbackHost(name) ||
       (isOnLan() && isPrivateAddress(name)) ||
-      (isIpAddress(name) && isOwnAddress?.(name) === true)
+      (isIpAddress(name) && isOwnAddress?.(name) === true) ||
+      clusterOrigins?.().includes(origin) === true
     );
   }
 

@@ -24,6 +24,7 @@ import { endForeign } from '../topics/foreign-records.ts';
 import { Calls, type Answer } from './calls.ts';
 import { describeClient, Directory, type DirectoryContext } from './directory.ts';
 import { ForeignTopics } from './foreign-topics.ts';
+import { HeardAddresses } from './heard-addresses.ts';
 import { HELLO_MS, Members, type Member } from './members.ts';
 import { OwnInterest, type InterestContext } from './own-interest.ts';
 import type { PeerContext } from './peer-subscriber.ts';
@@ -59,6 +60,7 @@ export interface ClusterContext
 /** This master among the masters of its cluster: clients and topics of all of them are one world. [CU-1] */
 export class Cluster implements BusListener {
   readonly members: Members;
+  readonly heardAddresses = new HeardAddresses();
   readonly #context: ClusterContext;
   readonly #directory: Directory;
   readonly #interest: OwnInterest;
@@ -103,7 +105,10 @@ export class Cluster implements BusListener {
       for (const peer of this.#peers.values()) peer.tellInterest(wanted, unwanted);
       if (unwanted.length > 0) this.#endUnwanted();
     });
-    this.members.onJoined.add(() => this.#publishAddresses());
+    this.members.onJoined.add(({ addresses }) => {
+      this.heardAddresses.add(addresses);
+      this.#publishAddresses();
+    });
     this.members.onLost.add((member) => {
       this.#handleLost(member);
       this.#publishAddresses();

@@ -65,6 +65,9 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     openTerminal(isReachable: boolean): Promise<TerminalAccess> {
       return openTerminal(core, isReachable);
     },
+    otherMasterAddresses(): readonly string[] {
+      return core.masters?.heardAddresses.list() ?? [];
+    },
     metrics(): MasterMetrics {
       return readMetrics(core);
     },

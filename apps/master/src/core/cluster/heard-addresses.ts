@@ -1,0 +1,22 @@
+/** Addresses that are remembered; the oldest ones are forgotten. */
+const MAX_ADDRESSES = 256;
+
+/** Addresses of all masters that were heard since this one started, of lost ones as well. [CU-90] */
+export class HeardAddresses {
+  readonly #addresses = new Set<string>();
+
+  add(addresses: readonly string[]): void {
+    for (const address of addresses) {
+      this.#addresses.delete(address);
+      this.#addresses.add(address);
+    }
+    for (const oldest of this.#addresses) {
+      if (this.#addresses.size <= MAX_ADDRESSES) return;
+      this.#addresses.delete(oldest);
+    }
+  }
+
+  list(): string[] {
+    return [...this.#addresses];
+  }
+}
