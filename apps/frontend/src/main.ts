@@ -8,6 +8,7 @@ import { keepInstallOffer } from './install/install-offer.ts';
 import { sendToJoin } from './joining/join/send-to-join.ts';
 import { keepInReach } from './out-of-reach/keep-in-reach.ts';
 import { routes } from './routes.ts';
+import { tellMoves } from './shell/tell-moves.ts';
 import { createTabNode } from './tab-node/create-tab-node.ts';
 import { openTabNode } from './tab-node/open-tab-node.ts';
 import { TAB_NODE } from './tab-node/tab-node.ts';
@@ -26,7 +27,9 @@ app.provide(
   TAB_NODE,
   app.runWithContext(() => createTabNode(connection.client, openTabNode)),
 );
-provideToasts(app, createToasts());
+const toasts = createToasts();
+provideToasts(app, toasts);
+tellMoves(connection.client, toasts);
 app.mount('#app');
 connection.connect();
 // After everything that the page itself wants

@@ -35,6 +35,14 @@ describe('connectionNotice', () => {
       next: 'Retry in 3 s, try 4',
       action: 'Retry now',
     });
+    const lost = { ...state, attempt: 8 };
+    expect(connectionNotice(state, NOW, false, ['http://b'])?.text).not.toContain('other');
+    expect(connectionNotice(lost, NOW, false, ['http://b'])?.text).toBe(
+      'The master cannot be reached. The other masters of the cluster cannot be reached either.',
+    );
+    expect(connectionNotice(lost, NOW, false, ['https://b'])?.text).toMatch(
+      /Over HTTPS, this device has to trust the certificate of each master\.$/, // [CU-93]
+    );
     expect(connectionNotice(state, NOW + 2400, false)).toMatchObject({
       text: 'The master cannot be reached.',
       next: 'Retrying, try 4',

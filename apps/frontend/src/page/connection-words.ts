@@ -46,11 +46,13 @@ const CAUSES: Record<ConnectionErrorReason, string> = {
  * Returns the notice for a state; `undefined` while connected or starting.
  * @param nowMs this computer's clock, epoch milliseconds
  * @param hadData true when live data was shown, which is now frozen
+ * @param otherMasters addresses of the other masters of the cluster
  */
 export function connectionNotice(
   state: ConnectionState,
   nowMs: number,
   hadData: boolean,
+  otherMasters: readonly string[] = [],
 ): ConnectionNotice | undefined {
   switch (state.status) {
     case 'idle':
@@ -65,7 +67,7 @@ export function connectionNotice(
       const cause = CAUSES[isTriedAgain ? 'refused' : state.error.reason];
       return {
         tone: 'warning',
-        text: `${cause}.${hadData ? ' The page shows the last values that it received.' : ''}`,
+        text: `${cause}.${othersWords(state.attempt, otherMasters)}${hadData ? ' The page shows the last values that it received.' : ''}`,
         next: seconds > 0 ? `Retry in ${seconds} s, ${tries}` : `Retrying, ${tries}`,
         action: 'Retry now',
       };
@@ -104,4 +106,16 @@ export function connectionNotice(
         action: 'Connect',
       };
   }
+}
+
+/** Attempts after which the other masters have been asked as well. */
+const ATTEMPTS_BEFORE_OTHERS = 8;
+
+/** A browser does not tell a missing master from one whose certificate it does not trust. */
+function othersWords(attempt: number, otherMasters: readonly string[]): string {
+  if (otherMasters.length === 0 || attempt < ATTEMPTS_BEFORE_OTHERS) return '';
+  const words = ' The other masters of the cluster cannot be reached either.';
+  return otherMasters.some((url) => url.startsWith('https:'))
+    ? `${words} Over HTTPS, this device has to trust the certificate of each master.`
+    : words;
 }

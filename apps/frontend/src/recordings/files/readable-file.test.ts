@@ -46,6 +46,18 @@ describe('a client that joined with an invitation', () => {
     await expect(stranger.size()).rejects.toThrow('The master answered 401 Unauthorized.');
   });
 
+  it('reads and writes them at the master that it moved to [CU-92]', async () => {
+    const requests = guardedMaster();
+    const client = { ...INVITED, masterUrl: 'http://10.0.0.6:8080' };
+    expect(await openSource(masterFile('a', client)).read(1n, 2n)).toEqual(BYTES.slice(1, 3));
+    await uploadRecording(new File([BYTES], 'b.mcap'), client);
+    expect(requests.map((each) => each.split(' ')[1])).toEqual([
+      'http://10.0.0.6:8080/recordings/a.mcap',
+      'http://10.0.0.6:8080/recordings/a.mcap',
+      'http://10.0.0.6:8080/recordings?name=b',
+    ]);
+  });
+
   it('uploads recordings with its credential [RC-41]', async () => {
     guardedMaster();
     const uploaded = await uploadRecording(new File([BYTES], 'b.mcap'), INVITED);

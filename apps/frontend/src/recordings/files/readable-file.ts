@@ -1,4 +1,5 @@
 import type { UbiiClient } from '@ubii/client-web';
+import { atMaster } from '../../connection/at-master.ts';
 import { recordingFileUrl } from '../../locations/recording-location.ts';
 
 /** The file of a recording of the master. A worker can receive it. */
@@ -14,8 +15,11 @@ export type ReadableFile = Blob | MasterFile;
 /** @param id of the recording */
 export const masterFile = (
   id: string,
-  { authorization }: Pick<UbiiClient, 'authorization'>,
-): MasterFile => ({ url: recordingFileUrl(id), authorization });
+  client: Pick<UbiiClient, 'authorization'> & Partial<Pick<UbiiClient, 'masterUrl'>>,
+): MasterFile => ({
+  url: atMaster(client, recordingFileUrl(id)),
+  authorization: client.authorization,
+});
 
 /** Requests a file of the master, or a part of it, as the client that this page is. */
 export function fetchFile(file: MasterFile, init: RequestInit = {}): Promise<Response> {

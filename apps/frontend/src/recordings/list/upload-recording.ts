@@ -1,5 +1,6 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { fromJson, ServiceError, type Recording } from '@ubii/proto';
+import { atMaster } from '../../connection/at-master.ts';
 import { authorized } from '../files/readable-file.ts';
 
 /**
@@ -10,15 +11,15 @@ import { authorized } from '../files/readable-file.ts';
  */
 export async function uploadRecording(
   file: File,
-  { authorization }: Pick<UbiiClient, 'authorization'>,
+  client: Pick<UbiiClient, 'authorization'> & Partial<Pick<UbiiClient, 'masterUrl'>>,
 ): Promise<Recording> {
   const name = file.name.replace(/\.mcap$/i, '');
   let json: unknown;
   let isTaken: boolean;
   try {
-    const response = await fetch(`/recordings?name=${encodeURIComponent(name)}`, {
+    const response = await fetch(atMaster(client, `/recordings?name=${encodeURIComponent(name)}`), {
       method: 'POST',
-      headers: authorized(authorization, { 'content-type': 'application/octet-stream' }),
+      headers: authorized(client.authorization, { 'content-type': 'application/octet-stream' }),
       body: file,
     });
     isTaken = response.ok;
