@@ -78,7 +78,10 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
       ...opened.report(),
     }));
   };
-  client.onState(createStateLog(log, config.master, 'bridge'));
+  client.onState(createStateLog(log, () => client.masterUrl ?? config.master, 'bridge'));
+  client.onMaster(({ url, previousUrl }) =>
+    log('warn', `${previousUrl} was lost. Moved to ${url}`),
+  );
   client.onState(({ status }) => {
     if (status === 'connected') openLink().catch(onError);
     else link?.setAvailable(false);

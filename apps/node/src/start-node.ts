@@ -64,11 +64,12 @@ export async function startNode({
     ...(config.join === undefined ? {} : { joinToken: config.join }),
     identity,
   });
+  const masterUrl = (): string => client.masterUrl ?? config.master;
   const recorder =
     config.recordDir === undefined
       ? undefined
       : await openRecorder({
-          ...{ client, log, credential, master: config.master },
+          ...{ client, log, credential, master: config.master, masterUrl },
           ...{ folder: config.recordDir, maxBytes: config.recordSpace },
           workerFile: findBuilt('recorder-worker.js', import.meta.url),
         });
@@ -77,7 +78,7 @@ export async function startNode({
     isDedicated: true,
     sandboxes,
     libraries,
-    assets: createAssetStore(createHttpAssets(config.master)),
+    assets: createAssetStore(createHttpAssets(masterUrl)),
     capacity: config.capacity,
     acceptsWork: !config.noAcceptWork,
     records: recorder !== undefined,
@@ -97,7 +98,10 @@ export async function startNode({
     log('info', `${describeModules(folder.loaded.modules)} in ${config.modules}`);
   }
 
-  client.onState(createStateLog(log, config.master, 'node'));
+  client.onState(createStateLog(log, masterUrl, 'node'));
+  client.onMaster(({ url, previousUrl }) =>
+    log('warn', `${previousUrl} was lost. Moved to ${url}`),
+  );
   client.onError((problem) => log('warn', problem.message));
   node.onEvent((event) => log(...describeEvent(event)));
   node.onChange(createInstanceLog(log));

@@ -4,15 +4,17 @@ import type { Log } from './log.ts';
 /**
  * Logs changes of the connection. Logs only the first of several failed attempts as a warning.
  *
+ * @param masterUrl of the master that the client is at now
  * @param program what the program is, such as `node`
  */
 export function createStateLog(
   log: Log,
-  master: string,
+  masterUrl: () => string,
   program: string,
 ): (state: ConnectionState) => void {
   let isLogged = false;
   return (state) => {
+    const master = masterUrl();
     switch (state.status) {
       case 'connected':
         isLogged = false;

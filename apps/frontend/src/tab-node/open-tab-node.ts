@@ -18,7 +18,7 @@ export async function openTabNode(client: UbiiClient): Promise<ProcessingNode> {
   ]);
   return createProcessingNode(client, {
     sandboxes: createBrowserSandboxes(),
-    assets: createAssetStore(createHttpAssets(location.origin)),
+    assets: createAssetStore(createHttpAssets(() => client.masterUrl ?? location.origin)),
     // Trusted modules, which run at full speed. Other modules of sessions are sandboxed. [PM-51]
     modules: [...moduleLibrary(), ...partyModules()],
     kind: 'browser',

@@ -16,8 +16,10 @@ const MARKERS_PER_RECORDING = 10_000;
 /** What a recorder of a node is opened with. */
 export interface RecorderSetup {
   readonly client: UbiiClient;
-  /** URL of the master. */
+  /** URL of the master that the program was started with. */
   readonly master: string;
+  /** URL of the master that the client is at now. */
+  readonly masterUrl: () => string;
   /** Folder for recordings of all masters. */
   readonly folder: string;
   /** Most space of all recordings of this master, bytes. */
@@ -31,7 +33,7 @@ export interface RecorderSetup {
 
 /** Records into a folder of this machine. @throws ConfigError when it cannot be used */
 export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> {
-  const { client, master, log, credential, maxBytes, workerFile } = setup;
+  const { client, master, masterUrl, log, credential, maxBytes, workerFile } = setup;
   // What was recorded at one master is not given to another one.
   const folder = join(setup.folder, encodeURIComponent(new URL(master).host));
   try {
@@ -50,7 +52,7 @@ export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> 
     async send(recordingId, signal, onProgress) {
       await keptFile(recorder, recordingId, systemClock, signal);
       return sendFile({
-        ...{ recordingId, master, signal, onProgress },
+        ...{ recordingId, master: masterUrl(), signal, onProgress },
         path: recordingPath(folder, recordingId),
         clientId: client.id ?? '',
         credential: credential(),

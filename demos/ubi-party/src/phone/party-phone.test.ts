@@ -1,9 +1,10 @@
 // @vitest-environment happy-dom
-import { flushPromises } from '@vue/test-utils';
+import { flushPromises, mount } from '@vue/test-utils';
 import { expect, test } from 'vitest';
 import { nextRoom } from '../sim/index.ts';
 import { roomWith } from './testing/fake-phone-link.ts';
 import { PhonePage } from './testing/phone-page.ts';
+import QrCode from '../tokens/QrCode.vue';
 
 const page = new PhonePage();
 
@@ -105,6 +106,18 @@ test('seat is handed over with a code', async () => {
   await page.button('Move to another phone').trigger('click');
   await expect.poll(() => page.find('svg[role="img"]').exists()).toBe(true);
   expect(page.get('.code').text()).toContain('7KRM');
+});
+
+test('seat is handed over at the master that the phone moved to [CU-92]', async () => {
+  page.open({ room: roomWith(1), masterUrl: 'http://10.0.0.6:8080' });
+  await page.button('Menu').trigger('click');
+  await page.button('Move to another phone').trigger('click');
+  const text = 'http://10.0.0.6:8080/party/play#take=7KRM';
+  const expected = mount(QrCode, { props: { text, label: 'code' } })
+    .get('path')
+    .attributes('d');
+  await expect.poll(() => page.find('svg[role="img"]').exists()).toBe(true);
+  expect(page.get('svg[role="img"] path').attributes('d')).toBe(expected);
 });
 
 test('player who was removed is told so and can join again', async () => {

@@ -12,9 +12,10 @@ import type { ProcessingNodeOptions } from '../processing/processing-node.ts';
 export async function createNodeWorld(
   options: Partial<ProcessingNodeOptions> = {},
   master = new FakeMaster(),
+  clientOptions: Parameters<typeof createTestClient>[1] = {},
 ) {
   const sessions = new FakeSessions(master);
-  const test = createTestClient(master);
+  const test = createTestClient(master, clientOptions);
   const node = createProcessingNode(test.client, {
     kind: 'node',
     sandboxes: createInlineSandboxes(),

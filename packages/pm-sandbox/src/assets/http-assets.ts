@@ -19,9 +19,11 @@ export const manifestPath = (name: string): string => `${ASSETS_PATH}/${name}/ma
 /**
  * Asset sets of a master, over HTTP.
  *
- * @param origin of the master, such as `https://host:8443`
+ * @param origin of the master, such as `https://host:8443`; a function is called for each file: a client may go on at
+ * another master
  */
-export function createHttpAssets(origin: string | URL): AssetSource {
+export function createHttpAssets(origin: string | URL | (() => string | URL)): AssetSource {
+  const originOf = typeof origin === 'function' ? origin : () => origin;
   const get = async (
     name: string,
     path: string,
@@ -41,7 +43,7 @@ export function createHttpAssets(origin: string | URL): AssetSource {
     signal.addEventListener('abort', stop, { once: true });
     try {
       wait();
-      const response = await fetch(new URL(path, origin), {
+      const response = await fetch(new URL(path, originOf()), {
         signal: stall.signal,
         ...(isFresh && { cache: 'reload' }),
       });

@@ -77,6 +77,8 @@ export class PartyPhone implements PhoneLink {
       feedback: room?.phase === 'play' && me?.isWaiting === false ? this.#feedback : undefined,
       live: round && this.#live?.id === round.id ? this.#live : undefined,
       link: status === 'connected' ? 'connected' : status === 'connecting' ? 'connecting' : 'lost',
+      masterUrl: this.#client.masterUrl,
+      isInCluster: this.#client.otherMasters.length > 0,
       lagMs: this.#client.roundTrip?.lastMs,
       nowMs: () => this.#client.masterTime.nowMs(),
     };

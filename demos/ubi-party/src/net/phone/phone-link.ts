@@ -17,6 +17,10 @@ export interface PhoneFacts {
   /** Undefined while no round is played by this player. */
   readonly feedback: Feedback | undefined;
   readonly link: 'connecting' | 'connected' | 'lost';
+  /** Base URL of the master that the phone is at, which may not be the one that its page was loaded from. */
+  readonly masterUrl?: string | undefined;
+  /** Whether the phone could go on at another master; so its page must not need more of the first one. */
+  readonly isInCluster?: boolean;
   /** Round trip to the master, milliseconds. */
   readonly lagMs: number | undefined;
   /** The clock of the master, milliseconds since the Unix epoch. */

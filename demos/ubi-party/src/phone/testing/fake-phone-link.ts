@@ -21,6 +21,7 @@ export interface FakeParty {
   readonly live?: LiveRound;
   readonly link: PhoneFacts['link'];
   readonly lagMs?: number;
+  readonly masterUrl?: string;
 }
 
 /** A phone whose host is the rules of the room: wishes change it, refusals are those of the rules. */
@@ -44,7 +45,7 @@ export class FakePhoneLink implements PhoneLink {
   }
 
   get facts(): PhoneFacts {
-    const { room, round, feedback, live, link, lagMs } = this.party;
+    const { room, round, feedback, live, link, lagMs, masterUrl } = this.party;
     const me = room.players.find(({ key }) => key === KEY);
     return {
       view: { room, hostId: 'host', lags: {}, ...(round && { round }) },
@@ -54,6 +55,7 @@ export class FakePhoneLink implements PhoneLink {
       feedback,
       link,
       lagMs,
+      masterUrl,
       nowMs: this.#nowMs,
     };
   }

@@ -41,8 +41,16 @@ interface Waiting {
   reject(error: Error): void;
 }
 
-/** The library's module `object-detection` in a worker of this page, with the asset sets of its master. */
-export async function openDetector(onLoaded: (bytes: number) => void): Promise<Detector> {
+/**
+ * The library's module `object-detection` in a worker of this page.
+ *
+ * @param onLoaded bytes of the asset sets that were loaded so far
+ * @param masterUrl where they are loaded from
+ */
+export async function openDetector(
+  onLoaded: (bytes: number) => void,
+  masterUrl: () => string,
+): Promise<Detector> {
   let waiting: Waiting | undefined;
   const settle = (act: (one: Waiting) => void): void => {
     const one = waiting;
@@ -68,7 +76,7 @@ export async function openDetector(onLoaded: (bytes: number) => void): Promise<D
       },
     },
     sandboxes,
-    assets: counted(createAssetStore(createHttpAssets(location.origin)), onLoaded),
+    assets: counted(createAssetStore(createHttpAssets(masterUrl)), onLoaded),
     onEvent: () => undefined,
     onStatus: (_id, status, fault) => {
       if (fault && status === ProcessingModuleStatus.DESTROYED)
