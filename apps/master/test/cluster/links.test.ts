@@ -22,7 +22,7 @@ describe('what masters tell each other', () => {
     expect(subscriber.takeValues()).toEqual([['/a', 3]]);
   });
 
-  it('[CU-7] loses nothing for good: who left, what ended and what nobody wants', async () => {
+  it('[CU-7] loses nothing permanently: who left, what ended and what nobody wants', async () => {
     const [world, a, b] = await clusterOf(2);
     const publisher = await a!.extension('publisher');
     const other = await a!.extension('other');

@@ -30,7 +30,7 @@ async function stateOf(caller: ZeroMqCaller, id: string): Promise<number | undef
 }
 
 describe('the ports of ZeroMQ', () => {
-  it('are announced as decimal numbers, also where there are none: pitfall 13 [SV-62]', async () => {
+  it('are announced as decimal numbers, also where there are none [EC-13] [SV-62]', async () => {
     const without = await startEdgeMaster();
     const { body } = await send(without.port, '/services/json', {
       method: 'POST',
@@ -64,7 +64,7 @@ describe('services over ZeroMQ', () => {
     expect(JSON.parse(reply.toString())).toHaveProperty('stringList.elements');
   });
 
-  it('answer every request, whatever it is: pitfall 24 [SV-2]', async () => {
+  it('answer every request, whatever it is [EC-24] [SV-2]', async () => {
     const caller = new ZeroMqCaller(await start());
     const codeOf = async (request: Uint8Array | string): Promise<string | undefined> =>
       decode('ubii.services.ServiceReply', await caller.send(request)).error?.code;
@@ -125,7 +125,7 @@ describe('services over ZeroMQ', () => {
 });
 
 describe('topic data over ZeroMQ', () => {
-  it('is published and delivered as existing clients do it: pitfalls 1 and 15 [TD-50]', async () => {
+  it('is published and delivered as existing clients do it [EC-1] [EC-15] [TD-50]', async () => {
     const master = await start();
     const caller = new ZeroMqCaller(master);
     const id = await caller.register();

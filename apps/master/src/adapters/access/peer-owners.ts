@@ -203,7 +203,7 @@ function linux(): OwnerSource {
   };
 }
 
-/** The system hands out a page at a time. `readFile` would make a buffer of 64 kB for each. */
+/** The system delivers a page at a time. `readFile` would make a buffer of 64 kB for each. */
 async function readTable(table: SocketTable): Promise<string> {
   const file = await open(`/proc/net/${table}`);
   try {

@@ -262,7 +262,7 @@ export class Sessions {
   }
 
   /**
-   * Goes on with a session of a master that is lost, which this master owns now: what ran starts again. [CU-32]
+   * Continues a session of a master that is lost, which this master owns now: what ran starts again. [CU-32]
    *
    * @returns undefined when nothing is known of it
    */
