@@ -1,7 +1,7 @@
 import type { Clock } from '@ubii/timing';
 
 import type { Config } from './adapters/config/config.ts';
-import { openStorage } from './adapters/storage/open-storage.ts';
+import { openStorage, openStudies } from './adapters/storage/open-storage.ts';
 import { deriveKey } from './adapters/tokens/derive-key.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
 import type { ClusterPorts } from './core/areas/settings.ts';
@@ -50,9 +50,15 @@ export async function openStores(
     clock,
     log,
   });
-  const ownKey = readOrCreateTokenKey(config.dataDir);
+  // Studies belong to the master that leads them. [CU-54]
+  const { studyStorage, settled } = openStudies(config.dataDir);
+  const ownKey = readOrCreateTokenKey(config.dataDir, 'installation.key');
   return {
     ...cluster,
+    storage: { ...cluster.storage, studyStorage },
+    async close() {
+      await Promise.all([cluster.close(), settled()]);
+    },
     installation: Buffer.from(deriveKey(ownKey, 'installation')).toString('hex'),
   };
 }

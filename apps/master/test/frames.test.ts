@@ -5,7 +5,7 @@ import { TestMaster } from '../src/testing/index.ts';
 describe('the topic-data socket', () => {
   it('counts PONG as activity [TD-2]', async () => {
     const { clock, ...master } = await withAda();
-    clock.advanceSync(1_500);
+    clock.advanceSync(3_000);
     expect(master.ada.takeSent()).toContainEqual({ kind: 'PING' });
     master.ada.sendText('PONG');
     expect(master.ada.takeSent()).toEqual([]);

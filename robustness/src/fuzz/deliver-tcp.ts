@@ -10,7 +10,11 @@ const MAX_KEPT_BYTES = 64 * 1024;
  * @returns the beginning of what it answered
  * @throws Error when it does not hang up
  */
-export function sendAndWaitForEnd(port: number, input: Uint8Array): Promise<Buffer> {
+export function sendAndWaitForEnd(
+  port: number,
+  input: Uint8Array,
+  endsAfterAnswer = false,
+): Promise<Buffer> {
   return new Promise((resolve, reject) => {
     const chunks: Buffer[] = [];
     let size = 0;
@@ -19,8 +23,9 @@ export function sendAndWaitForEnd(port: number, input: Uint8Array): Promise<Buff
       socket.destroy();
       reject(new Error('The master neither answered nor closed a connection that its peer ended.'));
     }, PATIENCE_MS);
-    socket.on('connect', () => socket.end(input));
+    socket.on('connect', () => (endsAfterAnswer ? socket.write(input) : socket.end(input)));
     socket.on('data', (chunk: Buffer) => {
+      if (size === 0 && endsAfterAnswer) socket.end();
       if (size < MAX_KEPT_BYTES) chunks.push(chunk);
       size += chunk.length;
     });

@@ -124,4 +124,18 @@ describe('access in a cluster', () => {
     });
     expect(robot.closed?.reason).toBe('disconnected');
   });
+
+  it('[CU-27] a revocation is not taken back by a master that did not know of it', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const { token, grant } = await createGrant(a!, ACCESS_ROLE_PLAYER);
+    world.tellGrants();
+    const before = JSON.stringify(world.grants.documents().get(grant!.id)!.json);
+    await revoke(a!, grant!.id);
+    // The other master counted somebody who joined, and wrote what it knew.
+    world.grants.edit(grant!.id, before.replace('"joins":0', '"joins":1'));
+    await world.pass();
+    expect(await problemOf(a!, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
+    world.tellGrants();
+    expect(await problemOf(b!, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
+  });
 });

@@ -120,4 +120,22 @@ describe('clients of a cluster', () => {
     expect(back.closed).toBeUndefined();
     for (const master of [a!, b!]) expect(await namesAt(master)).toEqual(['phone']);
   });
+
+  it('[CU-22] that went there and back again stay where they are', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const phone = await a!.extension('phone');
+    await world.pass();
+    world.hub.cut(a!.master.id, b!.master.id);
+    await world.pass(5_000);
+    const as = { name: 'phone', id: phone.id, extension: { resumeToken: phone.token! } };
+    const there = await b!.register(as);
+    there.open();
+    await world.pass(100);
+    const back = await a!.register(as);
+    back.open();
+    world.hub.heal();
+    await world.pass(5_000);
+    expect(back.closed).toBeUndefined();
+    expect(there.closed?.reason).toBe('superseded');
+  });
 });

@@ -141,10 +141,57 @@ describe('sessions of a cluster', () => {
     const { sessionList } = await a!.call({ topic: TOPICS.list });
     expect(sessionList?.elements).toHaveLength(1);
     expect(await doubled(world, atA, 3)).toBe(6);
+    // The one that continues is stored: it outlives this master as well. [CU-33]
+    await b!.master.close();
+    await world.pass(5_000);
+    expect(await stateAt(a!, id)).toBe(SessionState.SESSION_RUNNING);
+    expect(await doubled(world, atA, 4)).toBe(8);
     const { masterStatus } = await a!.call({
       topic: '/services/ubii/master_status',
       masterStatusRequest: {},
     });
     expect(masterStatus?.events.map(({ text }) => text).join('\n')).toContain('took it over');
+  });
+
+  it('[CU-34] that were opened and removed while the store was away are so afterwards', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const { id: removed } = await ask(world, a!, TOPICS.start, doubling('/in', '/out'));
+    await world.pass(3_000);
+    world.setReachable(a!, false);
+    const { id: made } = await ask(world, a!, TOPICS.start, {
+      ...doubling('/x', '/y'),
+      name: 'made',
+    });
+    await ask(world, a!, TOPICS.remove, { id: removed });
+    await world.pass(500);
+    world.setReachable(a!, true);
+    await world.pass(8_000);
+    expect(await stateAt(b!, removed)).toBeUndefined();
+    await a!.master.close();
+    await world.pass(5_000);
+    expect(await stateAt(b!, made)).toBe(SessionState.SESSION_RUNNING);
+    expect(await stateAt(b!, removed)).toBeUndefined();
+  });
+
+  it('[CU-31] are not run by nobody when the answer to a claim is lost', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const { id } = await ask(world, a!, TOPICS.start, doubling('/in', '/out'));
+    await world.pass(3_000);
+    // The store has the claim, and the master that claimed does not know.
+    const other = world.owners.open();
+    world.setReachable(a!, false);
+    await other.claim(id, b!.master.id, a!.master.id);
+    await world.pass(8_000);
+    expect(await stateAt(b!, id)).toBe(SessionState.SESSION_RUNNING);
+  });
+
+  it('[CU-30] that a lost master told of and that nobody owns are removed from lists', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const { id } = await ask(world, a!, TOPICS.add, doubling('/in', '/out'));
+    expect(await stateAt(b!, id)).toBe(SessionState.SESSION_CREATED);
+    world.hub.setReachable(a!.master.id, false);
+    await ask(world, a!, TOPICS.remove, { id });
+    await world.pass(8_000);
+    expect(await stateAt(b!, id)).toBeUndefined();
   });
 });

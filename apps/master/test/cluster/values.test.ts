@@ -128,4 +128,54 @@ describe('values of topics in a cluster', () => {
     await later.subscribe({ subscribeTopics: ['/a'] });
     expect(later.takeValues()).toEqual([]);
   });
+
+  it('[CU-14] end also for those that get only so many records a second', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const publisher = await a!.extension('publisher');
+    const slow = await b!.extension('slow');
+    await slow.subscribe({ subscribeTopics: ['/a'], maxRateHz: 5 });
+    await world.pass();
+    publisher.publish('/a', 'double', 1);
+    await world.pass(500);
+    publisher.drop('left');
+    await world.pass();
+    const late = await b!.extension('late');
+    await late.subscribe({ subscribeTopics: ['/a'] });
+    expect(late.takeValues()).toEqual([]);
+  });
+
+  it('[CU-14] stay when a device of a client here that names their topic goes', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const publisher = await a!.extension('publisher');
+    const other = await b!.extension('other', {
+      devices: [{ name: 'copy', components: [{ topic: '/a' }] }],
+    });
+    await other.subscribe({ subscribeTopics: ['/a'] });
+    publisher.publish('/a', 'double', 1);
+    await world.pass();
+    await other.call({
+      topic: '/services/device/deregistration',
+      device: { id: other.registered.devices[0]!.id, clientId: other.id },
+    });
+    const late = await b!.extension('late');
+    await late.subscribe({ subscribeTopics: ['/a'] });
+    expect(late.takeValues()).toEqual([['/a', 1]]);
+  });
+
+  it('[CU-7] are not interrupted when masters lose each other for a moment', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const publisher = await a!.extension('publisher');
+    const subscriber = await b!.extension('subscriber');
+    await subscriber.subscribe({ subscribeTopics: ['/a'] });
+    await world.pass();
+    publisher.publish('/a', 'double', 1);
+    await world.pass();
+    subscriber.takeValues();
+    world.hub.cut(a!.master.id, b!.master.id);
+    await world.pass(4_000);
+    world.hub.heal();
+    await world.pass(6_000);
+    // Neither an end of the value nor the value again.
+    expect(subscriber.takeRecords()).toEqual([]);
+  });
 });

@@ -47,6 +47,8 @@ export function createHttpServices(options: HttpServicesOptions): ServiceTranspo
           ...(bearer === undefined ? {} : { Authorization: `Bearer ${bearer}` }), // [AC-13]
         },
         body: codec.encode(request),
+        // What shows who the client is goes to this address and no other.
+        redirect: 'error',
         signal,
       });
       body = await response.arrayBuffer();

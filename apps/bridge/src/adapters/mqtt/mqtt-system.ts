@@ -132,6 +132,8 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
       ...{ keepalive: KEEP_ALIVE_SECONDS, connectTimeout: CONNECT_TIMEOUT_MS },
       // What an earlier run left there is not wanted; later connections of this run continue its session.
       clean: true,
+      // A broker that refuses once, because it is busy or its logins are, may take the next attempt.
+      reconnectOnConnackError: true,
       reconnectPeriod: this.#backOff.nextMs(),
       ...(user !== undefined && { username: user }),
       ...(password !== undefined && { password }),

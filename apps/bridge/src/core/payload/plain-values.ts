@@ -1,7 +1,9 @@
 import { DATA_FORMATS, fromJson, toJson } from '@ubii/proto';
 import type { DataFormat, Init, MessageType, MessageTypes } from '@ubii/proto';
 
-const NUMBER = /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i;
+const NUMBER = /^\s*[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?\s*$/i;
+/** No number needs more characters. */
+const NUMBER_CHARACTERS = 64;
 const TRUE: readonly unknown[] = [true, 1, 'true', 'on', '1', 'yes', 'open'];
 const FALSE: readonly unknown[] = [false, 0, 'false', 'off', '0', 'no', 'closed'];
 
@@ -47,7 +49,8 @@ function convert(format: DataFormat, json: unknown): unknown {
 
 function toNumber(json: unknown): number {
   if (typeof json === 'number' && Number.isFinite(json)) return json;
-  if (typeof json === 'string' && NUMBER.test(json)) return Number(json);
+  if (typeof json === 'string' && json.length <= NUMBER_CHARACTERS && NUMBER.test(json))
+    return Number(json);
   throw new Error(`Expected a number, got ${shown(json)}.`);
 }
 

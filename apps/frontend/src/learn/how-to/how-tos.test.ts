@@ -33,11 +33,13 @@ function isShown(name: string): boolean {
 }
 
 /** Where programs that are started with npm have their options. */
+/** Options of all programs that join a master. */
+const JOINING = 'packages/client-program/src/joining-options.ts';
 const OPTIONS: Readonly<Record<string, readonly string[]>> = {
   start: ['apps/master/src/adapters/config/config.ts'],
-  node: ['apps/node/src/options.ts'],
-  record: ['apps/node/src/options.ts', 'apps/node/src/recordings/record.ts'],
-  play: ['apps/node/src/options.ts', 'apps/node/src/recordings/play.ts'],
+  node: [JOINING, 'apps/node/src/options.ts'],
+  record: [JOINING, 'apps/node/src/options.ts', 'apps/node/src/recordings/record.ts'],
+  play: [JOINING, 'apps/node/src/options.ts', 'apps/node/src/recordings/play.ts'],
   info: ['apps/node/src/recordings/info.ts'],
   export: ['apps/node/src/recordings/export.ts'],
   import: ['apps/node/src/recordings/import.ts'],

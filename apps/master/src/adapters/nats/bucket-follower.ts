@@ -82,8 +82,8 @@ export class BucketFollower {
     if (!isCurrent()) return;
     this.#listener.handleBegin(created !== this.#created);
     this.#created = created;
-    const { connection, clock } = this.#link;
-    const parts = { connection, manager, clock, bucket: this.#bucket.name };
+    const { connection, clock, log } = this.#link;
+    const parts = { connection, manager, clock, log, bucket: this.#bucket.name };
     const cancel = await watchBucket(parts, {
       handleEntry: (entry) => {
         if (isCurrent()) this.#listener.handleEntry(entry);

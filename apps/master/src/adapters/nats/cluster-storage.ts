@@ -2,8 +2,8 @@ import type { openStorage } from '../storage/open-storage.ts';
 import { NatsDocuments } from './nats-documents.ts';
 import type { NatsLink } from './nats-link.ts';
 
-/** The stores, as in a data directory. */
-export type Storage = ReturnType<typeof openStorage>;
+/** The stores that all masters share; studies are those of one master. */
+export type Storage = Omit<ReturnType<typeof openStorage>, 'studyStorage'>;
 
 /** Name of a bucket. No cluster has `_` in its name, so that no two clusters share a bucket. [CU-54] */
 export function bucketOf(cluster: string, kind: string): string {
@@ -23,17 +23,14 @@ export async function openClusterStorage(
   };
   const close = (): void => opened.forEach((store) => store.close());
   try {
-    const [sessions, modules, running, history, grants, personalData, studies, runs] =
-      await Promise.all([
-        open('sessions'),
-        open('modules'),
-        open('running'),
-        open('history'),
-        open('grants'),
-        open('personal-data'),
-        open('studies'),
-        open('study-runs'),
-      ]);
+    const [sessions, modules, running, history, grants, personalData] = await Promise.all([
+      open('sessions'),
+      open('modules'),
+      open('running'),
+      open('history'),
+      open('grants'),
+      open('personal-data'),
+    ]);
     return {
       sessions,
       modules,
@@ -41,7 +38,6 @@ export async function openClusterStorage(
       history,
       grants,
       personalData,
-      studyStorage: { studies, runs },
       async settled() {
         await Promise.all(opened.map((store) => store.settled()));
       },

@@ -9,6 +9,7 @@ import {
 } from '@nats-io/transport-node';
 import type { Cancel, Clock } from '@ubii/timing';
 
+import type { Log } from '../../core/ports/index.ts';
 import { parseDelivery } from './kv-delivery.ts';
 
 /** A value of a bucket, as it came. */
@@ -36,6 +37,7 @@ export interface WatchParts {
   readonly connection: NatsConnection;
   readonly manager: JetStreamManager;
   readonly clock: Clock;
+  readonly log: Log;
   readonly bucket: string;
 }
 
@@ -78,7 +80,17 @@ class KvWatch {
     const { connection, manager, clock, bucket } = this.#parts;
     const inbox = createInbox();
     this.#subscription = connection.subscribe(inbox, {
-      callback: (error, msg) => (error === null ? this.#receive(msg) : this.#lose()),
+      callback: (error, msg) => {
+        // A throw here would end the reading of the whole connection.
+        try {
+          if (error === null) this.#receive(msg);
+          else this.#lose();
+        } catch (cause) {
+          this.#parts.log.error('a change of a store could not be handled', {
+            reason: String(cause),
+          });
+        }
+      },
     });
     this.#lastHeardMs = clock.monotonicMs();
     this.#stopTimer = clock.every(HEARTBEAT_MS, () => this.#checkSilence());

@@ -58,7 +58,6 @@ describe('[CU-61] a cluster', () => {
       history: storage.history,
       grants: storage.grants,
       personalData: storage.personalData,
-      ...storage.studyStorage,
     });
     for (const [kind, store] of Object.entries(stores(a))) {
       const told = new Promise((resolve) => {

@@ -3,6 +3,21 @@ import { join } from 'node:path';
 import type { DocumentStore, SessionStorage, StudyStorage } from '../../core/ports/index.ts';
 import { FileDocuments } from './file-documents.ts';
 
+/** Opens the studies of the data directory, readable by the master alone. [ST-1] */
+export function openStudies(dataDir: string): {
+  readonly studyStorage: StudyStorage;
+  settled(): Promise<void>;
+} {
+  const studies = new FileDocuments(join(dataDir, 'studies'), '.json', true);
+  const runs = new FileDocuments(join(dataDir, 'study-runs'), '.json', true);
+  return {
+    studyStorage: { studies, runs },
+    async settled() {
+      await Promise.all([studies.settled(), runs.settled()]);
+    },
+  };
+}
+
 /** Opens the stores in the data directory. [SE-20] */
 export function openStorage(dataDir: string): SessionStorage & {
   readonly grants: DocumentStore;
@@ -16,8 +31,7 @@ export function openStorage(dataDir: string): SessionStorage & {
   const history = new FileDocuments(join(dataDir, 'history'), '.json');
   const grants = new FileDocuments(join(dataDir, 'grants'), '.json', true); // [AC-19]
   const personalData = new FileDocuments(join(dataDir, 'personal-data'), '.json'); // [PD-3]
-  const studies = new FileDocuments(join(dataDir, 'studies'), '.json', true); // [ST-1]
-  const runs = new FileDocuments(join(dataDir, 'study-runs'), '.json', true);
+  const { studyStorage, settled } = openStudies(dataDir);
   return {
     sessions,
     modules,
@@ -25,12 +39,11 @@ export function openStorage(dataDir: string): SessionStorage & {
     history,
     grants,
     personalData,
-    studyStorage: { studies, runs },
+    studyStorage,
     async settled() {
+      await settled();
       await Promise.all(
-        [sessions, modules, running, history, grants, personalData, studies, runs].map((store) =>
-          store.settled(),
-        ),
+        [sessions, modules, running, history, grants, personalData].map((store) => store.settled()),
       );
     },
   };

@@ -13,8 +13,8 @@ const FILE_NAME = 'resume-token.key';
  *
  * @throws ConfigError when the file holds something else
  */
-export function readOrCreateTokenKey(dataDir: string): Uint8Array {
-  const file = join(dataDir, FILE_NAME);
+export function readOrCreateTokenKey(dataDir: string, fileName = FILE_NAME): Uint8Array {
+  const file = join(dataDir, fileName);
   const kept = readKey(file);
   if (kept !== undefined) return kept;
   // Two masters may start at once: the file of the first one stays.

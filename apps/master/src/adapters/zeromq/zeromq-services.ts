@@ -14,6 +14,9 @@ import { greetPeer } from './greet-peer.ts';
 import { OpenSockets } from './open-sockets.ts';
 import { encodeReply, takeRequest, type ServiceMessage } from './service-message.ts';
 
+/** Time in which the other side has to end a connection that was ended here, milliseconds. */
+const END_MS = 5_000;
+
 /** The first byte of a request as JSON. A request as protobuf cannot begin with it. */
 const OPENING_BRACE = 0x7b;
 
@@ -90,6 +93,11 @@ export class ZeroMqServices {
     source.release();
     if (!this.#isClosing) await drain(socket, clock); // [SV-45]
     socket.end();
+    // Who keeps its side open does not keep the connection.
+    socket.once(
+      'close',
+      clock.after(END_MS, () => socket.destroy()),
+    );
   }
 
   /** @returns whether further requests can be read */

@@ -33,6 +33,13 @@ export interface NewGrant {
   readonly code: string;
 }
 
+function areSame(a: Grant, b: Grant): boolean {
+  return (
+    JSON.stringify({ ...grantToJson(a), isOver: false }) ===
+    JSON.stringify({ ...grantToJson(b), isOver: false })
+  );
+}
+
 /** Every grant that is kept, found by id, token and code [AC-10] [AC-19]. */
 export class Grants {
   /** Another master revoked a grant. [CU-27] */
@@ -250,17 +257,40 @@ export class Grants {
     const told = grantFromJson(this.#context.store.documents().get(key)?.json);
     const known = this.#grants.get(key);
     if (told === undefined || told.id !== key) {
-      if (known !== undefined) this.#unindex(known);
+      if (known === undefined) return;
+      this.#unindex(known);
+      known.revokedMs ||= this.#context.clock.nowMs();
+      this.onRevoked.emit(known);
       return;
     }
     if (known === undefined) return this.#index(told);
     const wasGood = known.revokedMs === 0;
-    const joins = Math.max(known.joins, told.joins);
+    const merged = this.#merge(known, told);
     this.#unindex(known);
-    // Each master ends those who joined with it there.
-    Object.assign(known, told, { joins, isOver: known.isOver });
+    Object.assign(known, merged);
     this.#index(known);
     if (wasGood && known.revokedMs > 0) this.onRevoked.emit(known);
+    // The other master wrote before it knew what this one had written.
+    const isBehind = told.revokedMs === 0 || told.joins < known.joins;
+    if (isBehind && !areSame(told, known)) void this.#keepSoon(known);
+  }
+
+  /** Nothing that ended a grant, or used it up, is taken back by who did not know of it. */
+  #merge(known: Grant, told: Grant): Grant {
+    const keepsSecrets = this.isOwnTerminals(known) && known.hereOnly;
+    return {
+      ...told,
+      // Secrets change where the terminal is that shows them.
+      ...(keepsSecrets && { token: known.token, code: known.code, expiresMs: known.expiresMs }),
+      ...(keepsSecrets && { codeExpiresMs: known.codeExpiresMs, staysUntilMs: known.staysUntilMs }),
+      closedMs: keepsSecrets ? known.closedMs : Math.min(known.closedMs, told.closedMs),
+      revokedMs: known.revokedMs || told.revokedMs,
+      isHandedOver: known.isHandedOver || told.isHandedOver,
+      joins: Math.max(known.joins, told.joins),
+      credentialsEndMs: Math.max(known.credentialsEndMs, told.credentialsEndMs),
+      // Each master ends those who joined with it there.
+      isOver: known.isOver,
+    };
   }
 
   #keep(grant: Grant): Promise<void> {

@@ -2,6 +2,7 @@ import { Cluster } from '../cluster/cluster.ts';
 import type { AccessArea } from './access.ts';
 import type { ClientArea } from './clients.ts';
 import type { Foundation } from './foundation.ts';
+import type { LibraryArea } from './library.ts';
 import type { NodeArea } from './nodes.ts';
 import type { SessionArea } from './sessions.ts';
 import { nameOf, type MasterPorts } from './settings.ts';
@@ -18,7 +19,8 @@ export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'>
   TopicArea &
   Pick<ClientArea, 'clients' | 'devices' | 'info'> &
   Pick<NodeArea, 'sessionTable'> &
-  Pick<SessionArea, 'sessions' | 'reports' | 'sessionNews' | 'foreignSessions'> &
+  Pick<SessionArea, 'sessions' | 'reports' | 'sessionNews' | 'foreignSessions' | 'claims'> &
+  Pick<LibraryArea, 'sessionLibrary'> &
   Pick<AccessArea, 'access'>;
 
 /** Without a cluster, nothing is told and asked. */

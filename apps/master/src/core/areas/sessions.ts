@@ -69,17 +69,18 @@ export function createSessions(dependencies: SessionDependencies) {
     lockstep,
     runTroubles,
   });
+  const claims = new SessionClaims({
+    masterId: dependencies.nodes.masterId,
+    owners: dependencies.cluster?.owners,
+    log: dependencies.log,
+  });
   const sessions = new Sessions({
     ...dependencies,
     limits,
     table: sessionTable,
     drafts: draftContext(dependencies),
     life,
-    claims: new SessionClaims({
-      masterId: dependencies.nodes.masterId,
-      owners: dependencies.cluster?.owners,
-      log: dependencies.log,
-    }),
+    claims,
     library: sessionLibrary,
     topics: dependencies.localTopics,
   });
@@ -101,6 +102,7 @@ export function createSessions(dependencies: SessionDependencies) {
     reports,
     reload,
     sessionNews: news,
+    claims,
     /** Sessions that other masters run. */
     foreignSessions: new ForeignSessions(),
   };
@@ -169,6 +171,7 @@ function listen(
   life.onModules.add((session) => lockstep.handleLife(session));
   life.onModules.add((session) => {
     const { isLive, description } = session;
+    if (session.isGivenUp) return;
     const isKnown = sessionTable.get(session.id) === session;
     const isToStart = isLive && description.startWithMaster;
     sessionLibrary.remember(session, isKnown && (sessionLibrary.remembersAll || isToStart)); // [SE-24] [CU-33]

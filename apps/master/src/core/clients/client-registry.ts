@@ -116,9 +116,11 @@ export class ClientRegistry {
   ): { client: Client; isResumed: boolean; isKnown: boolean } {
     const earlierId = this.provenId(message);
     const known = earlierId === undefined ? undefined : this.#clients.get(earlierId);
-    if (known?.home !== undefined) this.#takeOver(known, access); // [CU-21]
+    if (known?.home !== undefined) this.#requireTakeover(known, access); // [CU-21]
     const client = known ?? this.#create(message, earlierId ?? this.#context.ids.uuid(), access);
     this.#describe(client, message);
+    if (known?.home !== undefined) this.#takeOver(known, access);
+    else if (known !== undefined) known.hereSinceMs = this.#laterThan(known.hereSinceMs); // [CU-22]
     this.#admit(client, access);
     if (known !== undefined) this.handleSign(known);
     else {
@@ -164,11 +166,22 @@ export class ClientRegistry {
     client.home = home;
     this.#clients.set(id, client);
     account.add(RESOURCE.clients, 1);
+    account.add(RESOURCE.registrationBytes, sizeOf(spec));
     return client;
+  }
+
+  /** What it may publish here, such as its part of a lockstep pass, is what its role gives. [CU-24] */
+  admitForeign(client: Client, access: ClientAccess): void {
+    const { devices, patterns } = this.#context;
+    client.access = access;
+    const scope = { clients: this.#clients, devices };
+    const { publish } = topicRightsOf(client.id, access.role, access.grant, scope, patterns);
+    client.publishRights = publish;
   }
 
   /** What its master says of a client of another master is so. */
   setForeign(client: Client, { spec, status }: { spec: ClientSpec; status: ClientStatus }): void {
+    client.account.add(RESOURCE.registrationBytes, sizeOf(spec) - sizeOf(client.spec));
     client.spec = spec;
     client.ownName = spec.name;
     client.registrationRevision++;
@@ -252,13 +265,26 @@ export class ClientRegistry {
     }
   }
 
-  /** A client of another master has come here. @throws ServiceError when there would be too many */
+  /** @throws ServiceError when there is no room for a client of another master */
+  #requireTakeover({ account }: Client, access: ClientAccess): void {
+    const { accounts } = this.#context;
+    const share = accounts.ofShare(shareOf(access));
+    for (const resource of [RESOURCE.clients, RESOURCE.registrationBytes, RESOURCE.devices]) {
+      accounts.require(share, resource, account.used(resource));
+    }
+  }
+
+  #laterThan(sinceMs: number): number {
+    return Math.max(this.#context.clock.nowMs(), sinceMs + 1);
+  }
+
+  /** A client of another master has come here. */
   #takeOver(client: Client, access: ClientAccess): void {
-    const { accounts, clock } = this.#context;
-    accounts.require(accounts.ofShare(shareOf(access)), RESOURCE.clients, 1);
+    const { accounts } = this.#context;
     client.home = undefined;
+    client.publishRights = undefined;
     client.access = TRUSTED_ACCESS; // whose rights it has until it is admitted
-    client.hereSinceMs = Math.max(clock.nowMs(), client.hereSinceMs + 1);
+    client.hereSinceMs = this.#laterThan(client.hereSinceMs);
     accounts.move(client.account, shareOf(access));
     const text = `${client.label} came from another master`;
     this.#context.events.add(StatusEventKind.CLIENT_RETURNED, text, client.id);

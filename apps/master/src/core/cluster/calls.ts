@@ -63,12 +63,13 @@ export class Calls {
     });
   }
 
-  /** Another master answers. */
+  /** Another master answers. @throws DecodeError when the reply cannot be read; the call fails in time */
   handleReply(from: string, { number, reply }: ClusterReply): void {
     const pending = this.#pending.get(number);
     if (pending?.masterId !== from) return;
+    const decoded = decode('ubii.services.ServiceReply', reply);
     this.#end(number, pending);
-    pending.resolve(decode('ubii.services.ServiceReply', reply));
+    pending.resolve(decoded);
   }
 
   /** Another master asks. @throws DecodeError when it asks nothing that can be read */
@@ -111,7 +112,9 @@ function encodeCall(
   { standing, place, address = '', bearer = '', isHere }: CallerFacts,
 ): Init<Omit<ClusterCall, 'number'>> {
   const bytes = encode('ubii.services.ServiceRequest', request);
-  return { request: bytes, standing, place, address, bearer, isHere };
+  // A program of this machine is of the network for clients that are local to another one.
+  const told = standing === 'local' ? 'network' : standing;
+  return { request: bytes, standing: told, place, address, bearer, isHere };
 }
 
 /** What the other master says of the caller: it has judged its connection. */

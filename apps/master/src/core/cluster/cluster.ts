@@ -3,7 +3,6 @@ import {
   DecodeError,
   MASTERS_TOPIC,
   StatusEventKind,
-  type ClusterClient,
   type ClusterMessage,
   type Init,
   type ServiceReply,
@@ -22,7 +21,7 @@ import type { SessionNews } from '../sessions/session-news.ts';
 import { quote } from '../texts/quote.ts';
 import { endForeign } from '../topics/foreign-records.ts';
 import { Calls, type Answer } from './calls.ts';
-import { describeClient, Directory, type DirectoryContext } from './directory.ts';
+import { Directory, type DirectoryContext } from './directory.ts';
 import { ForeignTopics } from './foreign-topics.ts';
 import { HeardAddresses } from './heard-addresses.ts';
 import { HELLO_MS, Members, type Member } from './members.ts';
@@ -46,7 +45,7 @@ export interface ClusterContext
     ToldContext,
     Omit<DirectoryContext, 'log' | 'grants'>,
     InterestContext,
-    Omit<MirrorContext, 'publisher'>,
+    Omit<MirrorContext, 'publisher' | 'isThere'>,
     Omit<TakeoverContext, 'grants'> {
   readonly grants: DirectoryContext['grants'] & TakeoverContext['grants'];
   readonly info: Pick<InfoTopics, 'onClient' | 'onClientGone'>;
@@ -76,6 +75,7 @@ export class Cluster implements BusListener {
   readonly #news = new Set<string>();
   #cancelNews: Cancel | undefined = undefined;
   readonly #cancelSweep: Cancel;
+  #isClosed = false;
   /** Whether the bus can be reached. */
   isReachable = false;
   /** Answers requests of clients of other masters; set by who can. */
@@ -89,7 +89,10 @@ export class Cluster implements BusListener {
     this.#directory = new Directory(context);
     this.#interest = new OwnInterest(context);
     this.#told = new ToldRecords(context);
-    this.#mirror = new SessionMirror(context);
+    this.#mirror = new SessionMirror({
+      ...context,
+      isThere: (id) => this.members.get(id) !== undefined,
+    });
     this.#calls = new Calls(context);
     this.#topics = new ForeignTopics({
       ...context,
@@ -135,6 +138,7 @@ export class Cluster implements BusListener {
 
   handleReach(isReachable: boolean): void {
     this.isReachable = isReachable;
+    if (this.#isClosed) return;
     const text = isReachable ? 'the bus of the cluster is there' : 'the bus of the cluster is lost';
     this.#context.log[isReachable ? 'info' : 'warn'](text);
     this.#takeover.handleReach(isReachable);
@@ -142,7 +146,7 @@ export class Cluster implements BusListener {
   }
 
   handleMessage(from: string, bytes: Uint8Array): void {
-    if (from === this.#context.id) return;
+    if (this.#isClosed || from === this.#context.id) return;
     try {
       this.#handle(from, decode('ubii.extension.ClusterMessage', bytes));
     } catch (error) {
@@ -156,6 +160,7 @@ export class Cluster implements BusListener {
   }
 
   close(): void {
+    this.#isClosed = true;
     this.members.sayGoodbye();
     this.#cancelSweep();
     this.#cancelNews?.();
@@ -291,12 +296,12 @@ export class Cluster implements BusListener {
   #tellNews(): void {
     this.#cancelNews = undefined;
     const { clients } = this.#context;
-    const changed: Init<ClusterClient>[] = [];
+    const changed: Client[] = [];
     const gone: string[] = [];
     for (const id of this.#news) {
       const client = clients.get(id);
       if (client === undefined) gone.push(id);
-      else if (client.home === undefined) changed.push(describeClient(client));
+      else if (client.home === undefined) changed.push(client);
     }
     this.#news.clear();
     if (changed.length + gone.length === 0) return;

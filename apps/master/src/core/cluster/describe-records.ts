@@ -1,10 +1,10 @@
 import type { ClusterRecords, Init } from '@ubii/proto';
-import type { TopicEntry } from '../topics/topic-entry.ts';
 
-/** A record with its topic, whose stamp and publisher are those of its newest record. */
+/** A record with its place among those of its topic, and who published it. */
 export interface DescribedRecord {
-  readonly entry: TopicEntry;
   readonly record: Uint8Array;
+  readonly stamp: number;
+  readonly publisherId: string;
 }
 
 /** Records as they are sent to other masters: each publisher is named once. */
@@ -13,14 +13,14 @@ export function describeRecords(described: readonly DescribedRecord[]): Init<Clu
   const records: Uint8Array[] = [];
   const stamps: number[] = [];
   const publishers: number[] = [];
-  for (const { entry, record } of described) {
-    let place = places.get(entry.publisherId);
+  for (const { record, stamp, publisherId } of described) {
+    let place = places.get(publisherId);
     if (place === undefined) {
       place = places.size;
-      places.set(entry.publisherId, place);
+      places.set(publisherId, place);
     }
     records.push(record);
-    stamps.push(entry.stamp);
+    stamps.push(stamp);
     publishers.push(place);
   }
   return { records, stamps, publishers, publisherIds: [...places.keys()] };

@@ -58,8 +58,10 @@ export class Directory {
     client.hereSinceMs = told.hereSinceMs;
     client.library = told.library;
     client.node = told.node;
-    client.access = this.#accessOf(told);
+    // Its own master judged its devices.
+    client.publishRights = undefined;
     this.#setDevices(client, message);
+    clients.admitForeign(client, this.#accessOf(told));
     clients.setForeign(client, { spec: specOf(message), status: statusOf(message.state) });
   }
 

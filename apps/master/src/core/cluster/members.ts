@@ -38,8 +38,6 @@ export class Members {
   readonly onLost = new Hook<[member: Member]>();
   readonly #context: MembersContext;
   readonly #members = new Map<string, Heard>();
-  /** Masters whose messages cannot be understood. */
-  readonly foreign = new Map<string, number>();
 
   constructor(context: MembersContext) {
     this.#context = context;
@@ -68,10 +66,7 @@ export class Members {
   }
 
   handleHello(id: string, hello: ClusterHello): void {
-    if (hello.version !== CLUSTER_VERSION) {
-      this.foreign.set(id, hello.version);
-      return;
-    }
+    if (hello.version !== CLUSTER_VERSION) return;
     const before = this.#members.get(id);
     const { name, addresses } = hello;
     const member = { id, name, addresses };

@@ -89,6 +89,11 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
     }
   }
 
+  /** Sends what waits, if the bus takes it. */
+  sweep(): void {
+    this.#subscriber.outbox.handleDrain();
+  }
+
   close(): void {
     this.#cancelDrain?.();
     this.#values.clear();
@@ -194,10 +199,10 @@ const DESCRIBED: BatchEncoder<Init<ClusterRecords>> = {
   encode(batch) {
     // All batches of outboxes are chains of nodes.
     const nodes = (batch as BatchNode).nodes();
-    return describeRecords(nodes.map(({ entry, record }) => ({ entry: entry!, record: record! })));
+    return describeRecords(nodes as (BatchNode & { record: Uint8Array })[]);
   },
 };
 
 function valuesOf(entries: readonly TopicEntry[]): Init<ClusterRecords> {
-  return describeRecords(entries.map((entry) => ({ entry, record: entry.record! })));
+  return describeRecords(entries as (TopicEntry & { record: Uint8Array })[]);
 }

@@ -6,6 +6,8 @@ import type {
   Init,
 } from '@ubii/proto';
 import type { EndOfTurn } from '@ubii/timing';
+import type { Client } from '../clients/client.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import { endForeign } from '../topics/foreign-records.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { Directory } from './directory.ts';
@@ -17,8 +19,16 @@ import type { SessionMirror } from './session-mirror.ts';
 import { IncomingStream, OutgoingStream } from './streams.ts';
 import type { ToldRecords } from './told-records.ts';
 
-/** Clients in one message. */
-const CLIENTS_PER_PART = 50;
+/** Bytes of clients in one message, unless a single one has more. */
+const CLIENTS_BYTES = 256 * 1024;
+/** Bytes of a client besides what it registered. */
+const CLIENT_BYTES = 512;
+/** Looks between the end of what a stream begins with and that of values that were not told in it. */
+const VALUES_LOOKS = 4;
+/** Looks in which parts of an earlier stream may still come. */
+const OLD_PARTS_LOOKS = 20;
+/** The longest wait before a stream is asked for that was asked for in vain, looks. */
+const LONGEST_WAIT_LOOKS = 60;
 /** Looks at a stream without a part, after which it is asked for again. */
 const SILENT_LOOKS = 5;
 /** Subscriptions in one message. */
@@ -41,7 +51,6 @@ export interface PeerParts extends PeerContext {
 interface FirstTold {
   readonly clients: Set<string>;
   readonly interests: Set<string>;
-  readonly topics: Set<string>;
   readonly sessions: Set<string>;
 }
 
@@ -55,6 +64,14 @@ export class Peer {
   readonly #interests = new Map<string, ClusterInterest>();
   #first: FirstTold | undefined = undefined;
   #silentLooks = 0;
+  #looksSinceListen = 0;
+  /** Streams that ended before they had said all, one after the other. */
+  #failures = 0;
+  #waitLooks = 0;
+  #isToListen = false;
+  /** Topics whose values or records were told in this stream, until the others are ended. */
+  #toldTopics: Set<string> | undefined = undefined;
+  #valuesLooks = 0;
   /** Times that something that it told was missing. */
   gaps = 0;
 
@@ -71,19 +88,19 @@ export class Peer {
     this.#first = {
       clients: new Set(),
       interests: new Set(),
-      topics: new Set(),
       sessions: new Set(),
     };
+    this.#toldTopics = new Set();
+    this.#valuesLooks = 0;
     this.#silentLooks = 0;
+    this.#looksSinceListen = 0;
     this.#incoming.listen();
   }
 
   /** It asks for all that this master has. [CU-5] */
   handleListen(stream: number): void {
     this.#outgoing.restart(stream);
-    for (const clients of chunks(this.#parts.directory.own(), CLIENTS_PER_PART)) {
-      this.#outgoing.send({ clients: clients.map(describeClient) });
-    }
+    this.tellClients(this.#parts.directory.own(), []);
     for (const news of this.#parts.mirror.own()) this.#outgoing.send({ sessionNews: [news] });
     for (const wanted of chunks(this.#parts.interest.list(), INTERESTS_PER_PART)) {
       this.#outgoing.send({ wanted });
@@ -100,10 +117,24 @@ export class Peer {
       this.#silentLooks = 0;
       this.#apply(part);
     } else if (place === 'gap') this.#listenAgain();
+    else if (this.#looksSinceListen < OLD_PARTS_LOOKS) this.#silentLooks = 0;
   }
 
-  tellClients(clients: readonly Init<ClusterClient>[], goneClients: readonly string[]): void {
-    this.#outgoing.send({ clients: [...clients], goneClients: [...goneClients] });
+  tellClients(clients: readonly Client[], goneClients: readonly string[]): void {
+    if (goneClients.length > 0) this.#outgoing.send({ goneClients: [...goneClients] });
+    let told: Init<ClusterClient>[] = [];
+    let byteLength = 0;
+    for (const client of clients) {
+      const size = CLIENT_BYTES + client.account.used(RESOURCE.registrationBytes);
+      if (told.length > 0 && byteLength + size > CLIENTS_BYTES) {
+        this.#outgoing.send({ clients: told });
+        told = [];
+        byteLength = 0;
+      }
+      told.push(describeClient(client));
+      byteLength += size;
+    }
+    if (told.length > 0) this.#outgoing.send({ clients: told });
   }
 
   tellSession(news: Init<ClusterSessionNews>): void {
@@ -130,7 +161,12 @@ export class Peer {
   /** To be called about once a second: says that this master is there, and notices when the other is not. */
   sweep(): void {
     this.#outgoing.keepAlive();
+    this.#subscriber.sweep();
+    this.#looksSinceListen++;
+    if (this.#valuesLooks > 0 && --this.#valuesLooks === 0) this.#endOtherValues();
+    if (this.#waitLooks > 0) this.#waitLooks--;
     if (++this.#silentLooks >= SILENT_LOOKS) this.#listenAgain();
+    else if (this.#isToListen && this.#waitLooks === 0) this.#listenNow();
   }
 
   close(): void {
@@ -140,11 +176,11 @@ export class Peer {
   #apply(part: ClusterPart): void {
     const { directory, told } = this.#parts;
     const first = this.#first;
+    for (const id of part.goneClients) directory.delete(this.id, id);
     for (const client of part.clients) {
       directory.set(this.id, client);
       first?.clients.add(client.client?.id ?? '');
     }
-    for (const id of part.goneClients) directory.delete(this.id, id);
     for (const news of part.sessionNews) {
       this.#parts.mirror.handleNews(this.id, news);
       first?.sessions.add(news.session?.id ?? '');
@@ -155,16 +191,24 @@ export class Peer {
     }
     for (const interest of part.wanted) this.#want(interest);
     for (const interest of part.unwanted) this.#endWant(interestKey(interest));
-    if (part.values !== undefined) {
-      for (const topic of told.publish(this.id, part.values, true)) first?.topics.add(topic);
-    }
-    if (part.records !== undefined) told.publish(this.id, part.records, false);
+    const topics = this.#toldTopics;
+    if (part.values !== undefined) told.publish(this.id, part.values, true, topics);
+    if (part.records !== undefined) told.publish(this.id, part.records, false, topics);
     if (part.complete && first !== undefined) this.#endOthers(first);
   }
 
-  /** [CU-7] */
+  /** Something is missing [CU-7]. Who cannot be understood is not asked all the time. */
   #listenAgain(): void {
+    if (this.#isToListen) return;
     this.gaps++;
+    this.#isToListen = true;
+    if (this.#waitLooks === 0) this.#listenNow();
+  }
+
+  #listenNow(): void {
+    this.#isToListen = false;
+    this.#waitLooks = Math.min(LONGEST_WAIT_LOOKS, 2 ** this.#failures - 1);
+    this.#failures = Math.min(this.#failures + 1, 10);
     this.listen();
   }
 
@@ -185,19 +229,27 @@ export class Peer {
   /** What was known before the stream began, and was not told in it, is over. */
   #endOthers(first: FirstTold): void {
     this.#first = undefined;
-    const { directory, topics } = this.#parts;
+    this.#failures = 0;
+    // It may learn only now what is wanted here, and has told no value because of that.
+    this.#valuesLooks = VALUES_LOOKS;
+    const { directory, mirror } = this.#parts;
     for (const id of directory.idsOf(this.id)) {
       if (!first.clients.has(id)) directory.delete(this.id, id);
     }
-    const { mirror } = this.#parts;
     for (const id of mirror.idsOf(this.id)) {
       if (!first.sessions.has(id)) mirror.delete(this.id, id);
     }
     for (const key of [...this.#interests.keys()]) {
       if (!first.interests.has(key)) this.#endWant(key);
     }
+  }
+
+  #endOtherValues(): void {
+    const told = this.#toldTopics;
+    this.#toldTopics = undefined;
+    const { topics } = this.#parts;
     for (const entry of topics.values()) {
-      if (!first.topics.has(entry.topic)) endForeign(topics, entry, this.id);
+      if (told?.has(entry.topic) === false) endForeign(topics, entry, this.id);
     }
   }
 }

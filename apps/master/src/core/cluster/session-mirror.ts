@@ -1,5 +1,6 @@
 import { INFO_TOPICS, type ClusterSessionNews, type Init } from '@ubii/proto';
 import type { MasterPublisher } from '../info/master-publisher.ts';
+import type { OwnerStore } from '../ports/owner-store.ts';
 import type { ForeignSessions } from '../sessions/foreign-sessions.ts';
 import type { SessionTable } from '../sessions/session-table.ts';
 
@@ -8,6 +9,9 @@ export interface MirrorContext {
   readonly publisher: Pick<MasterPublisher, 'publish'>;
   readonly foreignSessions: ForeignSessions;
   readonly sessionTable: SessionTable;
+  readonly owners: OwnerStore;
+  /** Whether this master is heard now. */
+  readonly isThere: (masterId: string) => boolean;
 }
 
 const NEWS_TOPICS = new Set<string>(Object.values(INFO_TOPICS));
@@ -34,11 +38,19 @@ export class SessionMirror {
   handleNews(masterId: string, { topic, session }: ClusterSessionNews): void {
     const { foreignSessions, sessionTable, publisher } = this.#context;
     if (session === undefined || session.id === '') return;
-    // Two run it after they were apart: who owns it decides. [CU-34]
-    if (sessionTable.get(session.id) !== undefined) return;
+    if (!this.#mayBeOf(masterId, session.id)) return;
     if (topic === INFO_TOPICS.deleteSession) foreignSessions.delete(masterId, session.id);
     else foreignSessions.set(masterId, session);
+    // Two run it after they were apart: who owns it decides. [CU-34]
+    if (sessionTable.get(session.id) !== undefined) return;
     if (NEWS_TOPICS.has(topic)) publisher.publish(topic, { session });
+  }
+
+  /** A master that was apart may tell of a session that another one has taken over. */
+  #mayBeOf(masterId: string, sessionId: string): boolean {
+    const { owners, isThere } = this.#context;
+    const ownerId = owners.owners().get(sessionId);
+    return ownerId === undefined || ownerId === masterId || !isThere(ownerId);
   }
 
   /** It is not there any more, although nobody told. */

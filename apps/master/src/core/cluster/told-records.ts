@@ -26,15 +26,19 @@ export class ToldRecords {
   /**
    * @param masterId where they were published
    * @param isValues they are values that stand, and not new
-   * @returns their topics
+   * @param topics gets their topics
    * @throws DecodeError when one cannot be read, after those before it
    */
-  publish(masterId: string, told: ClusterRecords, isValues: boolean): string[] {
+  publish(
+    masterId: string,
+    told: ClusterRecords,
+    isValues: boolean,
+    topics: Set<string> | undefined,
+  ): void {
     const { clock } = this.#context;
     const publication = this.#publication;
     publication.nowMs = clock.nowMs();
     publication.monotonicMs = clock.monotonicMs();
-    const topics: string[] = [];
     for (const [i, record] of told.records.entries()) {
       const { topic, valueField } = readRecordHead(record, this.#texts);
       publication.topic = topic;
@@ -47,9 +51,8 @@ export class ToldRecords {
         stamp: told.stamps[i] ?? 0,
         isValue: isValues,
       });
-      if (isValues) topics.push(topic);
+      topics?.add(topic);
     }
     publication.frame = NO_BYTES;
-    return topics;
   }
 }

@@ -226,7 +226,8 @@ export class DeviceRegistry {
       const entry = ioType === ComponentIOType.SUBSCRIBER ? undefined : topics.get(topic);
       if (entry === undefined || entry.isMasters) continue;
       // A client cannot delete values of other publishers by naming their topic in a device.
-      if (entry.owner === undefined || entry.owner === client) topics.deleteValue(entry);
+      const isNobodys = entry.owner === undefined && entry.originId === '';
+      if (isNobodys || entry.owner === client) topics.deleteValue(entry);
     }
   }
 }

@@ -24,6 +24,15 @@ export function forward(
   return masterId === undefined ? undefined : core.masters.call(masterId, request, facts);
 }
 
+/** Another master carried the call here, but its client or session has gone elsewhere meanwhile. @throws ServiceError */
+export function requireHere(core: Parts, service: Service, request: ServiceRequest): void {
+  if (masterOf(core, service.targetOf(request)) === undefined) return;
+  throw new ServiceError(
+    'unavailable',
+    'What the request is about has gone to another master. Send the request again.',
+  );
+}
+
 function masterOf(core: Parts, { clientId, session, moduleId }: CallTarget): string | undefined {
   if (clientId !== undefined && clientId !== '') return masterOfClient(core, clientId);
   if (session !== undefined) return masterOfSession(core, session);

@@ -81,13 +81,18 @@ export async function endGrant(
 export function watchGrants(core: GrantParts): Cancel {
   const look = (): void => {
     for (const grant of core.access.grants.takeOver()) {
-      void endGrant(core, grant, { reason: 'expired' }, false);
+      void endGrant(core, grant, { reason: 'expired' }, false); // writes nothing
       core.log.info('an invitation expired', { invitation: grant.label || grant.id });
     }
   };
   look();
   core.access.grants.onRevoked.add((grant) => {
-    void endGrant(core, grant, { reason: 'revoked' }, grant.isHandedOver); // [CU-27]
+    // The master that revoked it hands over what is stored. [CU-27]
+    endGrant(core, grant, { reason: 'revoked' }, grant.isHandedOver).catch((error: unknown) =>
+      core.log.warn('what was made with an invitation could not be handed over', {
+        reason: String(error),
+      }),
+    );
   });
   return core.clock.every(LOOK_INTERVAL_MS, look);
 }

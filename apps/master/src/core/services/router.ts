@@ -6,7 +6,7 @@ import type { ServiceAnswer } from './service-answer.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import { boundTexts } from '../texts/bound-texts.ts';
 import { quote } from '../texts/quote.ts';
-import { forward } from './forward.ts';
+import { forward, requireHere } from './forward.ts';
 import { findService } from './all-services.ts';
 import { openAuditOf, writeResult } from './audit.ts';
 import type { Service } from './define-service.ts';
@@ -101,12 +101,13 @@ async function handle(
 ): Promise<ServiceAnswer> {
   if (service === undefined) throw unknownService(request.topic);
   const actsFor = service.subjectOf(request);
+  if (call.isOfMaster) requireHere(core, service, request);
   core.access.authorize(call.caller, service, request.topic, actsFor);
   requirePayload(service.info, request);
   const bounded = withBoundTexts(core, request, actsFor);
   if (service.isSignOfLife && core.access.mayActFor(call.caller, actsFor)) {
     const client = core.clients.get(actsFor);
-    if (client !== undefined) core.clients.handleSign(client);
+    if (client !== undefined && client.home === undefined) core.clients.handleSign(client);
   }
   let reply = await service.handle(core, bounded, call);
   if (service.gather !== undefined && core.masters !== undefined && !call.isOfMaster) {

@@ -40,7 +40,7 @@ export const SESSION_SERVICES = [
     handle: ({ sessions, foreignSessions }) => ({
       elements: [
         ...sessions.list().map((session) => session.toMessage()),
-        ...foreignSessions.list(),
+        ...foreignSessions.list().filter(({ id }) => !sessions.isOpen(id)),
       ],
     }),
   }),

@@ -13,6 +13,20 @@ export class ForeignSessions {
     return [...this.#sessions.values()].map(({ message }) => message);
   }
 
+  get(sessionId: string): SessionMessage | undefined {
+    return this.#sessions.get(sessionId)?.message;
+  }
+
+  /** Ids of sessions, with the master that runs each. */
+  masters(): [sessionId: string, masterId: string][] {
+    return [...this.#sessions].map(([id, { masterId }]) => [id, masterId]);
+  }
+
+  /** It is this master's now, or nobody's. */
+  forget(sessionId: string): void {
+    this.#sessions.delete(sessionId);
+  }
+
   /** Id of the master that runs this session; undefined for sessions that none does. */
   masterOf(sessionId: string): string | undefined {
     return this.#sessions.get(sessionId)?.masterId;

@@ -13,6 +13,8 @@ export interface ClaimsContext {
 /** Which sessions this master runs, as all masters of a cluster agree. Without others, all are its own. [CU-31] */
 export class SessionClaims {
   readonly #context: ClaimsContext;
+  /** Removed sessions whose owner is not told yet. */
+  readonly #releasing = new Set<string>();
 
   constructor(context: ClaimsContext) {
     this.#context = context;
@@ -49,8 +51,31 @@ export class SessionClaims {
   /** The session is removed. */
   release(sessionId: string): void {
     const { masterId, owners, log } = this.#context;
-    owners?.release(sessionId, masterId).catch((error: unknown) => {
-      log.warn('a session could not be given up', { session: sessionId, reason: String(error) });
-    });
+    if (owners === undefined) return;
+    this.#releasing.add(sessionId);
+    owners.release(sessionId, masterId).then(
+      () => this.#releasing.delete(sessionId),
+      (error: unknown) => {
+        log.warn('a session could not be given up', { session: sessionId, reason: String(error) });
+      },
+    );
+  }
+
+  /** Whether a session was removed whose owner this master still is, as far as others know. */
+  isReleasing(sessionId: string): boolean {
+    return this.#releasing.has(sessionId);
+  }
+
+  /** Claims sessions that could not be claimed, and gives up those that could not be given up. [CU-34] */
+  retry(sessionIds: Iterable<string>): void {
+    const { masterId, owners, log } = this.#context;
+    if (owners === undefined) return;
+    for (const id of this.#releasing) this.release(id);
+    for (const id of sessionIds) {
+      if (owners.owners().has(id)) continue;
+      owners.claim(id, masterId, undefined).catch((error: unknown) => {
+        log.warn('a session could not be claimed', { session: id, reason: String(error) });
+      });
+    }
   }
 }

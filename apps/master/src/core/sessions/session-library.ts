@@ -30,6 +30,8 @@ export class SessionLibrary {
   };
   /** The newest write of each session that is under way, by id. */
   readonly #remembering = new Map<string, Promise<void>>();
+  /** What could not be stored, by id. */
+  readonly #unsaved = new Map<string, { readonly session: Session; readonly isToStart: boolean }>();
   #isClosed = false;
 
   constructor(parts: {
@@ -133,13 +135,18 @@ export class SessionLibrary {
     if (this.#isClosed) return;
     const { store } = this.#running;
     const done = isToStart
-      ? store.write(session.id, this.#toJson(session, this.remembersAll && session.isLive))
-      : store.documents().has(session.id)
+      ? store.write(
+          session.id,
+          this.#toJson(session, this.remembersAll && session.isLive && !session.isPaused),
+        )
+      : this.remembersAll || store.documents().has(session.id)
         ? store.delete(session.id)
         : Promise.resolve();
     this.#remembering.set(session.id, done);
     done
+      .then(() => this.#unsaved.delete(session.id))
       .catch((error: unknown) => {
+        this.#unsaved.set(session.id, { session, isToStart });
         this.#log.error('the list of running sessions could not be saved', {
           session: session.label,
           reason: String(error),
@@ -148,6 +155,13 @@ export class SessionLibrary {
       .finally(() => {
         if (this.#remembering.get(session.id) === done) this.#remembering.delete(session.id);
       });
+  }
+
+  /** Tries again what could not be stored. [CU-33] */
+  rememberUnsaved(): void {
+    const unsaved = [...this.#unsaved.values()];
+    this.#unsaved.clear();
+    for (const { session, isToStart } of unsaved) this.remember(session, isToStart);
   }
 
   /** Resolves when the last state passed to `remember` is on disk. @throws ServiceError when it could not be written */

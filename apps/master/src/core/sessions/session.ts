@@ -29,6 +29,8 @@ export class Session {
   readonly troubles = new Map<string, SessionProblem>();
   /** All its modules ran at once since it was started: `/info/session/running` was published. */
   wasRunning = false;
+  /** Another master runs it now: what is stored of it is that master's. [CU-34] */
+  isGivenUp = false;
   /** The master started it at startup, and no user since. Only users stop it [SE-24]. */
   isRestored = false;
   /** When it was told to stop, monotonic milliseconds. */

@@ -243,6 +243,7 @@ export class Sessions {
   giveUp(session: Session): void {
     const { life, table, topics } = this.#context;
     table.delete(session);
+    session.isGivenUp = true;
     session.life = 'stopped';
     life.local.sync(session.id, []);
     topics.endSession(session.id);
@@ -397,11 +398,12 @@ export class Sessions {
     const { ids, table, life, drafts } = this.#context;
     this.#requireRoom();
     const { draft, warnings } = await makeDraft(drafts, message);
+    this.#requireRoom();
+    this.#requireSpace(message);
     const isFree = isUuid(as.id) && table.get(as.id) === undefined;
     const id = isFree ? as.id : ids.uuid();
     await this.#context.claims.claim(id);
-    this.#requireRoom();
-    const byteLength = this.#requireSpace(message);
+    const byteLength = this.#requireClaimed(id, message);
     const session = new Session(id, draft, as.isStored, as.grantIds);
     session.revision = Math.max(1, as.revision);
     this.#noteMakers(session, draft, '');
@@ -412,6 +414,24 @@ export class Sessions {
     life.news.announceNew(session);
     if (this.#context.claims.isShared) life.onModules.emit(session); // [CU-33]
     return session;
+  }
+
+  /** What was checked before a claim still holds. @returns bytes of the session @throws ServiceError */
+  #requireClaimed(id: string, message: SessionMessage): number {
+    const { claims, table } = this.#context;
+    if (table.get(id) !== undefined) {
+      throw new ServiceError(
+        'unavailable',
+        'This session was opened meanwhile. Send the request again.',
+      );
+    }
+    try {
+      this.#requireRoom();
+      return this.#requireSpace(message);
+    } catch (error) {
+      claims.release(id);
+      throw error;
+    }
   }
 
   /** Mappings of a session stand in the order of its modules, which those of a request need not. */

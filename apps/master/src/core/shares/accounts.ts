@@ -5,7 +5,7 @@ import type { LimitName } from '../limits/index.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Account } from './account.ts';
 import { describeShortage, limitOf, type Shortage } from './shortage.ts';
-import { RESOURCE_INFO, RESOURCES, type Resource } from './resources.ts';
+import { RESOURCE, RESOURCE_INFO, RESOURCES, type Resource } from './resources.ts';
 import { CLASS_SHARES, type ShareClass } from './share-classes.ts';
 
 /** Time until the next search for a client that could free resources, after a search without a result, milliseconds. */
@@ -92,9 +92,14 @@ export class Accounts {
     });
   }
 
-  /** An account for a client of another master, which bounds it. [CU-20] */
+  /** An account for a client of another master, or that master. It is bounded there, but for what it makes here. [CU-20] */
   createForeign(id: string): Account {
-    return new Account({ kind: 'client', id, max: unlimited() });
+    const max = unlimited();
+    const bounded = this.#maxOfClient({ shareClass: 'participant', invitation: undefined });
+    for (const resource of [RESOURCE.topics, RESOURCE.retainedBytes, RESOURCE.queueBytes]) {
+      max[resource] = bounded[resource]!;
+    }
+    return new Account({ kind: 'client', id, max });
   }
 
   /** An account for a session. @param max its limits; what is left out has none of its own */

@@ -12,6 +12,9 @@ export class BatchNode implements RecordBatch {
   readonly entry: TopicEntry | undefined;
   readonly record: Uint8Array | undefined;
   readonly isEvent: boolean;
+  /** Of the record, as it was when it was appended: the topic may have another value by now. [CU-12] */
+  readonly stamp: number;
+  readonly publisherId: string;
   readonly count: number;
   readonly byteLength: number;
   #next: BatchNode | undefined = undefined;
@@ -25,24 +28,28 @@ export class BatchNode implements RecordBatch {
     entry: TopicEntry | undefined,
     record: Uint8Array | undefined,
     isEvent: boolean,
+    stamp: number,
   ) {
     this.previous = previous;
     this.entry = entry;
     this.record = record;
     this.isEvent = isEvent;
+    this.stamp = stamp;
+    this.publisherId = entry?.publisherId ?? '';
     this.count = previous === undefined ? 0 : previous.count + 1;
     this.byteLength = (previous?.byteLength ?? 0) + (record?.byteLength ?? 0);
   }
 
   /** The empty node that a chain begins with. */
   static empty(): BatchNode {
-    return new BatchNode(undefined, undefined, undefined, false);
+    return new BatchNode(undefined, undefined, undefined, false, 0);
   }
 
-  append(entry: TopicEntry, record: Uint8Array, isEvent: boolean): BatchNode {
+  /** @param stamp of a record that waited. Default: that of the value of the topic */
+  append(entry: TopicEntry, record: Uint8Array, isEvent: boolean, stamp = entry.stamp): BatchNode {
     const next = this.#next;
     if (next !== undefined && next.record === record) return next;
-    return (this.#next = new BatchNode(this, entry, record, isEvent));
+    return (this.#next = new BatchNode(this, entry, record, isEvent, stamp));
   }
 
   get records(): readonly Uint8Array[] {

@@ -17,6 +17,7 @@ function createWorld() {
     ...{ id: 'b', topics, replayed, limits: DEFAULT_LIMITS },
     counters: new Counters(),
     tap: new RecordTap(),
+    kept: { handleReplaced: () => undefined } as unknown as ForeignContext['kept'],
   };
   const entry = topics.getOrCreate('/a');
   const got: Uint8Array[] = [];

@@ -2,6 +2,7 @@ import type { Counters } from '../counters/counters.ts';
 import type { Limits } from '../limits/index.ts';
 import { crosses } from './crossing.ts';
 import { isNewer } from './stamps.ts';
+import type { KeptValues } from './kept-values.ts';
 import type { Publication } from './publication.ts';
 import type { RecordTap } from './record-tap.ts';
 import type { ReplayedTopics } from './replayed-topics.ts';
@@ -18,6 +19,7 @@ export interface ForeignContext {
   readonly counters: Counters;
   readonly tap: RecordTap;
   readonly replayed: ReplayedTopics;
+  readonly kept: KeptValues;
 }
 
 /** Where a record was published, and when compared with others of its topic. */
@@ -55,7 +57,7 @@ export function publishForeign(
 }
 
 function deliver(
-  { topics, counters, tap }: ForeignContext,
+  { topics, counters, tap, kept }: ForeignContext,
   entry: TopicEntry,
   publication: Publication,
   origin: Origin,
@@ -66,6 +68,7 @@ function deliver(
   const record = publication.keepRecord();
   counters.recordsFromMasters++;
   if (isKept) {
+    if (entry.isKept) kept.handleReplaced(entry);
     topics.store(entry, record, valueField, publication.nowMs);
     entry.publisherId = origin.publisherId;
     entry.originId = origin.masterId;

@@ -61,6 +61,15 @@ export class KeptValues {
     if (owner !== undefined) this.#forgetIfEmpty(owner);
   }
 
+  /** A newer value of another master takes its place, which nobody owns here. [CU-12] */
+  handleReplaced(entry: TopicEntry): void {
+    const owner = this.#owners.get(entry.owner?.id ?? '');
+    this.#endMs.delete(entry);
+    entry.isKept = false;
+    if (entry.owner !== undefined) this.#context.topics.disown(entry);
+    if (owner !== undefined) this.#forgetIfEmpty(owner);
+  }
+
   /** Deletes what was kept for a client [TD-46]. */
   deleteOf(clientId: string): void {
     const owner = this.#owners.get(clientId);

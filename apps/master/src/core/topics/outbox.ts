@@ -169,7 +169,7 @@ export class Outbox implements TurnTask {
       while (batch.byteLength < this.#context.limits.batchBytes) {
         const taken = this.#waiting.take();
         if (taken === undefined) break;
-        batch = batch.append(taken.entry, taken.record, taken.isEvent);
+        batch = batch.append(taken.entry, taken.record, taken.isEvent, taken.stamp);
       }
       if (this.#waiting.count === 0) this.#waiting = undefined;
       this.#hand(batch);
@@ -193,8 +193,8 @@ export class Outbox implements TurnTask {
     this.#batch = undefined;
     if (nodes.length === 0) return;
     this.#waiting ??= this.#createWaiting();
-    for (const { entry, record, isEvent } of nodes) {
-      this.#waiting.push(entry!, record!, isEvent); // [TD-31]
+    for (const { entry, record, isEvent, stamp } of nodes) {
+      this.#waiting.push(entry!, record!, isEvent, stamp); // [TD-31]
     }
   }
 

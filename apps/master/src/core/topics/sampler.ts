@@ -74,6 +74,11 @@ export class Sampler implements TopicSampler {
     this.#outbox.withdraw(entry);
   }
 
+  handleGone(sample: Sample): void {
+    this.cancel(sample);
+    this.#outbox.handleGone(sample.entry);
+  }
+
   /** The connection is closed: what is held back is queued for replay [TD-33]. */
   close(): void {
     for (const { entry } of this.#holding ?? []) this.#outbox.queueReplay(entry);

@@ -26,6 +26,9 @@ export type SubscriberFactory = (
   isPeer?: boolean,
 ) => ClientSubscriber;
 
+/** More than anybody spends. */
+const UNBOUNDED = 1e12;
+
 /** All subscribers share the end of the turn. */
 export function subscriberFactory(parts: SubscriberParts): SubscriberFactory {
   const { clock, limits, counters, endOfTurn, batches, topics } = parts;
@@ -58,7 +61,10 @@ export function subscriberFactory(parts: SubscriberParts): SubscriberFactory {
       account,
       readRights: undefined,
       sampler: new Sampler(outbox, samplerContext, isPeer),
-      patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),
+      // What the subscribers of another master may spend, that master watches.
+      patternBudget: isPeer
+        ? new TokenBucket(UNBOUNDED, clock.monotonicMs())
+        : new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),
       topics: new Set(),
       patterns: new Set(),
       selections: new Set(),

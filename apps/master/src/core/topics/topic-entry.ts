@@ -184,6 +184,8 @@ export interface TopicSampler {
   release(sample: Sample): void;
   /** [TD-47] */
   withdraw(sample: Sample): void;
+  /** The value of its topic was deleted. [CU-14] */
+  handleGone(sample: Sample): void;
 }
 
 const EVENT_FIELDS = new Set(

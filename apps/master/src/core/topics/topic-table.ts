@@ -135,19 +135,19 @@ export class TopicTable {
    */
   deleteValue(entry: TopicEntry): void {
     if (entry.record === undefined) return;
-    if (entry.originId !== '' && entry.owner !== undefined) this.#disown(entry);
+    if (entry.originId !== '' && entry.owner !== undefined) this.disown(entry);
     else this.#deleteValue(entry);
   }
 
   /** Deletes a value that came from another master, whoever owns it here. */
   dropForeign(entry: TopicEntry): void {
     if (entry.record === undefined || entry.originId === '') return;
-    if (entry.owner !== undefined) this.#disown(entry);
+    if (entry.owner !== undefined) this.disown(entry);
     this.#deleteValue(entry);
   }
 
-  /** Gives a value that came from another master to nobody: the master pays for it. */
-  #disown(entry: TopicEntry): void {
+  /** Gives a value to nobody: the master pays for it. */
+  disown(entry: TopicEntry): void {
     const bytes = entry.record!.byteLength;
     entry.payer?.add(RESOURCE.retainedBytes, -bytes);
     entry.owner!.ownedTopics.delete(entry);
@@ -166,9 +166,11 @@ export class TopicTable {
     this.settlePayer(entry);
     entry.changedEpoch = this.#epoch;
     // Modules that use it are told, here and on nodes, and masters whose subscribers have it. [TD-42] [CU-14]
-    const { direct, ownDirect } = this.targetsOf(entry);
-    const count = entry.originId === '' ? direct.length : ownDirect;
+    const { direct, sampled, ownDirect, ownSampled } = this.targetsOf(entry);
+    const isOwn = entry.originId === '';
+    const count = isOwn ? direct.length : ownDirect;
     for (let i = 0; i < count; i++) direct[i]!.handleGone(entry);
+    for (const sample of isOwn ? sampled.slice(ownSampled) : []) sample.sampler.handleGone(sample);
     entry.originId = '';
     this.onEnd.emit(entry);
     this.forgetIfUnused(entry);

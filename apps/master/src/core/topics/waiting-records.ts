@@ -5,6 +5,7 @@ import type { TopicEntry } from './topic-entry.ts';
 interface WaitingRecord {
   readonly record: Uint8Array;
   readonly isEvent: boolean;
+  readonly stamp: number;
 }
 
 /** One record taken out of the queue. */
@@ -53,7 +54,7 @@ export class WaitingRecords {
     return this.#topics.has(entry);
   }
 
-  push(entry: TopicEntry, record: Uint8Array, isEvent: boolean): void {
+  push(entry: TopicEntry, record: Uint8Array, isEvent: boolean, stamp = entry.stamp): void {
     let waiting = this.#topics.get(entry);
     if (waiting === undefined) {
       waiting = [];
@@ -66,7 +67,7 @@ export class WaitingRecords {
     } else if (waiting.length >= this.#bounds.maxEventsPerTopic) {
       this.#dropped(entry, waiting.shift()!);
     }
-    waiting.push({ record, isEvent });
+    waiting.push({ record, isEvent, stamp });
     this.#count++;
     this.#grow(record.byteLength);
     const { account } = this.#bounds;
@@ -78,13 +79,13 @@ export class WaitingRecords {
   /** The record whose turn it is, removed from the queue. */
   take(): TakenRecord | undefined {
     for (const [entry, waiting] of this.#topics) {
-      const { record, isEvent } = waiting.shift()!;
+      const taken = waiting.shift()!;
       this.#topics.delete(entry);
       // To the end of the line, or a topic with many events would starve the others.
       if (waiting.length > 0) this.#topics.set(entry, waiting);
-      this.#grow(-record.byteLength);
+      this.#grow(-taken.record.byteLength);
       this.#count--;
-      return { entry, record, isEvent };
+      return { entry, ...taken };
     }
     return undefined;
   }

@@ -101,7 +101,8 @@ export class Scout {
       exchange.cancel();
     };
     exchange.reply.then(
-      () => finish(true),
+      // A master says how it is, or why it does not; other servers answer as well.
+      ({ server, error }) => finish((server ?? error) !== undefined),
       () => finish(false),
     );
   }
