@@ -21,7 +21,7 @@ function chances(): () => number {
 }
 
 /** Scouts of many clients that lost the same master, which does not come back. */
-function setup(options: { clients?: number; answers?: boolean } = {}) {
+function setup(options: { clients?: number; answers?: boolean; isMaster?: boolean } = {}) {
   const clock = new FakeClock();
   const random = chances();
   const asked: { readonly url: string; readonly ms: number }[] = [];
@@ -33,7 +33,7 @@ function setup(options: { clients?: number; answers?: boolean } = {}) {
       const reply =
         options.answers === false
           ? Promise.reject(new ConnectionError('refused', 'gone'))
-          : Promise.resolve({} as never);
+          : Promise.resolve((options.isMaster === false ? {} : { server: {} }) as never);
       return { reply, cancel: () => undefined };
     },
   });
@@ -77,6 +77,13 @@ describe('looking for another master', () => {
     const slots = Array.from({ length: 10 }, (_, i) => 2_000 + i * 100);
     const inSlots = slots.map((from) => visits.filter(({ ms }) => ms >= from && ms < from + 100));
     for (const slot of inSlots) expect(slot.length).toBeGreaterThan(10);
+  });
+
+  it('[CU-82] does not go to a server that answers and is no master', async () => {
+    const { clock, asked, visits } = setup({ isMaster: false });
+    await clock.advance(20_000);
+    expect(asked.length).toBeGreaterThan(3);
+    expect(visits).toEqual([]);
   });
 
   it('[CU-84] asks all of them in each round, and later rounds more slowly', async () => {
