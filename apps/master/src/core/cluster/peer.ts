@@ -27,7 +27,7 @@ const CLIENT_BYTES = 512;
 const VALUES_LOOKS = 4;
 /** Looks in which parts of an earlier stream may still come. */
 const OLD_PARTS_LOOKS = 20;
-/** The longest wait before a stream is asked for that was asked for in vain, looks. */
+/** The longest wait before a stream is asked for that was asked for without effect, looks. */
 const LONGEST_WAIT_LOOKS = 60;
 /** Looks at a stream without a part, after which it is asked for again. */
 const SILENT_LOOKS = 5;

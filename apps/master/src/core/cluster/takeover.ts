@@ -107,7 +107,7 @@ export class Takeover {
     try {
       if (await owners.claim(key, id, from)) this.#continue(key, from);
     } catch (error) {
-      // If it was taken all the same, `look` finds it.
+      // If it was taken anyway, `look` finds it.
       log.warn('a session could not be taken over', { session: key, reason: String(error) });
     } finally {
       this.#claiming.delete(key);
