@@ -105,9 +105,9 @@ describe('Unity node, by hand', () => {
     const { guest, id } = await enter('callBinary', 'Unity node');
     await guest.open(id, '', Buffer.from('PONG'));
     await guest.frames.waitFor(
-      'the fifth ping',
+      'the third ping',
       (frame) => 'text' in frame && frame.text === 'PING',
-      5,
+      3,
     );
     const ours = await room.oursJoins();
     const listed = await room.listed(ours, id);

@@ -4,8 +4,8 @@ import { suiteName, useRoom, whyMissing } from '../harness/room.ts';
 
 const room = useRoom();
 
-/** A client that answers is pinged about every 1.5 s: five pings take longer than the 5 s of CL-13. */
-const PINGS = 5;
+/** A client that answers is pinged about every 3 s: three pings take longer than the 5 s of CL-13. */
+const PINGS = 3;
 
 describe.each(CLIENT_KINDS)('%s', (kind) => {
   describe.skipIf(whyMissing(kind))(suiteName(kind), () => {

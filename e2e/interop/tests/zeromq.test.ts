@@ -6,8 +6,8 @@ import { suiteName, useRoom, whereClientsLook, whyMissing } from '../harness/roo
 
 const room = useRoom();
 
-/** A client that answers is pinged about every 1.5 s: five pings take longer than the 5 s of CL-13. */
-const PINGS = 5;
+/** A client that answers is pinged about every 3 s: three pings take longer than the 5 s of CL-13. */
+const PINGS = 3;
 /** Interval at which a value is published again until a node runs, milliseconds. */
 const PUBLISH_AGAIN_MS = 200;
 
