@@ -1,6 +1,7 @@
 import { PersonalLabels } from '../personal-data/personal-labels.ts';
 import { DEFAULT_FLIGHT_RECORDER } from '../recordings/flight-settings.ts';
 import { NodeRecordings } from '../recordings/node-recordings.ts';
+import { recordingInterest } from '../recordings/recording-interest.ts';
 import { RecordCollector } from '../recordings/record-collector.ts';
 import { Recordings } from '../recordings/recordings.ts';
 import type { ClientArea } from './clients.ts';
@@ -14,16 +15,17 @@ export type RecordingArea = ReturnType<typeof createRecordings>;
 
 export type RecordingDependencies = Pick<
   MasterPorts,
-  'clock' | 'ids' | 'log' | 'patterns' | 'recorder' | 'personalData'
+  'clock' | 'ids' | 'log' | 'patterns' | 'recorder' | 'personalData' | 'cluster'
 > &
   Pick<Foundation, 'settings' | 'limits' | 'limitWatch' | 'onClose'> &
-  Pick<TopicArea, 'topics' | 'tap' | 'publisher'> &
+  Pick<TopicArea, 'topics' | 'tap' | 'publisher' | 'subscriptions' | 'accounts'> &
   Pick<ClientArea, 'clients' | 'devices'> &
   Pick<SessionArea, 'sessions' | 'reports'>;
 
 export function createRecordings(dependencies: RecordingDependencies) {
   const { settings, limitWatch: limits, sessions, onClose } = dependencies;
-  const collector = new RecordCollector(dependencies);
+  const interest = dependencies.cluster === undefined ? undefined : recordingInterest(dependencies);
+  const collector = new RecordCollector({ ...dependencies, interest });
   const personalLabels = new PersonalLabels({
     ...dependencies,
     limits,

@@ -35,7 +35,7 @@ export function createStudies(dependencies: StudyDependencies) {
   const finder = new DeviceFinder({ ...dependencies, masterId: nodes.masterId, masterName, rates });
   const store = new StudyStore({ storage: dependencies.studyStorage, limits, log });
   const checks = new StudyChecks({ clock, limits, rates, finder });
-  const ownValues = new OwnValues({ store, topics });
+  const ownValues = new OwnValues({ store, topics, clock });
   const news = new StudyNews({ ...dependencies, store, checks });
   const blocks = new StudyBlocks({
     ...dependencies,

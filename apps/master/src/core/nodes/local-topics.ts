@@ -3,12 +3,13 @@ import type { EncodedRecord, TopicListener, TopicPort, TopicSelector } from '@ub
 import { globToRegExpSource } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
 import { TokenBucket, type Clock } from '@ubii/timing';
-import type { LimitName, Limits } from '../limits/index.ts';
+import type { LimitName } from '../limits/index.ts';
 import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import type { RecordedSources } from '../topics/recorded-sources.ts';
+import { localSubscriber } from '../topics/local-subscriber.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Receiver, Subscriber, TopicEntry } from '../topics/topic-entry.ts';
 
@@ -254,28 +255,4 @@ class LocalRecord implements EncodedRecord {
     const { recordedSources, deviceOf } = this.#origins;
     return recordedSources.get(this.topic)?.deviceId ?? deviceOf(this.topic) ?? '';
   }
-}
-
-function localSubscriber(
-  clientId: string,
-  outbox: Receiver,
-  account: Account,
-  limits: Limits,
-  clock: Clock,
-): Subscriber {
-  const { patternMatchMs, patternMatchMsPerSecond } = limits;
-  return {
-    clientId,
-    isPeer: false,
-    isExtension: true,
-    outbox,
-    account,
-    readRights: undefined,
-    sampler: undefined,
-    patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),
-    topics: new Set(),
-    patterns: new Set(),
-    selections: new Set(),
-    watchers: new Set(),
-  };
 }

@@ -16,6 +16,7 @@ import {
 import type { RecordTaker, RecordTap } from '../topics/record-tap.ts';
 import { isEventField, type TappedSource, type TopicEntry } from '../topics/topic-entry.ts';
 import { MARKER_TOPIC_END, type Marking } from './marker-topics.ts';
+import type { RecordingInterest } from './recording-interest.ts';
 import { isImageField, type CompiledSelection } from './selection.ts';
 
 /** What a collector works with. */
@@ -24,6 +25,8 @@ export interface CollectorContext {
   readonly limits: Limits;
   readonly recorder: Recorder;
   readonly tap: RecordTap;
+  /** Asks the other masters for what is recorded here; undefined without a cluster. [CU-17] */
+  readonly interest: RecordingInterest | undefined;
 }
 
 /** A recording of a node: the master sends it the publishers of what it records. [RC-61] */
@@ -31,6 +34,18 @@ export interface RemoteRecording {
   readonly selection: CompiledSelection;
   /** Called for each publisher on each topic, as often as it is looked up. */
   readonly onSource: (topic: string, clientId: string) => void;
+}
+
+/** Whether a recording may begin with the value of a topic. [ST-26] */
+export type MayBeginWith = (entry: TopicEntry) => boolean;
+
+/** Something that records here. */
+interface Target {
+  readonly selection: CompiledSelection;
+  readonly startedMs: number;
+  readonly mayBeginWith: MayBeginWith;
+  /** Ends what it asks other masters for. */
+  readonly endInterest: (() => void) | undefined;
 }
 
 interface Loss {
@@ -55,7 +70,7 @@ const DEVICE_NEWS: ReadonlySet<string> = new Set([INFO_TOPICS.newDevice, INFO_TO
 /** Hands records to the recorder, some at a time, with what records them. [RC-50] */
 export class RecordCollector implements RecordTaker {
   readonly #context: CollectorContext;
-  readonly #selections = new Map<number, CompiledSelection>();
+  readonly #targets = new Map<number, Target>();
   readonly #remotes = new Set<RemoteRecording>();
   #flight: 'off' | 'with images' | 'without images' = 'off';
   #sources = new WeakMap<TopicEntry, Map<string, TappedSource>>();
@@ -85,29 +100,44 @@ export class RecordCollector implements RecordTaker {
   /** Bits of all that records. */
   get targets(): number {
     const flight = this.#flight === 'off' ? 0 : FLIGHT_TARGET;
-    return [...this.#selections.keys()].reduce((bits, target) => bits | target, flight);
+    return [...this.#targets.keys()].reduce((bits, target) => bits | target, flight);
   }
 
   get #isUnused(): boolean {
-    return this.#selections.size === 0 && !this.#isFlightUsed;
+    return this.#targets.size === 0 && !this.#isFlightUsed;
   }
 
   /** Records from now on what is selected, beginning with the values that topics have now. [RC-9] */
-  add(target: number, selection: CompiledSelection, topics: Iterable<TopicEntry>): void {
-    this.#change(() => this.#selections.set(target, selection));
-    const timeMs = this.#context.clock.nowMs();
-    for (const entry of topics) this.#addValue(entry, target, timeMs);
+  add(
+    target: number,
+    selection: CompiledSelection,
+    topics: Iterable<TopicEntry>,
+    mayBeginWith: MayBeginWith = () => true,
+  ): void {
+    const startedMs = this.#context.clock.nowMs();
+    const endInterest = this.#context.interest?.(selection.selection);
+    const added = { selection, startedMs, mayBeginWith, endInterest };
+    this.#change(() => this.#targets.set(target, added));
+    for (const entry of topics) {
+      if (mayBeginWith(entry)) this.#addValue(entry, target, startedMs);
+    }
     this.flush();
   }
 
   remove(target: number): void {
-    this.#change(() => this.#selections.delete(target));
+    const removed = this.#targets.get(target);
+    this.#change(() => this.#targets.delete(target));
+    removed?.endInterest?.();
   }
 
   /** Looks from now on for what a node records. @returns ends it */
   watch(remote: RemoteRecording): () => void {
     this.#change(() => this.#remotes.add(remote));
-    return () => this.#change(() => this.#remotes.delete(remote));
+    const endInterest = this.#context.interest?.(remote.selection.selection);
+    return () => {
+      this.#change(() => this.#remotes.delete(remote));
+      endInterest?.();
+    };
   }
 
   setFlight(isOn: boolean, withImages: boolean): void {
@@ -122,6 +152,16 @@ export class RecordCollector implements RecordTaker {
     const targets = isImageField(entry.valueField) ? source.targetsOfImages : source.targets;
     if (targets !== 0) this.#addToBatch(source, record, publishedMs, targets);
     if (source.isOfMarkers) this.#addMarking({ record, publisherId, timeMs: publishedMs });
+  }
+
+  takeValue(entry: TopicEntry, record: Uint8Array): void {
+    if (isEventField(entry.valueField)) return;
+    const source = this.#sourceOf(entry, entry.publisherId);
+    let targets = isImageField(entry.valueField) ? source.targetsOfImages : source.targets;
+    for (const [target, { startedMs, mayBeginWith }] of this.#targets) {
+      if (entry.stamp < startedMs && !mayBeginWith(entry)) targets &= ~target;
+    }
+    if (targets !== 0) this.#addToBatch(source, record, entry.publishedMs, targets);
   }
 
   /** Hands over what waits. */
@@ -197,7 +237,7 @@ export class RecordCollector implements RecordTaker {
     const isOfSession = topic.startsWith(SESSION_NEWS);
     const isOfClient = topic.startsWith(CLIENT_NEWS);
     if (!isOfSession && !isOfClient && !DEVICE_NEWS.has(topic)) return;
-    if (this.#selections.size > 0 || this.#remotes.size > 0) {
+    if (this.#targets.size > 0 || this.#remotes.size > 0) {
       this.#areSelectionsStale = true;
       this.#forgetSources();
     }
@@ -243,7 +283,7 @@ export class RecordCollector implements RecordTaker {
   }
 
   #refreshSelections(): void {
-    for (const selection of this.#selections.values()) selection.refresh();
+    for (const { selection } of this.#targets.values()) selection.refresh();
     for (const { selection } of this.#remotes) selection.refresh();
     this.#areSelectionsStale = false;
   }
@@ -253,7 +293,7 @@ export class RecordCollector implements RecordTaker {
     const flight = isInternalTopic(topic, clientId) ? 'off' : this.#flight;
     let targets = flight === 'off' ? 0 : FLIGHT_TARGET;
     let targetsOfImages = flight === 'with images' ? FLIGHT_TARGET : 0;
-    for (const [target, selection] of this.#selections) {
+    for (const [target, { selection }] of this.#targets) {
       if (!selection.selects(topic, clientId)) continue;
       targets |= target;
       if (!selection.withoutImages) targetsOfImages |= target;

@@ -24,14 +24,13 @@ import type {
   RecorderState,
   RecordingJob,
 } from '@ubii/recording/recorder';
-import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { NodeRecordings } from './node-recordings.ts';
 import { budgetOf } from './budget.ts';
 import { estimate } from './estimate.ts';
 import { FlightOrders } from './flight-orders.ts';
 import { presentEvents } from './present-facts.ts';
-import type { RecordCollector } from './record-collector.ts';
+import type { MayBeginWith, RecordCollector } from './record-collector.ts';
 import { RecordedClocks } from './recorded-clocks.ts';
 import { idleState, publishStatus } from './recording-news.ts';
 import { RecordingMarks } from './recording-marks.ts';
@@ -87,7 +86,7 @@ export interface RecordingPlan {
   /** Id of the node; empty for the master. [RC-60] @default the master */
   readonly nodeId?: string;
   /** Of recordings of the master: whether it may begin with the value of a topic. [RC-9] [ST-26] @default with each */
-  readonly mayBeginWith?: (entry: TopicEntry) => boolean;
+  readonly mayBeginWith?: MayBeginWith;
 }
 
 /** All that can be done with recordings and the flight recorder. */
@@ -144,7 +143,7 @@ export class Recordings {
   /** [RC-4] [RC-60] */
   async start(wish: RecordingWish, plan: RecordingPlan): Promise<Recording> {
     const { recorder, collector, limits, topics, atNodes } = this.#context;
-    const { selection, nodeId = '', mayBeginWith = () => true } = plan;
+    const { selection, nodeId = '', mayBeginWith } = plan;
     const budget = budgetOf(plan.budget, limits.limits);
     await this.#room.require();
     if (nodeId !== '') return atNodes.start(this.#jobOf(wish), { selection, budget }, nodeId);
@@ -153,8 +152,8 @@ export class Recordings {
     collector.flush();
     try {
       const started = recorder.start(job);
-      const first = [...topics.values()].filter(mayBeginWith);
-      collector.add(target, new CompiledSelection(selection, this.#context), first);
+      const compiled = new CompiledSelection(selection, this.#context);
+      collector.add(target, compiled, topics.values(), mayBeginWith);
       return await started;
     } catch (cause) {
       collector.remove(target);

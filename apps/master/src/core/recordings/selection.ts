@@ -42,7 +42,8 @@ export function isImageField(valueField: number): boolean {
 /** A selection, ready to be compared with topics and their publishers. [RC-10] [RC-13] */
 export class CompiledSelection {
   readonly withoutImages: boolean;
-  readonly #selection: RecordingSelection;
+  /** As it was written. */
+  readonly selection: RecordingSelection;
   readonly #context: SelectionContext;
   readonly #isAll: boolean;
   readonly #globs: readonly TopicTest[];
@@ -53,7 +54,7 @@ export class CompiledSelection {
   constructor(selection: RecordingSelection, context: SelectionContext) {
     const { topics, patterns, clients, devices, sessions } = selection;
     const named = [topics, patterns, clients, devices, sessions];
-    this.#selection = selection;
+    this.selection = selection;
     this.#context = context;
     this.#isAll = named.every((list) => list.length === 0);
     this.#globs = patterns.map(compileGlob);
@@ -71,7 +72,7 @@ export class CompiledSelection {
     if (this.#excluded.some((test) => test(topic))) return false;
     return (
       (this.#isAll && !isInternalTopic(topic, publisherId)) ||
-      this.#selection.topics.includes(topic) ||
+      this.selection.topics.includes(topic) ||
       this.#globs.some((test) => test(topic)) ||
       this.#selectsClient(publisherId) ||
       this.#selectsDevice(topic) ||
@@ -80,14 +81,14 @@ export class CompiledSelection {
   }
 
   #selectsClient(id: string): boolean {
-    const { clients } = this.#selection;
+    const { clients } = this.selection;
     if (clients.length === 0 || id === '') return false;
     const name = this.#context.clients.get(id)?.spec.name;
     return clients.includes(id) || (name !== undefined && name !== '' && clients.includes(name));
   }
 
   #selectsDevice(topic: string): boolean {
-    const { devices: wanted } = this.#selection;
+    const { devices: wanted } = this.selection;
     if (wanted.length === 0) return false;
     const { devices } = this.#context;
     return devices.publishersOf(topic).some(({ deviceId, tags }) => {
@@ -98,7 +99,7 @@ export class CompiledSelection {
   }
 
   #sessionTopics(): readonly TopicTest[] {
-    const { sessions: wanted } = this.#selection;
+    const { sessions: wanted } = this.selection;
     if (wanted.length === 0) return [];
     this.#ofSessions ??= this.#context
       .sessions()

@@ -73,7 +73,8 @@ function deliver(
     entry.publisherId = origin.publisherId;
     entry.originId = origin.masterId;
     entry.stamp = origin.stamp;
-    tap.taker?.take(entry, record);
+    if (origin.isValue) tap.taker?.takeValue(entry, record);
+    else tap.taker?.take(entry, record);
   }
   const isEvent = isEventField(valueField);
   for (let i = 0; i < ownDirect; i++) direct[i]!.deliver(entry, record, isEvent);

@@ -4,6 +4,8 @@ import type { TopicEntry } from './topic-entry.ts';
 export interface RecordTaker {
   /** The hot path, called after the record was stored in its entry. */
   take(entry: TopicEntry, record: Uint8Array): void;
+  /** The same for a value that stands at another master, and arrives only now. [CU-17] */
+  takeValue(entry: TopicEntry, record: Uint8Array): void;
 }
 
 /** Where records of all topics are picked up [RC-50]. */
