@@ -102,6 +102,17 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
     await expect(anna.markers).toHaveCount(1);
   });
 
+  await test.step('notes are written, and shown above the recording', async () => {
+    await anna.button('More for Study').click();
+    await anna.page.getByRole('menuitem', { name: 'Name and notes' }).click();
+    const dialog = anna.page.getByRole('dialog', { name: 'Name and notes' });
+    await dialog.getByLabel('Notes').fill('The left strap was loose.');
+    await dialog.getByRole('button', { name: 'Save' }).click();
+    await expect(anna.page.getByRole('article', { name: 'Recording Study' })).toContainText(
+      'The left strap was loose.',
+    );
+  });
+
   await test.step('Space plays it as soon as it is opened from the list', async () => {
     await anna.open();
     await anna.row('Study').getByRole('link').click();
@@ -124,6 +135,7 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
     );
     await anna.button('Go to the end').click();
     await expect(angle).toContainText('0.75');
+    await expect(anna.page.getByText('The left strap was loose.')).toBeVisible();
   });
 });
 

@@ -37,7 +37,8 @@ export interface Recordings {
   /** @returns undefined when it failed, as the others */
   start(request: Init<RecordingStartRequest>): Promise<Recording | undefined>;
   stop(id: string): Promise<Recording | undefined>;
-  rename(recording: Recording, name: string): Promise<Recording | undefined>;
+  /** Changes name and notes. */
+  describe(id: string, name: string, notes: string): Promise<Recording | undefined>;
   /** @returns whether it is deleted */
   remove(id: string): Promise<boolean>;
   mark(marker: Init<RecordingMarker>): Promise<RecordingMarker | undefined>;
@@ -89,7 +90,7 @@ export function provideRecordings(): Recordings {
     start: (request) =>
       changed(() => client.call('recordingStart', { ...request, clientId: client.id })),
     stop: (id) => changed(() => client.call('recordingStop', { id })),
-    rename: ({ id, notes }, name) =>
+    describe: (id, name, notes) =>
       changed(() => client.call('recordingChange', { id, name, notes })),
     remove: async (id) =>
       (await changed(async () => {
