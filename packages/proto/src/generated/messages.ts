@@ -174,6 +174,23 @@ export const ClientActivityAddressKind = {
 export type ClientActivityAddressKind = (typeof ClientActivityAddressKind)[keyof typeof ClientActivityAddressKind];
 
 /**
+ * Whether it is there.
+ *
+ * `ubii.extension.ClusterMaster.State`
+ */
+export const ClusterMasterState = {
+  /** The master that says this. */
+  SELF: 0,
+  /** It is heard. */
+  PRESENT: 1,
+  /** It is not heard any more. */
+  LOST: 2,
+  /** It said that it ends. */
+  ENDED: 3,
+} as const;
+export type ClusterMasterState = (typeof ClusterMasterState)[keyof typeof ClusterMasterState];
+
+/**
  * Why a caller cannot join. Rule AC-12.
  *
  * `ubii.extension.JoinProblem`
@@ -1716,6 +1733,11 @@ export interface ClientExtension {
    * best of each first. Rule CU-26.
    */
   masters: string[];
+  /**
+   * Master to all, in lists and announcements: id of the master of the cluster that the client is at, or was at when that
+   * master is lost; empty at a master that is alone. Rule CU-70.
+   */
+  masterId: string;
   /** Master to all, in an announcement: what is large was left out; client_get_list has it. Rule EX-74. */
   abridged: boolean;
   /** Master to all, in an abridged announcement: grows when what was left out changes. Rule EX-74. */
@@ -1892,6 +1914,10 @@ export interface ClusterHello {
   name: string;
   /** Addresses of its frontend for clients, best first. */
   addresses: string[];
+  /** Version of its program, semantic versioning. */
+  masterVersion: string;
+  /** When it started: milliseconds since the Unix epoch, its own clock. */
+  startedMs: number;
 }
 
 /**
@@ -1920,6 +1946,54 @@ export interface ClusterInterest {
 export interface ClusterListen {
   /** Number that the parts of the new stream bear; the one before is over. */
   stream: number;
+}
+
+/**
+ * A master of a cluster. Counts and rates are of what crosses between it and the master that says this; 0 for itself.
+ *
+ * `ubii.extension.ClusterMaster`
+ */
+export interface ClusterMaster {
+  /** UUID of this run of the master, the same as Server.id. */
+  id: string;
+  /** Text for display. */
+  name: string;
+  /** Whether it is there. */
+  state: ClusterMasterState;
+  /** Since when: milliseconds since the Unix epoch, clock of the master that says this. */
+  sinceMs: number;
+  /** Version of its program, semantic versioning. */
+  version: string;
+  /** When it started: milliseconds since the Unix epoch, its own clock. */
+  startedMs: number;
+  /** Addresses of its frontend, best first. */
+  addresses: string[];
+  /** Clients at it that are ACTIVE or INACTIVE. */
+  clients: number;
+  /** Sessions that it runs. */
+  sessions: number;
+  /** Time to it and back through NATS, milliseconds; 0 before the first measurement. */
+  roundTripMs: number;
+  /** Records sent to it since it is there. */
+  recordsTo: number;
+  /** Records received from it since it is there. */
+  recordsFrom: number;
+  /** Records sent to it per second, in the last measurement. */
+  recordsToPerSecond: number;
+  /** Records received from it per second. */
+  recordsFromPerSecond: number;
+  /** Bytes of all messages sent to it per second. */
+  bytesToPerSecond: number;
+  /** Bytes of all messages received from it per second. */
+  bytesFromPerSecond: number;
+  /** Records that wait to be sent to it. */
+  queuedRecords: number;
+  /** Records that it did not get, because they could not be sent as fast as they were published. */
+  dropped: number;
+  /** Times that something was missing of what it sent. */
+  gaps: number;
+  /** All that it has was received. */
+  complete: boolean;
 }
 
 /**
@@ -1972,6 +2046,12 @@ export interface ClusterPart {
   frames: ClusterClientBytes[];
   /** From clients of this master, which are nodes. Rule CU-24. */
   nodeMessages: ClusterClientBytes[];
+  /** In one part each half second: the clock of the sender, milliseconds from any start. Rule CU-74. */
+  sentMs: number;
+  /** Beside it: what the listener sent last as its own sent_ms; 0 when it sent none. */
+  echoMs: number;
+  /** How long ago that came, milliseconds. */
+  heldMs: number;
 }
 
 /**
@@ -2012,6 +2092,26 @@ export interface ClusterSessionNews {
   topic: string;
   /** The whole session. */
   session: Session | undefined;
+}
+
+/**
+ * The cluster of a master, as that master sees it. Rules CU-72 to CU-75.
+ *
+ * `ubii.extension.ClusterStatus`
+ */
+export interface ClusterStatus {
+  /** Name of the cluster. */
+  name: string;
+  /** NATS can be reached. While it cannot, this master is alone. */
+  reachable: boolean;
+  /** Since when that is so: milliseconds since the Unix epoch, master's clock. */
+  reachableSinceMs: number;
+  /** Bytes sent to other masters that NATS has not taken yet. */
+  queuedBytes: number;
+  /** Times since the start of this master that something was missing of what another one sent. */
+  gaps: number;
+  /** This master, then those that are there by name, then those that are not. */
+  masters: ClusterMaster[];
 }
 
 /**
@@ -2310,6 +2410,8 @@ export interface MasterStatus {
   delayMs: number;
   /** Cores of the machine. */
   processors: number;
+  /** The cluster that this master belongs to; absent at a master that is alone. Rule CU-72. */
+  cluster: ClusterStatus | undefined;
 }
 
 /**
@@ -3258,6 +3360,15 @@ export interface SessionExtension {
   stored: boolean;
   /** Ids of the invitations whose clients made or changed it. Set by the master. Rule AC-90. */
   grantIds: string[];
+  /**
+   * Id of the master of the cluster that runs it, or ran it when that master is lost; empty at a master that is alone.
+   * Set by the master. Rule CU-71.
+   */
+  masterId: string;
+  /** Name of the lost master from which that master took it over; empty for sessions that did not move. Set by the master. */
+  movedFrom: string;
+  /** When it was taken over: milliseconds since the Unix epoch, clock of the master that runs it. Set by the master. */
+  movedMs: number;
 }
 
 /**
@@ -3365,7 +3476,7 @@ export interface StatusProblem {
   /**
    * Stable name of the kind of problem: client_silent, client_slow, limit_reached, protocol_errors,
    * file_broken, session_degraded, client_throttled, publisher_noisy, module_slow, master_busy,
-   * machine_busy.
+   * machine_busy, cluster_unreachable.
    */
   code: string;
   /** How bad it is. */
@@ -4852,11 +4963,13 @@ export interface MessageTypes {
   'ubii.extension.ClusterHello': ClusterHello;
   'ubii.extension.ClusterInterest': ClusterInterest;
   'ubii.extension.ClusterListen': ClusterListen;
+  'ubii.extension.ClusterMaster': ClusterMaster;
   'ubii.extension.ClusterMessage': ClusterMessage;
   'ubii.extension.ClusterPart': ClusterPart;
   'ubii.extension.ClusterRecords': ClusterRecords;
   'ubii.extension.ClusterReply': ClusterReply;
   'ubii.extension.ClusterSessionNews': ClusterSessionNews;
+  'ubii.extension.ClusterStatus': ClusterStatus;
   'ubii.extension.EndedTopics': EndedTopics;
   'ubii.extension.FlightRecorder': FlightRecorder;
   'ubii.extension.FlightRecorderKeepRequest': FlightRecorderKeepRequest;

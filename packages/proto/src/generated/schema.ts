@@ -54,6 +54,11 @@ enum ubii.extension.ClientActivity.AddressKind
 1 LOOPBACK
 2 PRIVATE
 3 PUBLIC
+enum ubii.extension.ClusterMaster.State
+0 SELF
+1 PRESENT
+2 LOST
+3 ENDED
 enum ubii.extension.JoinProblem
 0 JOIN_PROBLEM_NONE
 1 JOIN_PROBLEM_MISSING
@@ -545,6 +550,7 @@ message ubii.extension.ClientExtension
 12 role ubii.extension.AccessRole
 20 tells_time bool
 25 masters string *
+26 master_id string
 30 abridged bool
 31 registration_revision int32
 message ubii.extension.ClientRenameRequest
@@ -600,6 +606,8 @@ message ubii.extension.ClusterHello
 1 version int32
 2 name string
 3 addresses string *
+4 master_version string
+5 started_ms double
 message ubii.extension.ClusterInterest
 1 topic string
 2 pattern string
@@ -608,6 +616,27 @@ message ubii.extension.ClusterInterest
 5 max_rate_hz double
 message ubii.extension.ClusterListen
 1 stream int32
+message ubii.extension.ClusterMaster
+1 id string
+2 name string
+3 state ubii.extension.ClusterMaster.State
+4 since_ms double
+5 version string
+6 started_ms double
+7 addresses string *
+8 clients int32
+9 sessions int32
+10 round_trip_ms double
+11 records_to double
+12 records_from double
+13 records_to_per_second double
+14 records_from_per_second double
+15 bytes_to_per_second double
+16 bytes_from_per_second double
+17 queued_records double
+18 dropped double
+19 gaps double
+20 complete bool
 message ubii.extension.ClusterMessage
 1 hello ubii.extension.ClusterHello type
 2 goodbye ubii.extension.ClusterGoodbye type
@@ -628,6 +657,9 @@ message ubii.extension.ClusterPart
 10 session_news ubii.extension.ClusterSessionNews *
 11 frames ubii.extension.ClusterClientBytes *
 12 node_messages ubii.extension.ClusterClientBytes *
+13 sent_ms double
+14 echo_ms double
+15 held_ms double
 message ubii.extension.ClusterRecords
 1 records bytes *
 2 stamps double *
@@ -639,6 +671,13 @@ message ubii.extension.ClusterReply
 message ubii.extension.ClusterSessionNews
 1 topic string
 2 session ubii.sessions.Session
+message ubii.extension.ClusterStatus
+1 name string
+2 reachable bool
+3 reachable_since_ms double
+4 queued_bytes double
+5 gaps double
+6 masters ubii.extension.ClusterMaster *
 message ubii.extension.EndedTopics
 1 topics string *
 message ubii.extension.FlightRecorder
@@ -734,6 +773,7 @@ message ubii.extension.MasterStatus
 22 busy_percent double
 23 delay_ms double
 24 processors int32
+25 cluster ubii.extension.ClusterStatus
 message ubii.extension.MasterStatusRequest
 1 since_ms double
 message ubii.extension.ModuleEvent
@@ -1055,6 +1095,9 @@ message ubii.extension.SessionExtension
 6 revision int32
 7 stored bool
 8 grant_ids string *
+9 master_id string
+10 moved_from string
+11 moved_ms double
 message ubii.extension.SessionProblem
 1 is_error bool
 2 code string

@@ -10,14 +10,18 @@ import type { TopicArea } from './topics.ts';
 /** Clients and their devices. */
 export type ClientArea = ReturnType<typeof createClients>;
 
-export type ClientDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'tokens' | 'patterns'> &
-  Pick<Foundation, 'limits' | 'limitWatch' | 'events' | 'onClose'> &
+export type ClientDependencies = Pick<
+  MasterPorts,
+  'clock' | 'ids' | 'tokens' | 'patterns' | 'cluster'
+> &
+  Pick<Foundation, 'id' | 'limits' | 'limitWatch' | 'events' | 'onClose'> &
   Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'patternTable' | 'subscriptions'> &
   Pick<TopicArea, 'createSubscriber' | 'publisher'>;
 
 export function createClients(dependencies: ClientDependencies) {
   const { clock, limits, limitWatch, accounts, kept, patternTable } = dependencies;
-  const info = new InfoTopics(dependencies.publisher, clock, limits);
+  const masterId = dependencies.cluster && dependencies.id;
+  const info = new InfoTopics(dependencies.publisher, clock, limits, masterId);
   const shared = { ...dependencies, limits: limitWatch, info };
   const devices = new DeviceRegistry(shared);
   const dismissals = new Dismissals();

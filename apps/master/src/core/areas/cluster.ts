@@ -15,10 +15,10 @@ export interface ClusterArea {
 }
 
 export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'> &
-  Pick<Foundation, 'id' | 'settings' | 'limits' | 'counters' | 'events' | 'onClose'> &
+  Pick<Foundation, 'id' | 'startedMs' | 'settings' | 'limits' | 'counters' | 'events' | 'onClose'> &
   TopicArea &
   Pick<ClientArea, 'clients' | 'devices' | 'info'> &
-  Pick<NodeArea, 'sessionTable'> &
+  Pick<NodeArea, 'sessionTable' | 'nodes'> &
   Pick<SessionArea, 'sessions' | 'reports' | 'sessionNews' | 'foreignSessions' | 'claims'> &
   Pick<LibraryArea, 'sessionLibrary'> &
   Pick<AccessArea, 'access'>;
@@ -27,18 +27,22 @@ export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'>
 export function createCluster(dependencies: ClusterDependencies): ClusterArea {
   const { cluster, settings, access, sessionNews } = dependencies;
   if (cluster === undefined) return { masters: undefined };
-  const { bus, owners } = cluster;
+  const { name, bus, owners } = cluster;
   const masters = new Cluster({
     ...dependencies,
+    name,
     bus,
     owners,
     grants: access.grants,
     onSessionNews: sessionNews.onNews,
     self: () => ({
       name: nameOf(settings),
+      version: settings.version,
+      startedMs: dependencies.startedMs,
       addresses: settings.endpoints().addresses.flatMap(({ url }) => url ?? []),
     }),
   });
+  dependencies.nodes.isOtherMaster = (id) => masters.isMaster(id);
   dependencies.onClose.add(() => masters.close());
   return { masters };
 }

@@ -12,7 +12,10 @@ import type { TopicArea } from './topics.ts';
 /** Nodes, which run modules: the master, and clients. */
 export type NodeArea = ReturnType<typeof createNodes>;
 
-export type NodeDependencies = Pick<MasterPorts, 'clock' | 'patterns' | 'sandboxes' | 'assets'> &
+export type NodeDependencies = Pick<
+  MasterPorts,
+  'clock' | 'patterns' | 'sandboxes' | 'assets' | 'cluster'
+> &
   Pick<Foundation, 'id' | 'settings' | 'limits' | 'limitWatch' | 'counters'> &
   Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'tap' | 'replayed' | 'subscriptions'> &
   Pick<TopicArea, 'recordedSources'> &
@@ -36,7 +39,7 @@ export function createNodes(dependencies: NodeDependencies) {
     },
     clients,
   );
-  const sessionTable = new SessionTable();
+  const sessionTable = new SessionTable(dependencies.cluster && nodeId);
   const localTopics = new LocalTopics({
     ...dependencies,
     nodeId,

@@ -146,7 +146,9 @@ function draftContext(dependencies: SessionDependencies): DraftContext {
     completion: {
       uuid: () => ids.uuid(),
       isTaken: (id) => sessionTable.findModule(id) !== undefined,
-      nodeId: (text) => (text === MASTER_ALIAS ? nodes.masterId : text),
+      // A session runs at one master, whichever a page names. [CU-76]
+      nodeId: (text) =>
+        text === MASTER_ALIAS || nodes.isOtherMaster(text) ? nodes.masterId : text,
       stored: (name) => modules.get(name),
       offered: (name, nodeId) => nodes.offered(name, nodeId),
     },

@@ -12,7 +12,8 @@ export type MasterProblemCode =
   | 'master_busy'
   | 'machine_busy'
   | 'publisher_noisy'
-  | 'module_slow';
+  | 'module_slow'
+  | 'cluster_unreachable';
 
 /** Something that is wrong now; what is not given is empty [EX-18]. */
 export type Problem = { readonly code: MasterProblemCode } & Pick<

@@ -21,19 +21,19 @@ import type { SessionNews } from '../sessions/session-news.ts';
 import { quote } from '../texts/quote.ts';
 import { endForeign } from '../topics/foreign-records.ts';
 import { Calls, type Answer } from './calls.ts';
+import { ClientNews } from './client-news.ts';
 import { Directory, type DirectoryContext } from './directory.ts';
 import { ForeignTopics } from './foreign-topics.ts';
 import { HeardAddresses } from './heard-addresses.ts';
-import { HELLO_MS, Members, type Member } from './members.ts';
+import { LostMasters } from './lost-masters.ts';
+import { HELLO_MS, Members, type Member, type OwnMember } from './members.ts';
+import { MeteredBus } from './metered-bus.ts';
 import { OwnInterest, type InterestContext } from './own-interest.ts';
 import type { PeerContext } from './peer-subscriber.ts';
 import { Peer } from './peer.ts';
 import { SessionMirror, type MirrorContext } from './session-mirror.ts';
 import { Takeover, type TakeoverContext } from './takeover.ts';
 import { ToldRecords, type ToldContext } from './told-records.ts';
-
-/** Time in which changes of clients are collected, milliseconds. */
-const NEWS_MS = 20;
 
 /** Time that other masters have to add to a reply, milliseconds. */
 const GATHER_MS = 1_000;
@@ -53,14 +53,20 @@ export interface ClusterContext
   readonly onSessionNews: SessionNews['onNews'];
   readonly reports: Pick<NodeReports, 'handleMessage' | 'onBytes'>;
   readonly subscriptions: PeerContext['subscriptions'];
-  readonly self: () => Omit<Member, 'id'>;
+  /** Name of the cluster. */
+  readonly name: string;
+  readonly self: () => OwnMember;
 }
 
 /** This master among the masters of its cluster: clients and topics of all of them are one world. [CU-1] */
 export class Cluster implements BusListener {
+  readonly name: string;
   readonly members: Members;
+  readonly lost = new LostMasters();
   readonly heardAddresses = new HeardAddresses();
   readonly #context: ClusterContext;
+  readonly #bus: MeteredBus;
+  readonly #clientNews: ClientNews;
   readonly #directory: Directory;
   readonly #interest: OwnInterest;
   readonly #told: ToldRecords;
@@ -71,20 +77,26 @@ export class Cluster implements BusListener {
   readonly #peers = new Map<string, Peer>();
   /** Masters whose values end when they stay away, with that time; monotonic milliseconds. */
   readonly #absent = new Map<string, number>();
-  /** Ids of clients that changed, or are gone. */
-  readonly #news = new Set<string>();
-  #cancelNews: Cancel | undefined = undefined;
+  /** Of masters that are not there any more. */
+  #gapsBefore = 0;
+  #droppedBefore = 0;
   readonly #cancelSweep: Cancel;
   #isClosed = false;
   /** Whether the bus can be reached. */
   isReachable = false;
+  /** Since when it can or cannot be, epoch milliseconds; undefined before it could be. */
+  reachSinceMs: number | undefined = undefined;
   /** Answers requests of clients of other masters; set by who can. */
   answer: Answer = () =>
     Promise.reject(new Error('nothing answers the requests of other masters yet'));
 
-  constructor(context: ClusterContext) {
+  constructor(dependencies: ClusterContext) {
+    const bus = new MeteredBus(dependencies.bus);
+    const context = { ...dependencies, bus };
     this.#context = context;
-    const { clock, bus, self } = context;
+    this.#bus = bus;
+    this.name = context.name;
+    const { clock, clients, self } = context;
     this.members = new Members({ clock, bus, self });
     this.#directory = new Directory(context);
     this.#interest = new OwnInterest(context);
@@ -101,6 +113,13 @@ export class Cluster implements BusListener {
         this.#calls.call(id, request, facts, GATHER_MS).catch(() => undefined),
     });
     this.#takeover = new Takeover(context, this.members);
+    this.#clientNews = new ClientNews({
+      clock,
+      clients,
+      tell: (changed, gone) => {
+        for (const peer of this.#peers.values()) peer.tellClients(changed, gone);
+      },
+    });
     context.onSessionNews.add((topic, session) => {
       for (const peer of this.#peers.values()) peer.tellSession({ topic, session });
     });
@@ -112,23 +131,52 @@ export class Cluster implements BusListener {
       this.heardAddresses.add(addresses);
       this.#publishAddresses();
     });
-    this.members.onLost.add((member) => {
-      this.#handleLost(member);
+    this.members.onLost.add((member, hasEnded) => {
+      this.#handleLost(member, hasEnded);
       this.#publishAddresses();
     });
-    context.info.onClient.add(({ id }) => this.#tell(id));
-    context.info.onClientGone.add(({ id }) => this.#tell(id));
+    context.info.onClient.add(({ id }) => this.#clientNews.note(id));
+    context.info.onClientGone.add(({ id }) => this.#clientNews.note(id));
     context.reports.onBytes.add((node, message) => this.#handleNodeMessage(node, message));
-    context.clients.sendForeign = ({ id, home }, frame) =>
+    clients.sendForeign = ({ id, home }, frame) =>
       this.#peers.get(home?.masterId ?? '')?.sendFrame(id, frame);
     this.#cancelSweep = clock.every(HELLO_MS, () => this.#sweep());
     bus.listen(context.id, this);
   }
 
+  /** Times that something was missing of what other masters sent. */
   get gaps(): number {
-    let gaps = 0;
-    for (const peer of this.#peers.values()) gaps += peer.gaps;
-    return gaps;
+    return this.#sumOf((peer) => peer.gaps, this.#gapsBefore);
+  }
+
+  /** Records that other masters did not get, because they could not be sent as fast as they were published. */
+  get dropped(): number {
+    return this.#sumOf((peer) => peer.dropped, this.#droppedBefore);
+  }
+
+  /** Masters of which all that they have was received. */
+  get completeCount(): number {
+    return this.#sumOf((peer) => (peer.isComplete ? 1 : 0));
+  }
+
+  /** Bytes of all messages to and from other masters; what goes to all counts once. */
+  get bytes(): Readonly<{ to: number; from: number }> {
+    return this.#bus.total;
+  }
+
+  /** Bytes that the bus has not taken yet. */
+  get queuedBytes(): number {
+    return this.#bus.queuedBytes;
+  }
+
+  /** Whether the id is that of another master, which may be lost. */
+  isMaster(id: string): boolean {
+    return this.members.get(id) !== undefined || this.lost.has(id);
+  }
+
+  /** Another master that is there. */
+  peer(masterId: string): Peer | undefined {
+    return this.#peers.get(masterId);
   }
 
   /** Of other masters, of each the best first. [CU-26] */
@@ -138,6 +186,7 @@ export class Cluster implements BusListener {
 
   handleReach(isReachable: boolean): void {
     this.isReachable = isReachable;
+    this.reachSinceMs = this.#context.clock.nowMs();
     if (this.#isClosed) return;
     const text = isReachable ? 'the bus of the cluster is there' : 'the bus of the cluster is lost';
     this.#context.log[isReachable ? 'info' : 'warn'](text);
@@ -163,7 +212,7 @@ export class Cluster implements BusListener {
     this.#isClosed = true;
     this.members.sayGoodbye();
     this.#cancelSweep();
-    this.#cancelNews?.();
+    this.#clientNews.close();
     this.#calls.close();
     for (const peer of this.#peers.values()) peer.close();
     this.#peers.clear();
@@ -225,6 +274,7 @@ export class Cluster implements BusListener {
       interest: this.#interest,
       told: this.#told,
       mirror: this.#mirror,
+      bytes: this.#bus.follow(id),
       onFrame: (clientId: string, frame: Uint8Array) =>
         this.#context.clients.get(clientId)?.socket?.sendFrame(frame),
       onNodeMessage: (nodeId: string, message: Uint8Array) => {
@@ -237,21 +287,39 @@ export class Cluster implements BusListener {
     const text = `The master ${quote(this.members.get(id)?.name ?? id)} is there`;
     this.#context.events.add(StatusEventKind.MASTER_JOINED, text);
     this.#absent.delete(id);
+    this.lost.delete(id);
     // It may not have heard of this master yet.
     this.members.sayHello();
     peer.listen();
     return peer;
   }
 
-  #handleLost({ id, name }: Member): void {
-    const text = `The master ${quote(name)} is lost`;
+  #handleLost(member: Member, hasEnded: boolean): void {
+    const { id, name } = member;
+    const text = `The master ${quote(name)} ${hasEnded ? 'ended' : 'is lost'}`;
     this.#context.events.add(StatusEventKind.MASTER_LOST, text);
-    this.#peers.get(id)?.close();
-    this.#peers.delete(id);
+    this.lost.add({ member, hasEnded, sinceMs: this.#context.clock.nowMs() });
+    this.#endPeer(id);
     this.#directory.handleLost(id);
     this.#calls.handleLost(id);
     this.#takeover.handleLost(id);
     this.#absent.set(id, this.#context.clock.monotonicMs() + LOST_AFTER_MS);
+  }
+
+  #endPeer(id: string): void {
+    const peer = this.#peers.get(id);
+    if (peer === undefined) return;
+    this.#gapsBefore += peer.gaps;
+    this.#droppedBefore += peer.dropped;
+    peer.close();
+    this.#peers.delete(id);
+    this.#bus.unfollow(id);
+  }
+
+  #sumOf(read: (peer: Peer) => number, before = 0): number {
+    let sum = before;
+    for (const peer of this.#peers.values()) sum += read(peer);
+    return sum;
   }
 
   #sweep(): void {
@@ -286,25 +354,5 @@ export class Cluster implements BusListener {
   #publishAddresses(): void {
     const stringList = { elements: this.addresses() };
     this.#context.publisher.publishChange(MASTERS_TOPIC, { stringList });
-  }
-
-  #tell(id: string): void {
-    this.#news.add(id);
-    this.#cancelNews ??= this.#context.clock.after(NEWS_MS, () => this.#tellNews());
-  }
-
-  #tellNews(): void {
-    this.#cancelNews = undefined;
-    const { clients } = this.#context;
-    const changed: Client[] = [];
-    const gone: string[] = [];
-    for (const id of this.#news) {
-      const client = clients.get(id);
-      if (client === undefined) gone.push(id);
-      else if (client.home === undefined) changed.push(client);
-    }
-    this.#news.clear();
-    if (changed.length + gone.length === 0) return;
-    for (const peer of this.#peers.values()) peer.tellClients(changed, gone);
   }
 }

@@ -16,13 +16,22 @@ export interface Member {
   readonly name: string;
   /** Of its frontend, best first. */
   readonly addresses: readonly string[];
+  /** Of its program, semantic versioning. */
+  readonly version: string;
+  /** By its own clock, epoch milliseconds. */
+  readonly startedMs: number;
+  /** Since when it is there, epoch milliseconds. */
+  readonly sinceMs: number;
 }
+
+/** What a master says of itself. */
+export type OwnMember = Omit<Member, 'id' | 'sinceMs'>;
 
 /** Dependencies of members. */
 export interface MembersContext {
   readonly clock: Clock;
   readonly bus: ClusterBus;
-  readonly self: () => Omit<Member, 'id'>;
+  readonly self: () => OwnMember;
 }
 
 interface Heard {
@@ -34,8 +43,8 @@ interface Heard {
 export class Members {
   /** A master is there that was not, or says something else of itself. */
   readonly onJoined = new Hook<[member: Member]>();
-  /** A master ended, or is not heard any more. */
-  readonly onLost = new Hook<[member: Member]>();
+  /** A master said that it ends, or is not heard any more. */
+  readonly onLost = new Hook<[member: Member, hasEnded: boolean]>();
   readonly #context: MembersContext;
   readonly #members = new Map<string, Heard>();
 
@@ -56,8 +65,9 @@ export class Members {
 
   /** Says to all that this master is there. */
   sayHello(): void {
-    const { name, addresses } = this.#context.self();
-    this.#broadcast({ hello: { version: CLUSTER_VERSION, name, addresses: [...addresses] } });
+    const { name, addresses, version: masterVersion, startedMs } = this.#context.self();
+    const said = { name, addresses: [...addresses], masterVersion, startedMs };
+    this.#broadcast({ hello: { ...said, version: CLUSTER_VERSION } });
   }
 
   /** Says to all that it ends. */
@@ -68,9 +78,11 @@ export class Members {
   handleHello(id: string, hello: ClusterHello): void {
     if (hello.version !== CLUSTER_VERSION) return;
     const before = this.#members.get(id);
-    const { name, addresses } = hello;
-    const member = { id, name, addresses };
-    this.#members.set(id, { member, heardMs: this.#context.clock.monotonicMs() });
+    const { clock } = this.#context;
+    const { name, addresses, masterVersion: version, startedMs } = hello;
+    const sinceMs = before?.member.sinceMs ?? clock.nowMs();
+    const member = { id, name, addresses, version, startedMs, sinceMs };
+    this.#members.set(id, { member, heardMs: clock.monotonicMs() });
     if (before === undefined || !isSame(before.member, member)) this.onJoined.emit(member);
   }
 
@@ -81,17 +93,21 @@ export class Members {
   }
 
   handleGoodbye(id: string): void {
-    const heard = this.#members.get(id);
-    if (heard === undefined || !this.#members.delete(id)) return;
-    this.onLost.emit(heard.member);
+    this.#lose(id, true);
   }
 
   /** Gives up masters that are silent. */
   sweep(): void {
     const nowMs = this.#context.clock.monotonicMs();
     for (const [id, { heardMs }] of this.#members) {
-      if (nowMs - heardMs >= LOST_MS) this.handleGoodbye(id);
+      if (nowMs - heardMs >= LOST_MS) this.#lose(id, false);
     }
+  }
+
+  #lose(id: string, hasEnded: boolean): void {
+    const heard = this.#members.get(id);
+    if (heard === undefined || !this.#members.delete(id)) return;
+    this.onLost.emit(heard.member, hasEnded);
   }
 
   #broadcast(message: Init<ClusterMessage>): void {

@@ -61,6 +61,21 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
     this.#subscriber.outbox.open(this, context.topics.sequence);
   }
 
+  /** Records sent so far. */
+  get sentRecords(): number {
+    return this.#subscriber.outbox.handedRecords;
+  }
+
+  /** Records that wait to be sent. */
+  get queuedRecords(): number {
+    return this.#subscriber.outbox.waitingCount;
+  }
+
+  /** Records that were dropped because they could not be sent as fast as they were published. */
+  get dropped(): number {
+    return this.#subscriber.outbox.drops.count;
+  }
+
   /** It wants this from now on, and gets the values that stand. */
   want(interest: ClusterInterest): void {
     try {

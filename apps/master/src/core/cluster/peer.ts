@@ -1,6 +1,7 @@
 import type {
   ClusterClient,
   ClusterInterest,
+  ClusterMaster,
   ClusterPart,
   ClusterSessionNews,
   Init,
@@ -15,6 +16,9 @@ import { describeClient } from './directory.ts';
 import { interestKey } from './interest-key.ts';
 import type { OwnInterest } from './own-interest.ts';
 import { PeerSubscriber, type PeerContext } from './peer-subscriber.ts';
+import type { CrossedBytes } from './metered-bus.ts';
+import { PeerRates, type PeerTotals } from './peer-rates.ts';
+import { PeerRoundTrip } from './peer-round-trip.ts';
 import type { SessionMirror } from './session-mirror.ts';
 import { IncomingStream, OutgoingStream } from './streams.ts';
 import type { ToldRecords } from './told-records.ts';
@@ -42,6 +46,8 @@ export interface PeerParts extends PeerContext {
   readonly interest: OwnInterest;
   readonly told: ToldRecords;
   readonly mirror: SessionMirror;
+  /** Of all messages to and from the other master. */
+  readonly bytes: CrossedBytes;
   /** Bytes for a client of this master, and from a node of the other one. [CU-24] */
   readonly onFrame: (clientId: string, frame: Uint8Array) => void;
   readonly onNodeMessage: (clientId: string, message: Uint8Array) => void;
@@ -72,6 +78,9 @@ export class Peer {
   /** Topics whose values or records were told in this stream, until the others are ended. */
   #toldTopics: Set<string> | undefined = undefined;
   #valuesLooks = 0;
+  readonly #roundTrip = new PeerRoundTrip();
+  readonly #rates: PeerRates;
+  #recordsFrom = 0;
   /** Times that something that it told was missing. */
   gaps = 0;
 
@@ -81,6 +90,32 @@ export class Peer {
     this.#outgoing = new OutgoingStream(parts.bus, id);
     this.#incoming = new IncomingStream(parts.bus, id);
     this.#subscriber = new PeerSubscriber(parts, id, this.#outgoing);
+    this.#rates = new PeerRates(this.#totals(), parts.clock.monotonicMs());
+  }
+
+  /** Records that it did not get, because they could not be sent as fast as they were published. */
+  get dropped(): number {
+    return this.#subscriber.dropped;
+  }
+
+  /** All that it has was received. */
+  get isComplete(): boolean {
+    return this.#first === undefined && !this.#isToListen;
+  }
+
+  /** What crosses between it and this master. [CU-73] [CU-74] */
+  describe(): Init<ClusterMaster> {
+    const { recordsTo, recordsFrom } = this.#totals();
+    return {
+      roundTripMs: this.#roundTrip.latestMs,
+      recordsTo,
+      recordsFrom,
+      ...this.#rates.latest,
+      queuedRecords: this.#subscriber.queuedRecords,
+      dropped: this.dropped,
+      gaps: this.gaps,
+      complete: this.isComplete,
+    };
   }
 
   /** Asks it for all it has. */
@@ -115,6 +150,7 @@ export class Peer {
     const place = this.#incoming.place(part);
     if (place === 'next') {
       this.#silentLooks = 0;
+      this.#roundTrip.handleTimes(part, this.#parts.clock.monotonicMs());
       this.#apply(part);
     } else if (place === 'gap') this.#listenAgain();
     else if (this.#looksSinceListen < OLD_PARTS_LOOKS) this.#silentLooks = 0;
@@ -158,9 +194,11 @@ export class Peer {
     this.#outgoing.send({ wanted: [...wanted], unwanted: [...unwanted] });
   }
 
-  /** To be called about once a second: says that this master is there, and notices when the other is not. */
+  /** To be called about twice a second: says that this master is there, and notices when the other is not. [CU-6] */
   sweep(): void {
-    this.#outgoing.keepAlive();
+    const nowMs = this.#parts.clock.monotonicMs();
+    this.#outgoing.send(this.#roundTrip.times(nowMs));
+    this.#rates.measure(this.#totals(), nowMs);
     this.#subscriber.sweep();
     this.#looksSinceListen++;
     if (this.#valuesLooks > 0 && --this.#valuesLooks === 0) this.#endOtherValues();
@@ -193,8 +231,17 @@ export class Peer {
     for (const interest of part.unwanted) this.#endWant(interestKey(interest));
     const topics = this.#toldTopics;
     if (part.values !== undefined) told.publish(this.id, part.values, true, topics);
-    if (part.records !== undefined) told.publish(this.id, part.records, false, topics);
+    if (part.records !== undefined) {
+      this.#recordsFrom += part.records.records.length;
+      told.publish(this.id, part.records, false, topics);
+    }
     if (part.complete && first !== undefined) this.#endOthers(first);
+  }
+
+  #totals(): PeerTotals {
+    const { to: bytesTo, from: bytesFrom } = this.#parts.bytes;
+    const { sentRecords: recordsTo } = this.#subscriber;
+    return { recordsTo, recordsFrom: this.#recordsFrom, bytesTo, bytesFrom };
   }
 
   /** Something is missing [CU-7]. Who cannot be understood is not asked all the time. */

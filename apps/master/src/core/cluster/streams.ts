@@ -10,7 +10,6 @@ export class OutgoingStream {
   readonly #peerId: string;
   #stream = 0;
   #next = 0;
-  #sentSince = false;
 
   constructor(bus: ClusterBus, peerId: string) {
     this.#bus = bus;
@@ -30,15 +29,8 @@ export class OutgoingStream {
 
   send(content: PartContent): void {
     if (!this.isOpen) return;
-    this.#sentSince = true;
     const part = { ...content, stream: this.#stream, number: this.#next++ };
     sendTo(this.#bus, this.#peerId, { part });
-  }
-
-  /** Sends an empty part if nothing was sent since the last call, so that a loss is noticed. */
-  keepAlive(): void {
-    if (!this.#sentSince) this.send({});
-    this.#sentSince = false;
   }
 }
 

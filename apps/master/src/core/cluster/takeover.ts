@@ -132,12 +132,14 @@ export class Takeover {
 
   /** @returns false when nothing is stored of it, or not yet */
   #continue(sessionId: string, from: string): boolean {
-    const { sessions, foreignSessions, grants, events } = this.#context;
-    const session = sessions.takeOver(sessionId, (grantId) => grants.isGood(grantId));
+    const { clock, sessions, foreignSessions, grants, events } = this.#context;
+    const name = this.#names.get(from);
+    const isGood = (grantId: string): boolean => grants.isGood(grantId);
+    const move = { from: name ?? '', atMs: clock.nowMs() };
+    const session = sessions.takeOver(sessionId, isGood, move);
     if (session === undefined) return false;
     foreignSessions.forget(sessionId);
     this.#missing.delete(sessionId);
-    const name = this.#names.get(from);
     const whose = name === undefined ? 'its master' : `its master ${quote(name)}`;
     events.add(
       StatusEventKind.SESSION_MOVED,

@@ -21,8 +21,15 @@ export interface AnnouncedClient {
   readonly id: string;
   readonly account: Account;
   readonly registrationRevision: number;
+  /** The master that it is at; undefined: this one. */
+  readonly home: { readonly masterId: string } | undefined;
   toMessage(): Omit<ClientMessage, 'extension'>;
 }
+
+/** A client as others see it; with an extension in a cluster. */
+export type DescribedClient = ReturnType<AnnouncedClient['toMessage']> & {
+  readonly extension?: { readonly masterId: string };
+};
 
 /** Announces who comes, changes and goes. */
 export class InfoTopics {
@@ -32,9 +39,12 @@ export class InfoTopics {
   readonly onClientGone = new Hook<[client: AnnouncedClient]>();
   readonly #publisher: MasterPublisher;
   readonly #limits: Limits;
+  readonly #masterId: string;
   readonly #ofClients: PacedNews;
 
-  constructor(publisher: MasterPublisher, clock: Clock, limits: Limits) {
+  /** @param masterId of this master in a cluster; empty for one that is alone */
+  constructor(publisher: MasterPublisher, clock: Clock, limits: Limits, masterId = '') {
+    this.#masterId = masterId;
     this.#publisher = publisher;
     this.#limits = limits;
     const { clientNewsBytesPerSecond: bytesPerSecond } = limits;
@@ -70,6 +80,13 @@ export class InfoTopics {
     this.#publisher.deleteValue(topic);
   }
 
+  /** The client as others see it, in a cluster with its master. [CU-70] */
+  describe(client: AnnouncedClient): DescribedClient {
+    const message = client.toMessage();
+    const masterId = this.#masterOf(client);
+    return masterId === '' ? message : { ...message, extension: { masterId } };
+  }
+
   /** Ends every timer. */
   close(): void {
     this.#ofClients.close();
@@ -77,14 +94,18 @@ export class InfoTopics {
 
   /** The client as it is announced: as a whole, or what can be told in a few bytes [EX-74]. */
   #messageOf(client: AnnouncedClient): Init<ClientMessage> {
-    const message = client.toMessage();
     const bytes = client.account.used(RESOURCE.registrationBytes);
-    if (bytes <= this.#limits.announcementBytes) return message;
+    if (bytes <= this.#limits.announcementBytes) return this.describe(client);
+    const message = client.toMessage();
     const { id, name, state, latency, isDedicatedProcessingNode } = message;
     const { registrationRevision } = client;
     return {
       ...{ id, name, state, latency, isDedicatedProcessingNode },
-      extension: { abridged: true, registrationRevision },
+      extension: { abridged: true, registrationRevision, masterId: this.#masterOf(client) },
     };
+  }
+
+  #masterOf({ home }: AnnouncedClient): string {
+    return this.#masterId === '' ? '' : (home?.masterId ?? this.#masterId);
   }
 }

@@ -1,10 +1,12 @@
 import type { Init, MasterStatus } from '@ubii/proto';
 import type { Core } from '../areas/core.ts';
 import { nameOf } from '../areas/settings.ts';
+import { readClusterStatus, type ClusterStatusParts } from './cluster-status.ts';
 import { listProblems, type ProblemParts } from './problems.ts';
 
 /** Dependencies of the status. */
 export type StatusParts = ProblemParts &
+  ClusterStatusParts &
   Pick<Core, 'id' | 'settings' | 'counters' | 'load' | 'topics' | 'samples' | 'events'>;
 
 /**
@@ -15,6 +17,7 @@ export function readMasterStatus(core: StatusParts, sinceMs: number): Init<Maste
   const { counters, clients, settings, load } = core;
   const { cpuPercent, busyPercent, delayMs } = load.latest;
   const states = clients.countByStatus();
+  const cluster = readClusterStatus(core);
   return {
     masterId: core.id,
     name: nameOf(settings),
@@ -40,5 +43,6 @@ export function readMasterStatus(core: StatusParts, sinceMs: number): Init<Maste
     events: core.events.since(sinceMs),
     problems: listProblems(core),
     addresses: settings.endpoints().addresses,
+    ...(cluster !== undefined && { cluster }),
   };
 }

@@ -9,7 +9,8 @@ type MetricParts = Pick<Core, 'counters' | 'limits' | 'limitWatch' | 'topics' | 
   Pick<
     Core,
     'devices' | 'sockets' | 'connections' | 'bodies' | 'sessions' | 'localNode' | 'masters'
-  >;
+  > &
+  Pick<Core, 'foreignSessions'>;
 
 /** Every metric. Labels come from closed lists: limits, codes, states, services; never ids or topics. */
 export function readMetrics(core: MetricParts): MasterMetrics {

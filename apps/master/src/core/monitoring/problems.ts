@@ -2,6 +2,7 @@ import { StatusProblemSeverity } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
+import { clusterProblems } from './cluster-status.ts';
 import { describeThrottle } from '../counters/throttle.ts';
 import type { Core } from '../areas/core.ts';
 import type { LimitName } from '../limits/index.ts';
@@ -11,7 +12,7 @@ import type { Problem } from '../checks/problem.ts';
 
 /** Dependencies of the search for problems. */
 export type ProblemParts = Pick<Core, 'clock' | 'limits' | 'limitWatch' | 'startedMs' | 'files'> &
-  Pick<Core, 'sessions' | 'clients' | 'checks'>;
+  Pick<Core, 'sessions' | 'clients' | 'checks' | 'masters'>;
 
 /** Problems told at most: what a page can show. */
 const MOST_PROBLEMS = 100;
@@ -33,7 +34,7 @@ const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
 
 /** Lists the current problems, most severe first [EX-18]. */
 export function listProblems(core: ProblemParts): Problem[] {
-  const problems = [...limitProblems(core)];
+  const problems = [...clusterProblems(core), ...limitProblems(core)];
   problems.push(...fileProblems(core), ...sessionProblems(core), ...core.checks.problems());
   for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
   const { eventCharacters } = core.limits;

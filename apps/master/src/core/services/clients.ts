@@ -4,7 +4,7 @@ import { definer, success } from './define-service.ts';
 import { requireProfiles } from './list-limits.ts';
 import { clientRegistration } from './registration.ts';
 
-const define = definer<'clients' | 'limitWatch'>();
+const define = definer<'clients' | 'info' | 'limitWatch'>();
 
 /** Services on clients: registration, and who is there. */
 export const CLIENT_SERVICES = [
@@ -24,7 +24,7 @@ export const CLIENT_SERVICES = [
     roles: READERS,
     handle(core, list) {
       const profiles = requireProfiles(core, list?.elements ?? []);
-      const clients = [...core.clients.values()].map((client) => client.toMessage());
+      const clients = [...core.clients.values()].map((client) => core.info.describe(client));
       return { elements: selectByProfiles(clients, profiles) };
     },
   }),

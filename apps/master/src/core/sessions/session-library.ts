@@ -211,7 +211,15 @@ function withStored(message: SessionMessage): SessionMessage {
   return {
     ...message,
     status: 0,
-    extension: { ...extension, state: 0, problems: [], stored: true },
+    extension: {
+      ...extension,
+      state: 0,
+      problems: [],
+      stored: true,
+      masterId: '',
+      movedFrom: '',
+      movedMs: 0,
+    },
   };
 }
 

@@ -3,8 +3,14 @@ import type { SessionModule } from './session-module.ts';
 
 /** Every session, and which module is in which. */
 export class SessionTable {
+  readonly #masterId: string;
   readonly #sessions = new Map<string, Session>();
   readonly #byModule = new Map<string, Session>();
+
+  /** @param masterId of this master in a cluster; empty for one that is alone */
+  constructor(masterId = '') {
+    this.#masterId = masterId;
+  }
 
   get size(): number {
     return this.#sessions.size;
@@ -32,6 +38,7 @@ export class SessionTable {
   }
 
   add(session: Session): void {
+    session.masterId = this.#masterId;
     this.#sessions.set(session.id, session);
     this.reindex(session);
   }

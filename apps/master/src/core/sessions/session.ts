@@ -7,6 +7,14 @@ import { isLive, wireState, wireStatus, type SessionLife } from './session-state
 /** Name and settings of a session: everything except its modules. */
 export type SessionDescription = Omit<SessionDraft, 'modules'>;
 
+/** The master that ran a session before this one. */
+export interface SessionMove {
+  /** Its name; empty when it is not known. */
+  readonly from: string;
+  /** When this master took the session over, epoch milliseconds. */
+  readonly atMs: number;
+}
+
 /** Modules that are started and stopped together. */
 export class Session {
   readonly id: string;
@@ -29,6 +37,10 @@ export class Session {
   readonly troubles = new Map<string, SessionProblem>();
   /** All its modules ran at once since it was started: `/info/session/running` was published. */
   wasRunning = false;
+  /** This master in a cluster; empty for one that is alone. [CU-71] */
+  masterId = '';
+  /** It was taken over from a lost master. [CU-32] */
+  move: SessionMove | undefined = undefined;
   /** Another master runs it now: what is stored of it is that master's. [CU-34] */
   isGivenUp = false;
   /** The master started it at startup, and no user since. Only users stop it [SE-24]. */
@@ -113,6 +125,9 @@ export class Session {
         revision: this.revision,
         stored: this.isStored,
         grantIds: [...this.grantIds],
+        masterId: this.masterId,
+        movedFrom: this.move?.from ?? '',
+        movedMs: this.move?.atMs ?? 0,
       },
     };
   }

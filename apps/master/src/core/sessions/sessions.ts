@@ -23,7 +23,7 @@ import type { LifeContext } from './life-context.ts';
 import { memoryShortage } from './memory-room.ts';
 import { assignNode } from './place-module.ts';
 import { RestoredSessions, type SessionsAtStop } from './restored-sessions.ts';
-import { Session } from './session.ts';
+import { Session, type SessionMove } from './session.ts';
 import { pauseSession, resumeSession, startSession, stopSession } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
 import type { SessionClaims } from './session-claims.ts';
@@ -265,13 +265,19 @@ export class Sessions {
   /**
    * Continues a session of a master that is lost, which this master owns now: what ran starts again. [CU-32]
    *
+   * @param move whose it was
    * @returns undefined when nothing is known of it
    */
-  takeOver(sessionId: string, isGood: (grantId: string) => boolean): Session | undefined {
+  takeOver(
+    sessionId: string,
+    isGood: (grantId: string) => boolean,
+    move: SessionMove,
+  ): Session | undefined {
     const { library, life } = this.#context;
     const message = library.interrupted().find(({ id }) => id === sessionId);
     if (message === undefined) return undefined;
     const session = this.#reopen(message);
+    session.move = move;
     if (message.status === SessionStatus.RUNNING) this.#startRestored(session, isGood);
     else {
       this.recheck(session, false);

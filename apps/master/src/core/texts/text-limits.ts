@@ -79,6 +79,7 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
   'ubii.extension.ClientExtension.library': WORD,
   'ubii.extension.ClientExtension.credential': OF_MASTER,
   'ubii.extension.ClientExtension.masters': OF_MASTER,
+  'ubii.extension.ClientExtension.master_id': OF_MASTER,
   'ubii.extension.NodeExtension.libraries': WORD,
 
   'ubii.devices.Device.id': ID,
@@ -128,6 +129,8 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
     'Counted with the session, in `sessionBytes`; only graph editors read it.',
   ),
   'ubii.extension.SessionExtension.grant_ids': OF_MASTER,
+  'ubii.extension.SessionExtension.master_id': OF_MASTER,
+  'ubii.extension.SessionExtension.moved_from': OF_MASTER,
   'ubii.extension.SessionProblem.code': OF_MASTER,
   'ubii.extension.SessionProblem.message': OF_MASTER,
   'ubii.extension.SessionProblem.path': OF_MASTER,
