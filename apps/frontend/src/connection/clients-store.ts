@@ -110,7 +110,12 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
       if (!later.isPending.value) later.start();
     }
     const before = known.get(id);
-    return before === undefined ? value : { ...before, name, state, latency };
+    if (before === undefined) return value;
+    const after = { ...before, name, state, latency };
+    const { masterId } = extension;
+    if (masterId === (before.extension?.masterId ?? '')) return after;
+    const moved = { ...(before.extension ?? extension), abridged: false, masterId };
+    return { ...after, extension: moved };
   }
 
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'client' }).onRecord(({ value }) => {

@@ -13,6 +13,7 @@ import { createClientsStore } from './clients-store.ts';
 import type { Connection } from './connection.ts';
 import { friendlyName } from './friendly-name.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
+import { nameMasters } from './masters.ts';
 import { createNodesStore } from './nodes-store.ts';
 import { tellOwnTab } from './own-tabs.ts';
 import { tellPageState } from './page-state.ts';
@@ -83,6 +84,12 @@ export function createConnection(): Connection {
   }
   watch(isConnected, (connected) => connected && void learnMasterId(), { immediate: true });
 
+  const master = createMasterStatusStore(client, isConnected, Date.now);
+  const nameOfMaster = (id: string): string | undefined =>
+    nameMasters(master.view.value?.latest.cluster?.masters ?? []).find(
+      (named) => named.master.id === id,
+    )?.label;
+
   function connect(): void {
     if (state.value.status === 'reconnecting') client.retryNow();
     // The result is in `state`, which every page shows.
@@ -103,13 +110,13 @@ export function createConnection(): Connection {
     roundTrip,
     name,
     publishIntervalMs,
-    master: createMasterStatusStore(client, isConnected, Date.now),
+    master,
     masterId,
     clients,
     reports: createClientReportsStore(client, isConnected),
     topics: createTopicStatisticsStore(client, isConnected, Date.now),
     sessions: createSessionsStore(client, isConnected),
-    nodes: createNodesStore(client, isConnected),
+    nodes: createNodesStore(client, isConnected, nameOfMaster),
     connect,
     leave: () => client.leave(),
     forgetIdentity,

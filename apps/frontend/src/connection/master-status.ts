@@ -1,4 +1,9 @@
-import type { MasterStatus, StatusEvent, StatusSample } from '@ubii/proto';
+import {
+  ClusterMasterState,
+  type MasterStatus,
+  type StatusEvent,
+  type StatusSample,
+} from '@ubii/proto';
 import { measureClock, type ClockOffset } from './clock-offset.ts';
 
 /** Length of the history, milliseconds; the master keeps the same. [EX-17] */
@@ -58,6 +63,14 @@ export function nextSinceMs(known: MasterView | undefined): number {
 export function cpuShare(view: MasterView | undefined): number | undefined {
   const sample = view?.samples.at(-1);
   return sample && sample.cpuPercent / Math.max(1, view!.latest.processors);
+}
+
+/** Number of connected clients, in a cluster at all masters that are there. */
+export function countActive(latest: MasterStatus | undefined): number {
+  if (latest === undefined) return 0;
+  const { clientsActive, cluster } = latest;
+  const others = cluster?.masters.filter(({ state }) => state === ClusterMasterState.PRESENT) ?? [];
+  return others.reduce((sum, { clients }) => sum + clients, clientsActive);
 }
 
 /** Records per second now; `undefined` before the first sample. */

@@ -1,5 +1,5 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ServiceError, type NodeInfo } from '@ubii/proto';
+import { fromJson, ServiceError, type NodeInfo } from '@ubii/proto';
 import { computed, shallowRef, type Ref, type ShallowRef } from 'vue';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
@@ -8,7 +8,7 @@ import { usePoll } from './poll.ts';
 export interface NodesStore {
   /** The master first; `undefined` until the first list. */
   readonly list: Readonly<ShallowRef<readonly NodeInfo[] | undefined>>;
-  /** By id; includes disconnected nodes, so that their modules keep a node name. */
+  /** By id; includes disconnected nodes and other masters, so that their modules keep a node name. */
   find(id: string): NodeInfo | undefined;
   /** Requests the list at this interval while the calling component or scope is active, milliseconds. */
   watch(intervalMs: number): void;
@@ -16,7 +16,12 @@ export interface NodesStore {
   refresh(): Promise<void>;
 }
 
-export function createNodesStore(client: UbiiClient, isConnected: Ref<boolean>): NodesStore {
+/** @param nameOfMaster returns the name of another master of the cluster */
+export function createNodesStore(
+  client: UbiiClient,
+  isConnected: Ref<boolean>,
+  nameOfMaster: (id: string) => string | undefined = () => undefined,
+): NodesStore {
   const list = shallowRef<readonly NodeInfo[]>();
   const known = new Map<string, NodeInfo>();
   const interest = createInterest();
@@ -32,6 +37,14 @@ export function createNodesStore(client: UbiiClient, isConnected: Ref<boolean>):
     }
   }
 
+  /** Other masters run modules of their sessions, but are not among the nodes of this one. */
+  function otherMaster(clientId: string): NodeInfo | undefined {
+    const name = nameOfMaster(clientId);
+    return name === undefined
+      ? undefined
+      : fromJson('ubii.extension.NodeInfo', { clientId, name, available: true });
+  }
+
   usePoll(
     refresh,
     () => interest.intervalMs.value ?? 0,
@@ -40,7 +53,8 @@ export function createNodesStore(client: UbiiClient, isConnected: Ref<boolean>):
 
   return {
     list,
-    find: (id) => list.value?.find(({ clientId }) => clientId === id) ?? known.get(id),
+    find: (id) =>
+      list.value?.find(({ clientId }) => clientId === id) ?? known.get(id) ?? otherMaster(id),
     watch: (intervalMs) => interest.express(intervalMs),
     refresh,
   };

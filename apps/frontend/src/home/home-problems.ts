@@ -94,6 +94,7 @@ function ofStatus(problem: StatusProblem, { findClient, ownName }: ProblemContex
 
 function linkOf({ code, clientId, sessionId }: StatusProblem): ProblemLink | undefined {
   if (code === 'limit_reached') return { text: 'Open limits', to: '/settings/limits' };
+  if (code === 'cluster_unreachable') return { text: 'Open masters', to: '/settings/masters' };
   if (code === 'file_broken') return { text: 'Open log', to: '/settings/log' };
   if (sessionId !== '') return { text: 'Open session', to: sessionLocation(sessionId) };
   if (clientId !== '') return { text: 'Open client', to: clientLocation(clientId) };

@@ -15,6 +15,11 @@ export const settingsRoutes: readonly RouteRecordRaw[] = [
     meta: { title: 'Master', parent },
   },
   {
+    path: '/settings/masters',
+    component: () => import('./masters/MastersPage.vue'),
+    meta: { title: 'Masters', parent },
+  },
+  {
     path: '/settings/limits',
     component: () => import('./limits/LimitsPage.vue'),
     meta: { title: 'Limits', parent },

@@ -1,14 +1,19 @@
-import { ClipboardList, FileText, Gauge, Info, Monitor, Server } from '@lucide/vue';
+import { ClipboardList, FileText, Gauge, Info, Monitor, Network, Server } from '@lucide/vue';
 import type { Component } from 'vue';
 
-/** Pages of the settings, in the order of their navigation. */
-export const SETTINGS_PAGES: readonly {
+/** A page of the settings. */
+export interface SettingsPage {
   readonly title: string;
   readonly to: string;
   readonly icon: Component;
   /** Search words for the command palette. */
   readonly words: string;
-}[] = [
+  /** Only in a cluster of masters. */
+  readonly isOfCluster?: boolean;
+}
+
+/** Pages of the settings, in the order of their navigation. */
+export const SETTINGS_PAGES: readonly SettingsPage[] = [
   {
     title: 'This browser',
     to: '/settings',
@@ -20,6 +25,13 @@ export const SETTINGS_PAGES: readonly {
     to: '/settings/master',
     icon: Server,
     words: 'version, uptime, addresses, start options, checks, diagnostics',
+  },
+  {
+    title: 'Masters',
+    to: '/settings/masters',
+    icon: Network,
+    words: 'cluster, NATS, other masters',
+    isOfCluster: true,
   },
   { title: 'Limits', to: '/settings/limits', icon: Gauge, words: 'limits and current use' },
   { title: 'Log', to: '/settings/log', icon: FileText, words: 'messages of the master' },

@@ -36,6 +36,14 @@ describe('filterClients', () => {
     expect(names(wishes)).toEqual(expected);
   });
 
+  it('finds clients by their master, among several [CU-70]', () => {
+    const atHall = { ...phone, master: 'hall' };
+    const atFoyer = { ...node, master: 'foyer' };
+    const both = [atHall, atFoyer];
+    expect(filterClients(both, { ...NO_WISHES, master: 'hall' })).toEqual([atHall]);
+    expect(filterClients(both, { ...NO_WISHES, text: 'foyer' })).toEqual([atFoyer]);
+  });
+
   it('finds a client by what its components are on', () => {
     const components = [{ name: 'stick', topic: '/pad/left' }];
     const devices = [{ name: 'pad', components }] as never;
@@ -72,6 +80,7 @@ describe('the address', () => {
       text: 'pad',
       state: 'silent',
       kind: 'phone',
+      master: 'hall',
       isBroken: true,
       sort: 'queue',
       isDescending: false,

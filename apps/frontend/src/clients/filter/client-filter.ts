@@ -7,6 +7,8 @@ export interface ClientWishes {
   readonly text: string;
   readonly state: 'here' | 'silent' | 'lost' | undefined;
   readonly kind: ClientKind | undefined;
+  /** Name of the master. */
+  readonly master: string | undefined;
   readonly isBroken: boolean;
   readonly sort: ClientColumnKey;
   readonly isDescending: boolean;
@@ -18,6 +20,7 @@ export const NO_WISHES: ClientWishes = {
   text: '',
   state: undefined,
   kind: undefined,
+  master: undefined,
   isBroken: false,
   sort: 'name',
   isDescending: false,
@@ -48,6 +51,7 @@ export function readWishes(query: Query): ClientWishes {
     text: first(query['q']),
     state: Object.hasOwn(STATES, state) ? (state as keyof typeof STATES) : undefined,
     kind: KINDS.includes(kind) ? (kind as ClientKind) : undefined,
+    master: first(query['master']) || undefined,
     isBroken: first(query['broken']) === '1',
     sort: column.key,
     isDescending: order === '' ? column.first === 'descending' : order === 'down',
@@ -62,6 +66,7 @@ export function writeWishes(wishes: ClientWishes): Record<string, string> {
   if (wishes.text !== '') query['q'] = wishes.text;
   if (wishes.state) query['state'] = wishes.state;
   if (wishes.kind) query['kind'] = wishes.kind;
+  if (wishes.master) query['master'] = wishes.master;
   if (wishes.isBroken) query['broken'] = '1';
   if (wishes.sort !== NO_WISHES.sort) query['sort'] = wishes.sort;
   if (wishes.isDescending !== (column.first === 'descending')) {
@@ -72,30 +77,35 @@ export function writeWishes(wishes: ClientWishes): Record<string, string> {
 }
 
 /** True when some clients may be hidden. */
-export const isFiltering = ({ text, state, kind, isBroken }: ClientWishes): boolean =>
-  text.trim() !== '' || state !== undefined || kind !== undefined || isBroken;
+export const isFiltering = ({ text, state, kind, master, isBroken }: ClientWishes): boolean =>
+  text.trim() !== '' || [state, kind, master].some((one) => one !== undefined) || isBroken;
 
 /** Filters clients. Every word of the search must occur in the texts of a client. */
 export function filterClients(
   views: readonly ClientView[],
-  { text, state, kind, isBroken }: ClientWishes,
+  { text, state, kind, master, isBroken }: ClientWishes,
 ): ClientView[] {
   const wordsOfText = text.toLocaleLowerCase().split(/\s+/).filter(Boolean);
   return views.filter(
     (view) =>
       (state === undefined || view.client.state === STATES[state]) &&
       (kind === undefined || view.kinds.has(kind)) &&
+      (master === undefined || view.master === master) &&
       (!isBroken || view.isBroken) &&
       (wordsOfText.length === 0 || hasWords(view, wordsOfText)),
   );
 }
 
-function hasWords({ client, agent, activity }: ClientView, wanted: readonly string[]): boolean {
+function hasWords(
+  { client, agent, master, activity }: ClientView,
+  wanted: readonly string[],
+): boolean {
   const said = [
     client.name,
     client.id,
     client.description,
     agent,
+    master,
     activity?.library ?? '',
     ...client.tags,
     ...client.processingModules.map(({ name }) => name),

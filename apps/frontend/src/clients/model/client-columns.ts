@@ -31,6 +31,7 @@ export interface ClientColumn {
 
 export type ClientColumnKey =
   | 'name'
+  | 'master'
   | 'state'
   | 'trip'
   | 'clock'
@@ -129,6 +130,17 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
     isText: true,
     valueOf: ({ label }) => label.toLocaleLowerCase(),
     show: ({ label }) => words(label),
+  },
+  {
+    key: 'master',
+    head: 'Master',
+    title: 'Master',
+    width: 116,
+    priority: 2,
+    first: 'ascending',
+    isText: true,
+    valueOf: ({ master }) => master.toLocaleLowerCase() || undefined,
+    show: ({ master }) => words(master),
   },
   {
     key: 'state',
@@ -333,11 +345,16 @@ export const findClientColumn = (key: string): ClientColumn | undefined => BY_KE
 /** Width of name, actions and padding, pixels. */
 const NAME_WIDTH = 300;
 
+/** Returns all columns: that of masters only where there are several. */
+export function knownColumns(hasMasters: boolean): readonly ClientColumn[] {
+  return hasMasters ? CLIENT_COLUMNS : CLIENT_COLUMNS.filter(({ key }) => key !== 'master');
+}
+
 /** Returns the columns that fit beside the name, by precedence, in display order. */
-export function columnsThatFit(width: number): readonly ClientColumn[] {
-  const wanted = CLIENT_COLUMNS.filter((column) => column.width > 0).sort(
-    (a, b) => a.priority - b.priority,
-  );
+export function columnsThatFit(width: number, hasMasters = false): readonly ClientColumn[] {
+  const wanted = knownColumns(hasMasters)
+    .filter((column) => column.width > 0)
+    .sort((a, b) => a.priority - b.priority);
   let left = width - NAME_WIDTH;
   const taken = new Set<ClientColumn>();
   for (const column of wanted) {

@@ -18,6 +18,8 @@ export interface ClientView {
   readonly label: string;
   /** Kind, in a few words. */
   readonly words: string;
+  /** Name of its master; empty unless there are several. */
+  readonly master: string;
   /** Browser and system, or library, by common names; empty when unknown. */
   readonly agent: string;
   readonly kinds: ReadonlySet<ClientKind>;
@@ -63,12 +65,16 @@ function lookOf(client: Client, problems: readonly StatusProblem[]): ClientState
 
 const PHONE = /\b(iPhone|iPad|Android|Mobile|Quest)\b/;
 
-/** @param selfId id of this page */
+/**
+ * @param selfId id of this page
+ * @param master name of the client's master; empty unless there are several
+ */
 export function viewClient(
   client: Client,
   activity: ClientActivity | undefined,
   problems: readonly StatusProblem[],
   selfId: string,
+  master = '',
 ): ClientView {
   const userAgent = activity?.userAgent ?? '';
   const about = problems.filter(({ clientId }) => clientId === client.id);
@@ -82,6 +88,7 @@ export function viewClient(
     isSelf: client.id === selfId,
     label: client.name || client.id,
     words: said === '' ? agent : said,
+    master,
     agent,
     kinds,
     isBroken: about.length > 0 || client.state === ClientState.INACTIVE,

@@ -41,6 +41,7 @@ function mountGraph(rates = new Map<string, TopicRate>()) {
   const connection = {
     client,
     isConnected: ref(true),
+    master: { view: shallowRef() },
     masterId: shallowRef(''),
     clients: { list: shallowRef([]), find: () => undefined },
     topics: {

@@ -40,6 +40,9 @@ function extensionOf({ extension }: Session): NonNullable<Session['extension']> 
       revision: 0,
       stored: false,
       grantIds: [],
+      masterId: '',
+      movedFrom: '',
+      movedMs: 0,
     }
   );
 }

@@ -1,6 +1,7 @@
 import type { Session } from '@ubii/proto';
 import { computed, toValue, type ComputedRef, type MaybeRefOrGetter } from 'vue';
 import { findDraft, type Draft } from '../../graph/model/changes/draft.ts';
+import { useMasters } from '../../connection/useMasters.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import {
   useSessionActions,
@@ -9,6 +10,7 @@ import {
 import { useSessionMenu, type SessionMenu } from '../../sessions/actions/useSessionMenu.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
 import type { StoredSessions } from '../../sessions/useStoredSessions.ts';
+import { sessionMaster } from '../../sessions/words/master-words.ts';
 import { nodeName } from '../../sessions/words/node-words.ts';
 import { sharedTopics } from '../../sessions/words/shared-topics.ts';
 import {
@@ -47,6 +49,7 @@ export function useSessionRows(
   const { client, sessions, nodes } = useConnection();
   nodes.watch(NODES_INTERVAL_MS);
   const statistics = useSessionStatistics();
+  const masters = useMasters();
   const actions = useSessionActions();
   const drafts = useDraftIds();
   const all = computed(() => withStored(sessions.list.value ?? [], stored.list.value));
@@ -55,6 +58,7 @@ export function useSessionRows(
       sessionRow(one, statistics.value.get(one.id), {
         shared: sharedTopics(one, all.value),
         hasDraft: drafts.ids.value.has(one.id),
+        master: sessionMaster(one, masters),
       }),
     );
     return filterRows(each, toValue(search), toValue(filter));
@@ -75,7 +79,9 @@ export function useSessionRows(
     takenNames: computed(() => new Set(all.value.map(({ name }) => name))),
     nodeNames(ids) {
       void nodes.list.value;
-      return ids.map((id) => nodeName(id, (other) => nodes.find(other), client.id));
+      return ids.map(
+        (id) => masters.labelOfKnown(id) || nodeName(id, (other) => nodes.find(other), client.id),
+      );
     },
     async remove(session) {
       await actions.remove(session);

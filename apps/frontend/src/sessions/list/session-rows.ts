@@ -6,6 +6,7 @@ import {
   type SessionStatistics,
 } from '@ubii/proto';
 import { sessionTotals, type SessionTotals } from '../live/session-totals.ts';
+import type { SessionMaster } from '../words/master-words.ts';
 import type { SharedTopic } from '../words/shared-topics.ts';
 import { isAlive, sessionState, stateLook, type StateLook } from '../state/session-state.ts';
 
@@ -29,11 +30,13 @@ export interface SessionRow {
   readonly shared: readonly SharedTopic[];
   /** This browser stores unsaved changes of it. */
   readonly hasDraft: boolean;
+  /** Where it runs; `undefined` unless there are several masters. */
+  readonly master: SessionMaster | undefined;
 }
 
 /** Data of a row that the session itself does not have. */
-export type RowSurroundings = Pick<SessionRow, 'shared' | 'hasDraft'>;
-const ALONE: RowSurroundings = { shared: [], hasDraft: false };
+export type RowSurroundings = Pick<SessionRow, 'shared' | 'hasDraft' | 'master'>;
+const ALONE: RowSurroundings = { shared: [], hasDraft: false, master: undefined };
 
 export function sessionRow(
   session: Session,
@@ -94,7 +97,7 @@ function asStored(session: Session): Session {
 
 /**
  * Returns the rows that match search and filter: running ones first, then by name.
- * @param search words that must all occur in name, description, tags or names of modules
+ * @param search words that must all occur in name, description, tags, names of modules or that of the master
  */
 export function filterRows(
   rows: readonly SessionRow[],
@@ -104,8 +107,8 @@ export function filterRows(
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);
   return rows
     .filter((row) => fitsFilter(row, filter))
-    .filter(({ session }) => {
-      const text = searchText(session);
+    .filter(({ session, master }) => {
+      const text = searchText(session, master?.label ?? '');
       return words.every((word) => text.includes(word));
     })
     .sort(
@@ -130,7 +133,8 @@ function fitsFilter(row: SessionRow, filter: SessionFilter): boolean {
   }
 }
 
-function searchText({ name, description, tags, authors, processingModules }: Session): string {
+function searchText(session: Session, master: string): string {
+  const { name, description, tags, authors, processingModules } = session;
   const modules = processingModules.map((module) => module.name);
-  return [name, description, ...tags, ...authors, ...modules].join(' ').toLowerCase();
+  return [name, description, ...tags, ...authors, ...modules, master].join(' ').toLowerCase();
 }

@@ -42,7 +42,11 @@ describe('topics that several sessions write', () => {
     expect(sharedWords(shared!)).toBe(
       `The session "Two" runs and writes ${topic}, too; the last record wins.`,
     );
-    const row = sessionRow(one, undefined, { shared: [shared!], hasDraft: false });
+    const row = sessionRow(one, undefined, {
+      shared: [shared!],
+      hasDraft: false,
+      master: undefined,
+    });
     expect(filterRows([row], '', 'problems')).toHaveLength(1);
   });
 });

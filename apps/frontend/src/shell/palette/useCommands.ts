@@ -11,7 +11,7 @@ import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import type { Command } from '../../page/command.ts';
 import { useShell } from '../../page/shell.ts';
 import { playerIdentity } from '../../players/player-identity.ts';
-import { SETTINGS_PAGES } from '../../settings/settings-pages.ts';
+import { useSettingsPages } from '../../settings/useSettingsPages.ts';
 import { isInternalTopic } from '../../topics/names/internal-topics.ts';
 import { PAGES, SETTINGS_PAGE } from '../pages.ts';
 import { useActionCommands } from './useActionCommands.ts';
@@ -47,15 +47,18 @@ export function useCommands(): ComputedRef<Command[]> {
     icon: ClipboardList,
     run: go('/studies'),
   };
-  const settings = SETTINGS_PAGES.filter(({ to }) => to !== SETTINGS_PAGE.to).map(
-    ({ title, to, icon, words }): Command => ({
-      id: `page ${to}`,
-      kind: 'page',
-      title: `Settings, ${title}`,
-      detail: words,
-      icon,
-      run: go(to),
-    }),
+  const settingsPages = useSettingsPages();
+  const settings = computed(() =>
+    settingsPages.value
+      .filter(({ to }) => to !== SETTINGS_PAGE.to)
+      .map(({ title, to, icon, words }): Command => ({
+        id: `page ${to}`,
+        kind: 'page',
+        title: `Settings, ${title}`,
+        detail: words,
+        icon,
+        run: go(to),
+      })),
   );
   const examples = EXAMPLES.map(({ id, title, sentence, path }): Command => ({
     id: `example ${id}`,
@@ -110,7 +113,7 @@ export function useCommands(): ComputedRef<Command[]> {
     ...shell.pageCommands.value,
     ...pages,
     studies,
-    ...settings,
+    ...settings.value,
     ...examples,
     ...actions.value,
     ...runs.value,

@@ -5,6 +5,8 @@ export interface Publisher {
   readonly name: string;
   /** The client is inactive, or has left. */
   readonly isAway: boolean;
+  /** Name of its master; empty unless there are several. */
+  readonly master?: string;
 }
 
 /** Finds a client by its id. */

@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { ClientState, type Client } from '@ubii/proto';
+import { ClientState, ClusterMasterState, type Client, type ClusterMaster } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';
 import { computed, defineComponent, shallowRef } from 'vue';
@@ -10,11 +10,12 @@ const clientOf = (id: string, state: ClientState): Client =>
   ({ id, name: `Name of ${id}`, state }) as Client;
 
 /** Mounts a view of the client `id`, with a list of clients that the test can change. */
-function setUp(id = 'id') {
+function setUp(id = 'id', masters: readonly Partial<ClusterMaster>[] = []) {
   const list = shallowRef<readonly Client[]>();
   const known = new Map<string, Client>();
   const connection = {
     clients: { list, find: (id: string) => known.get(id) },
+    master: { view: shallowRef({ latest: { cluster: { masters } } }) },
     masterId: shallowRef('6d617374-6572-4000-8000-000000000000'),
   } as unknown as Connection;
   const wrapper = mount(
@@ -22,7 +23,11 @@ function setUp(id = 'id') {
       const find = useFindPublisher();
       const found = computed(() => find(id));
       return () =>
-        found.value ? `${found.value.name}, ${found.value.isAway ? 'away' : 'here'}` : 'no client';
+        found.value
+          ? [found.value.name, found.value.master, found.value.isAway ? 'away' : 'here']
+              .filter(Boolean)
+              .join(', ')
+          : 'no client';
     }),
     { global: { provide: { [CONNECTION as symbol]: connection } } },
   );
@@ -46,6 +51,24 @@ describe('useFindPublisher', () => {
     const { wrapper, announce } = setUp('6d617374-6572-4000-8000-000000000000');
     await announce([]);
     expect(wrapper.text()).toBe('Master, here');
+  });
+
+  it('names masters among several, and that of a client [CU-70]', async () => {
+    const { SELF, PRESENT, LOST } = ClusterMasterState;
+    const masters = [
+      { id: 'a', name: 'hall', state: SELF, addresses: [] },
+      { id: 'b', name: 'foyer', state: PRESENT, addresses: [] },
+      { id: 'c', name: 'attic', state: LOST, addresses: [] },
+    ];
+    const client = {
+      ...clientOf('id', ClientState.ACTIVE),
+      extension: { masterId: 'b' } as Client['extension'],
+    };
+    const ofClient = setUp('id', masters);
+    await ofClient.announce([client]);
+    expect(ofClient.wrapper.text()).toBe('Name of id, foyer, here');
+    expect(setUp('b', masters).wrapper.text()).toBe('foyer, here');
+    expect(setUp('c', masters).wrapper.text()).toBe('attic, away');
   });
 
   it('marks clients that are away, and still names clients that left', async () => {

@@ -14,7 +14,9 @@ function shortened(client: Client | undefined, topic: string): ShortTopic {
     list: shallowRef(client ? [client] : []),
     find: (id: string) => (client?.id === id ? client : undefined),
   };
-  const connection = { clients, masterId: shallowRef('') } as unknown as Connection;
+  const master = { view: shallowRef() };
+  const masterId = shallowRef('');
+  const connection = { clients, master, masterId } as unknown as Connection;
   let short!: ShortTopic;
   mount(
     defineComponent(() => {

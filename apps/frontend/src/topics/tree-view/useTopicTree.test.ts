@@ -37,6 +37,7 @@ function setUp(first: readonly TopicRate[] = []) {
     client: live.client,
     isConnected,
     clients: { list: shallowRef([]), find: () => undefined },
+    master: { view: shallowRef() },
     masterId: shallowRef(''),
     topics: {
       rates,
