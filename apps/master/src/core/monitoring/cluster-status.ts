@@ -45,7 +45,7 @@ export function* clusterProblems({ masters }: Pick<Core, 'masters'>): Iterable<P
   yield {
     code: 'cluster_unreachable',
     severity: StatusProblemSeverity.ERROR,
-    text: 'This master cannot reach NATS, and works alone. Clients of other masters count as lost, and the other masters take over its sessions: they run twice until NATS is back.',
+    text: 'This master cannot reach NATS, and works alone. Clients of other masters count as lost, and masters that reach NATS take over its sessions, which run twice until NATS is back.',
     remedy:
       'Check that NATS runs, and the network between it and this master. The master connects again by itself.',
     sinceMs: masters.reachSinceMs,
