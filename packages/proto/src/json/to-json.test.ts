@@ -96,6 +96,7 @@ describe('toJson [SV-4]', () => {
       masterVersion: '',
       library: '',
       masters: [],
+      masterId: '',
       role: 'ACCESS_ROLE_NONE',
       tellsTime: false,
       abridged: false,
