@@ -90,6 +90,19 @@ describe('peers of ZeroMQ that mean harm', () => {
     expect(error).toBeUndefined();
   });
 
+  it.each([
+    ['a message whose frames do not end', Buffer.concat(Array<Buffer>(8).fill(DELIMITER))],
+    ['a command over 255 bytes', LONG_HEADER(256n, 6)],
+  ])('lose their connection for %s, at once [TD-51] [TD-53]', async (_name, bytes) => {
+    const master = await startEdgeMaster({ flags: ['--zeromq-ports', '0,0'] });
+    const caller = new ZeroMqCaller(master);
+    const peer = new RawPeer(zeromqPorts(master).topicData);
+    peer.write(OPENING, REST_OF_GREETING, readyAs(Buffer.from(await caller.register())), bytes);
+    // Nothing more comes from this side: only the master can end it.
+    await peer.ended;
+    expect((await caller.call({ topic: '/services/topic_list' })).stringList).toBeDefined();
+  });
+
   it('give back what they took: hundreds of identities leave nothing behind [AC-68]', async () => {
     const master = await startEdgeMaster({ flags: ['--zeromq-ports', '0,0'] });
     const { topicData } = zeromqPorts(master);

@@ -50,6 +50,17 @@ describe('frames of ZMTP', () => {
     expect(() => found([Buffer.from([2, ...Array<number>(8).fill(0xff)])])).toThrow(ZmtpError);
   });
 
+  it('have less when they are commands, which is known from the header [TD-53]', () => {
+    const long = (size: number): Buffer => {
+      const header = Buffer.alloc(9);
+      header[0] = 0x06;
+      header.writeUInt32BE(size, 5);
+      return header;
+    };
+    expect(() => found([long(256)])).toThrow('A command may have at most 255 bytes.');
+    expect(found([long(255), Buffer.alloc(255, 'c')])).toEqual([`${'c'.repeat(255)}!`]);
+  });
+
   it.each([0x08, 0x80, 0xff, 0x05, 0x07])('have no flags %i', (flags) => {
     expect(() => found([Uint8Array.of(flags)])).toThrow(`unknown flags ${flags}`);
   });

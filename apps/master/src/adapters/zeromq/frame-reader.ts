@@ -1,4 +1,10 @@
-import { headerBytesOf, readFrameHeader, type FrameHeader } from './zmtp-frames.ts';
+import {
+  headerBytesOf,
+  MAX_COMMAND_BYTES,
+  readFrameHeader,
+  ZmtpError,
+  type FrameHeader,
+} from './zmtp-frames.ts';
 
 /** Finds the frames in what a socket reads. */
 export class FrameReader {
@@ -7,7 +13,7 @@ export class FrameReader {
   #size = 0;
   #needed = 1;
 
-  /** @param maxBytes most that the body of a frame may have */
+  /** @param maxBytes most that the body of a frame of a message may have; a command has at most `MAX_COMMAND_BYTES` */
   constructor(maxBytes: number) {
     this.#maxBytes = maxBytes;
   }
@@ -34,6 +40,9 @@ export class FrameReader {
       this.#needed = headerBytes;
       if (bytes.length - pos < headerBytes) break;
       const header = readFrameHeader(bytes, pos, this.#maxBytes);
+      if (header.isCommand && header.bodyBytes > MAX_COMMAND_BYTES) {
+        throw new ZmtpError(`A command may have at most ${MAX_COMMAND_BYTES} bytes.`);
+      }
       const end = pos + headerBytes + header.bodyBytes;
       this.#needed = end - pos;
       if (end > bytes.length) break;

@@ -33,10 +33,16 @@ describe('messages of a DEALER', () => {
   it.each([
     ['two frames with content', [frame('a', MORE), frame('b')]],
     ['three frames', [DELIMITER, DELIMITER, frame('b')]],
-    ['a thousand frames', [...Array<Buffer>(1_000).fill(DELIMITER), frame('b')]],
+    ['eight frames', [...Array<Buffer>(7).fill(DELIMITER), frame('b')]],
   ])('are a protocol error as %s, and the next one counts', async (_name, frames) => {
     const { told } = await heard(...frames, encodeFrame(Uint8Array.of(7)));
     expect(told).toEqual([problem, topicData(7)]);
+  });
+
+  it('end the connection when their frames do not end [TD-51]', async () => {
+    const endless = [...Array<Buffer>(8).fill(frame('a', MORE))];
+    await expect(heard(...endless)).rejects.toThrow(ZmtpError);
+    await expect(heard(...endless)).rejects.toThrow('more than 8 frames');
   });
 
   it('are heartbeats when they begin as one [TD-2]', async () => {

@@ -2,7 +2,7 @@ import type { ConnectionHandle } from '../../core/ports/index.ts';
 import { handleText } from '../heartbeat/handle-text.ts';
 import { FrameReader } from './frame-reader.ts';
 import { answerCommand } from './answer-command.ts';
-import type { FrameHeader } from './zmtp-frames.ts';
+import { ZmtpError, type FrameHeader } from './zmtp-frames.ts';
 
 /** A heartbeat with the time of a clock has no more. */
 const MAX_TEXT_BYTES = 128;
@@ -10,6 +10,8 @@ const MAX_TEXT_BYTES = 128;
 const PING_BYTES = 0x5049_4e47;
 const PONG_BYTES = 0x504f_4e47;
 const WORD_BYTES = 4;
+/** A message has one or two. One with more is told, and its end waited for, but not forever. */
+const MAX_FRAMES = 8;
 
 const NO_MESSAGE =
   'The message has more than one frame. Send topic data as one frame, with or without an empty frame in front.';
@@ -49,6 +51,9 @@ export class MessageReader {
     // One frame, or an empty one and another.
     if (hasMore && (this.#count > 0 || start < end)) this.#isMessage = false;
     this.#count++;
+    if (hasMore && this.#count >= MAX_FRAMES) {
+      throw new ZmtpError(`A message has more than ${MAX_FRAMES} frames.`);
+    }
     if (hasMore) return;
     const isMessage = this.#isMessage;
     this.#count = 0;

@@ -14,6 +14,8 @@ const SHORT_HEADER_BYTES = 2;
 const LONG_HEADER_BYTES = 9;
 /** Largest body with a size of 1 byte. */
 const MAX_SHORT_BYTES = 255;
+/** Largest body of a command after the greeting: PING and PONG have less. */
+export const MAX_COMMAND_BYTES: number = MAX_SHORT_BYTES;
 const TWO_TO_32 = 0x1_0000_0000;
 
 /** The frame that ends the envelope of a message: empty, with a message behind it. */
