@@ -17,6 +17,24 @@ describe('the masters that a client can use [CU-80]', () => {
     ],
     ['not what another machine calls itself', LAN, ['http://localhost:8080', 'http://[::1]:1'], []],
     [
+      'not where a machine listens on all its addresses',
+      LAN,
+      ['http://0.0.0.0:8080', 'http://[::]:8080', 'http://0:8080', 'http://[0:0::0]'],
+      [],
+    ],
+    [
+      'not what another machine calls itself in IPv6',
+      LAN,
+      ['http://[::ffff:127.0.0.1]:1', 'http://[::ffff:127.1.2.3]:1', 'http://[::ffff:0.0.0.0]'],
+      [],
+    ],
+    [
+      'where this machine listens on all its addresses, on this machine',
+      'http://localhost:1',
+      ['http://0.0.0.0:2'],
+      ['http://0.0.0.0:2'],
+    ],
+    [
       'those of this machine, on this machine',
       'http://localhost:1',
       ['http://127.0.0.1:2'],

@@ -19,7 +19,7 @@ export function usableMasters(
     // What shows who the client is never goes unencrypted when it came encrypted.
     if (url === undefined || (own.protocol === 'https:' && url.protocol !== 'https:')) continue;
     // For a client of another machine, the address of a machine for itself is that of its own.
-    if (isLoopback(url) && !isLoopback(own)) continue;
+    if (isOfThisMachine(url) && !isOfThisMachine(own)) continue;
     if (baseOf(url) !== baseOf(own)) usable.add(baseOf(url));
   }
   return [...usable];
@@ -39,6 +39,9 @@ function baseOf({ origin, pathname }: URL): string {
   return `${origin}${pathname}`.replace(/\/+$/, '');
 }
 
-function isLoopback({ hostname }: URL): boolean {
-  return /^(127(\.\d+){3}|\[::1\]|localhost|.*\.localhost)$/.test(hostname);
+/** Loopback, and the unspecified address, which connects to the machine that asks. `URL` writes addresses in one way only. */
+function isOfThisMachine({ hostname }: URL): boolean {
+  return /^(127(\.\d+){3}|0\.0\.0\.0|\[::1?\]|\[::ffff:(7f[\da-f]{2}:[\da-f]+|0:0)\]|localhost|.*\.localhost)$/.test(
+    hostname,
+  );
 }
