@@ -116,6 +116,7 @@ export async function startMaster({
   );
   const storage = await openOriginal(stores.storage, config.originalData, {
     sandboxes,
+    clock,
     log,
     library,
   });

@@ -91,6 +91,30 @@ describe('callbacks with four parameters [SE-29]', () => {
     expect(await run('double', 2)).toEqual({ out: [[['a'], 3]] });
   });
 
+  it.each([
+    ['spaces', ' '],
+    ['a name', 'x'],
+    ['lines', '\n'],
+    ['parentheses', '('],
+    ['functions', 'function '],
+  ])('are looked for once in a text of 4 MiB with %s', (_name, piece) => {
+    // What takes the square of the time does not come back from this.
+    const filling = piece.repeat((4 * 1024 * 1024) / piece.length);
+    for (const start of ['', 'async ', 'async function ', '(']) {
+      const module = { ...io, onProcessingStringified: `${start}${filling}` };
+      expect(withThreeParameters(module)).toBe(module);
+    }
+  });
+
+  it('are found behind long gaps', () => {
+    const gap = ' \n'.repeat(100_000);
+    const text = `${gap}async${gap}function${gap}run${gap}(a,${gap}b, c, d) {}`;
+    const { onProcessingStringified } = withThreeParameters({
+      ...{ ...io, onProcessingStringified: text },
+    });
+    expect(onProcessingStringified).not.toBe(text);
+  });
+
   it('are the only ones that change', () => {
     const module = { ...io, onProcessingStringified: '(deltaTime, inputs, state) => ({})' };
     expect(withThreeParameters(module)).toBe(module);

@@ -2,6 +2,7 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { temporaryFolder } from '@ubii/program/testing';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it, vi } from 'vitest';
 
 import { MemoryDocuments, MemoryStorage, RecordingLog } from '../../testing/index.ts';
@@ -49,7 +50,10 @@ function folderWith(files: Readonly<Record<string, string>>): string {
 }
 
 function partsWith(log: RecordingLog) {
-  return { sandboxes: createInlineSandboxes(), log, library: new Set(['counter']) };
+  return {
+    ...{ sandboxes: createInlineSandboxes(), log, library: new Set(['counter']) },
+    clock: new FakeClock(),
+  };
 }
 
 async function read(files: Readonly<Record<string, string>>) {
@@ -138,6 +142,39 @@ describe('the data of an original installation [SE-28]', () => {
       path: join(many.folder, 'sessions'),
       document: { fault: expect.stringContaining('1003 files') as string },
     });
+  });
+
+  it('does not delay the start forever by scripts that never end, and names what it left out', async () => {
+    const log = new RecordingLog();
+    const parts = partsWith(log);
+    // Each script takes the time after which it is ended.
+    const sandboxes: typeof parts.sandboxes = {
+      ...parts.sandboxes,
+      open(...args) {
+        parts.clock.advanceSync(500);
+        return parts.sandboxes.open(...args);
+      },
+    };
+    const scripts = Array.from({ length: 50 }, (_, index) => {
+      const number = String(index).padStart(2, '0');
+      return [`processing/${number}.js`, "throw new Error('too long')"] as const;
+    });
+    const folder = folderWith({
+      ...Object.fromEntries(scripts),
+      'processing/last.pm': JSON.stringify({ name: 'last' }),
+    });
+    const { modules } = await readOriginal(await foldersOf(folder), { ...parts, sandboxes });
+    const leftOut = modules.filter(({ document }) => document.fault?.includes('was not read'));
+    expect(leftOut.map(({ path }) => path)).toEqual(
+      scripts.slice(40).map(([name]) => join(folder, name)),
+    );
+    expect(modules.at(-1)?.document.json).toEqual({ name: 'last' });
+    expect(log.lines).toContainEqual(
+      expect.objectContaining({
+        level: 'warn',
+        fields: { folder: join(folder, 'processing'), count: 10, seconds: 20 },
+      }),
+    );
   });
 
   it('has its own code in its sessions for modules with the name of one of this master', async () => {

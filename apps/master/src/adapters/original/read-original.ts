@@ -1,6 +1,7 @@
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { ConfigError } from '@ubii/program';
 import type { JsonObject } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 
 import type { Log } from '../../core/ports/index.ts';
 import { classModule, MAX_SCRIPT_BYTES } from './class-module.ts';
@@ -20,9 +21,13 @@ export interface OriginalData {
   readonly modules: readonly OriginalFile[];
 }
 
+/** Time after which no further scripts of a folder are run to read them, milliseconds: one that never ends takes 0.5 s. */
+const SCRIPTS_MS = 20_000;
+
 /** Parts of the master that reading needs. */
 export interface OriginalParts {
   readonly sandboxes: SandboxFactory;
+  readonly clock: Pick<Clock, 'monotonicMs'>;
   readonly log: Log;
   /** Trusted modules of this master. */
   readonly library: { has(name: string): boolean };
@@ -43,9 +48,10 @@ export async function foldersOf(folder: string): Promise<OriginalFolders> {
  */
 export async function readOriginal(
   folders: OriginalFolders,
-  { sandboxes, log, library }: OriginalParts,
+  parts: OriginalParts,
 ): Promise<OriginalData> {
-  const modules = await readModules(folders.processing, sandboxes);
+  const { log, library } = parts;
+  const modules = await readModules(folders.processing, parts);
   const shadowed = new ShadowedModules(modules, library);
   const sessions = (await readSessions(folders.sessions)).map((file) => shadowed.addTo(file));
   report({ sessions, modules }, shadowed, log);
@@ -54,13 +60,26 @@ export async function readOriginal(
 
 async function readModules(
   folder: string | undefined,
-  sandboxes: SandboxFactory,
+  { sandboxes, clock, log }: OriginalParts,
 ): Promise<OriginalFile[]> {
   if (folder === undefined) return [];
+  const endMs = clock.monotonicMs() + SCRIPTS_MS;
+  let late = 0;
   const files = await readFiles(folder, {
     '.pm': (text) => withThreeParameters(parseObject(text)),
-    '.js': (text) => readScript(text, sandboxes),
+    '.js': (text) => {
+      if (clock.monotonicMs() < endMs) return readScript(text, sandboxes);
+      late++;
+      throw new Error(
+        `It was not read: the scripts before it took ${SCRIPTS_MS / 1_000} s. Remove those that do not end.`,
+      );
+    },
   });
+  if (late > 0) {
+    log.warn('scripts of the original were not read, because those before them took too long', {
+      ...{ folder, count: late, seconds: SCRIPTS_MS / 1_000 },
+    });
+  }
   return withoutRepeats(files);
 }
 
