@@ -69,15 +69,18 @@ describe('the broker and the bridge', () => {
   const open = (system: ReturnType<typeof openSystem>) => {
     const states = new Inbox<ForeignState>();
     const messages = new Inbox<ForeignMessage<Uint8Array>>();
+    /** How many messages had come by then. */
+    const settled = new Inbox<number>();
     const dropped: string[] = [];
     system.open({
       handleMessage: (message) => messages.add(message),
       handleRefused: (reason) => dropped.push(reason),
       handleDropped: (_mapping, reason) => dropped.push(reason),
       handleState: (state) => states.add(state),
+      handleSettled: () => settled.add(messages.all.length),
     });
     onTestFinished(() => system.close());
-    return { states, messages, dropped };
+    return { states, messages, settled, dropped };
   };
   const text = (payload: Uint8Array): string => new TextDecoder().decode(payload);
 
@@ -101,6 +104,23 @@ describe('the broker and the bridge', () => {
     );
     await later.subscribeAsync('kept/out', { qos: 0, rap: true });
     expect(await got).toBe('kept/out 2 true');
+  });
+
+  it('says when all that the broker kept has come, however much it is [BR-14]', async () => {
+    const peer = await openPeer();
+    const names = Array.from({ length: 200 }, (_, index) => `many/${index}`);
+    await Promise.all(names.map((name) => peer.publishAsync(name, '1', { qos: 1, retain: true })));
+    const system = openSystem();
+    const { messages, settled } = open(system);
+    system.setMappings([mappingOf('both', 'many/+', '/many/{1}', { retained: true, qos: 1 })]);
+    expect(await settled.next()).toBe(names.length);
+    expect(messages.all.every(({ isKept }) => isKept)).toBe(true);
+    await peer.publishAsync('many/0', '2', { qos: 1, retain: true });
+    expect(await messages.next(({ payload }) => text(payload) === '2')).toMatchObject({
+      isKept: false,
+    });
+    system.setMappings([]);
+    expect(await settled.next()).toBe(0);
   });
 
   it('marks what it sends, so that bridges of the same master leave it alone [BR-21]', async () => {

@@ -94,6 +94,7 @@ describe('OSC', () => {
         handleRefused: (reason) => refused.add(reason),
         handleDropped: (_mapping, reason) => refused.add(reason),
         handleState: ({ status }) => status === 'connected' && resolve(),
+        handleSettled: () => undefined,
       });
     });
     onTestFinished(async () => {

@@ -199,6 +199,7 @@ describe('rosbridge', () => {
         handleRefused: (reason) => refused.add(reason),
         handleDropped: (_mapping, reason) => refused.add(reason),
         handleState: ({ status }) => status === 'connected' && resolve(),
+        handleSettled: () => undefined,
       });
     });
     onTestFinished(async () => {
@@ -244,6 +245,18 @@ describe('rosbridge', () => {
     expect(rosCodec.read((await messages.next()).payload, mapping).value).toEqual({
       elements: [2.5],
     });
+  });
+
+  it('keeps the subscriptions of mappings that do not change [BR-4]', async () => {
+    const { server, system } = await open();
+    const [kept, gone, next] = ['/kept', '/gone', '/next'].map((topic) =>
+      mappingOf('in', topic, topic, { rosType: FLOAT }),
+    );
+    system.setMappings([kept!, gone!]);
+    system.setMappings([structuredClone(kept!), next!]);
+    await expect
+      .poll(() => server.operations.map(({ op, topic }) => `${op} ${topic}`))
+      .toEqual(['subscribe /kept', 'subscribe /gone', 'unsubscribe /gone', 'subscribe /next']);
   });
 
   it('advertises each topic once, with its type, before its first message [BR-71]', async () => {

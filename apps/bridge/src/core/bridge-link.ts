@@ -67,8 +67,10 @@ export function createBridgeLink<P>(
         handleDropped: (mapping, reason) => engine.handleDropped(mapping, reason),
         handleState(next) {
           state = next;
+          engine.handleState(next);
           options.onState(next);
         },
+        handleSettled: () => engine.handleSettled(),
       });
     },
     setMappings: (mappings) =>

@@ -5,11 +5,11 @@ import { BridgeEngine } from '../core/engine/bridge-engine.ts';
 import { EchoMemory } from '../core/loop/echo-memory.ts';
 import { OtherBridges } from '../core/loop/other-bridges.ts';
 import { bytesCodec } from '../core/payload/bytes-codec.ts';
-import type { OutgoingMessage, Sent } from '../core/ports/foreign-system.ts';
+import type { ForeignMessage, OutgoingMessage, Sent } from '../core/ports/foreign-system.ts';
 import type { MasterListener, TopicMaster } from '../core/ports/topic-master.ts';
 
 /** An engine between a master and a system in memory. */
-export function createEngineBench({ returnsMessages = false } = {}) {
+export function createEngineBench({ returnsMessages = false, isSettled = true } = {}) {
   const clock = new FakeClock();
   const published: [topic: string, value: unknown][] = [];
   const sent: [address: string, text: string | undefined][] = [];
@@ -25,11 +25,13 @@ export function createEngineBench({ returnsMessages = false } = {}) {
       return () => void listeners.delete(listener);
     },
   };
-  const engine = new BridgeEngine<Uint8Array>({
+  const engine: BridgeEngine<Uint8Array> = new BridgeEngine<Uint8Array>({
     ...{ clock, codec: bytesCodec, master, bridges },
     echoes: returnsMessages ? new EchoMemory(clock) : undefined,
     foreign: {
-      setMappings: () => undefined,
+      setMappings: () => {
+        if (isSettled) engine.handleSettled();
+      },
       send({ address, payload }: OutgoingMessage<Uint8Array>) {
         sent.push([address, payload && new TextDecoder().decode(payload)]);
         return answer.sent;
@@ -40,17 +42,29 @@ export function createEngineBench({ returnsMessages = false } = {}) {
     ...{ clock, engine, bridges, published, sent, answer },
     /** What the engine has subscribed to. */
     patterns: () => [...listeners.values()],
+    /** Those who listen, in the order in which they came. */
+    subscriptions: () => [...listeners.keys()],
     /** A message comes from the other system. */
-    receive(address: string, text: string, more: { readonly isOurs?: boolean } = {}) {
+    receive(
+      address: string,
+      text: string,
+      more: Partial<Pick<ForeignMessage<Uint8Array>, 'isOurs' | 'isKept' | 'timestampMs'>> = {},
+    ) {
       const payload = new TextEncoder().encode(text);
       engine.handleMessage({
         ...{ address, payload, sizeBytes: payload.byteLength },
-        ...{ isEmpty: payload.byteLength === 0, isOurs: more.isOurs ?? false },
+        ...{ isEmpty: payload.byteLength === 0, isOurs: false, isKept: false, ...more },
       });
     },
     /** A client publishes. */
-    record(topic: string, value: unknown, publisherId = 'ada', format: DataFormat = 'double') {
-      const bytes = encodeRecord({ topic, format, value } as RecordInit);
+    record(
+      topic: string,
+      value: unknown,
+      publisherId = 'ada',
+      format: DataFormat = 'double',
+      timestampMs?: number,
+    ) {
+      const bytes = encodeRecord({ topic, format, value, timestampMs } as RecordInit);
       for (const listener of [...listeners.keys()]) {
         listener.onRecord({ topic, bytes, publisherId });
       }

@@ -28,6 +28,7 @@ export interface SystemBench<P> {
 class Seen<P> implements ForeignEvents<P> {
   readonly messages = new Inbox<ForeignMessage<P>>();
   readonly states = new Inbox<ForeignState>();
+  readonly settled = new Inbox<'settled'>();
   readonly dropped: string[] = [];
   readonly refused: string[] = [];
   count = 0;
@@ -48,6 +49,11 @@ class Seen<P> implements ForeignEvents<P> {
   handleState(state: ForeignState): void {
     this.count++;
     this.states.add(state);
+  }
+
+  handleSettled(): void {
+    this.count++;
+    this.settled.add('settled');
   }
 }
 
@@ -113,7 +119,9 @@ export function foreignSystemSuite<P>(
         bench.system.open(seen);
         bench.system.setMappings([bench.mapping('in', bench.address('old'))]);
         await seen.states.next(isConnected);
+        await seen.settled.next();
         bench.system.setMappings([bench.mapping('in', bench.address('new'))]);
+        await seen.settled.next();
         await bench.publish(bench.address('new'), 2);
         const message = await seen.messages.next(({ address }) => address === bench.address('new'));
         expect(numberOf(bench, message)).toBe(2);

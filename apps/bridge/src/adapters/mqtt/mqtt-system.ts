@@ -53,6 +53,10 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
   #wanted: ReadonlyMap<string, FilterOptions> = new Map();
   /** Bytes of messages that the broker has not acknowledged. */
   #unacknowledgedBytes = 0;
+  /** Number of this connection, of messages that the broker had kept, and of what `#settle` asked for. */
+  #connection = 0;
+  #keptCount = 0;
+  #round = 0;
   #isAvailable = false;
   #isClosed = false;
   #failure = '';
@@ -90,6 +94,7 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     this.#subscribe(
       client,
       [...this.#wanted].filter(([filter, options]) => !isSame(before.get(filter), options)),
+      () => this.#settle(client),
     );
   }
 
@@ -148,12 +153,15 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
 
   #handleConnect(client: MqttClient): void {
     client.options.clean = false;
+    this.#connection++;
     this.#backOff.handleConnected();
     this.#failure = '';
     this.#tellAvailability(client);
     // Connected is who gets what it asked for.
     this.#subscribe(client, [...this.#wanted], () => {
-      if (client.connected) this.#events?.handleState({ status: 'connected' });
+      if (!client.connected) return;
+      this.#events?.handleState({ status: 'connected' });
+      this.#settle(client);
     });
     for (const message of this.#waiting.takeAll()) {
       const sent = this.#publish(client, message, message.payload?.byteLength ?? 0);
@@ -167,11 +175,28 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     this.#events?.handleState({ status: 'waiting', reason });
   }
 
-  #handleMessage(address: string, payload: Buffer, { properties }: IPublishPacket): void {
+  /**
+   * Tells when the kept messages of the subscriptions have come. Brokers send them after the acknowledgement, and only some at
+   * once: it asks for an answer again, as long as some came before it. [BR-14]
+   */
+  #settle(client: MqttClient): void {
+    const [connection, kept] = [this.#connection, this.#keptCount];
+    const round = ++this.#round;
+    // Nothing was subscribed there: the answer is all that comes of it.
+    client.unsubscribe(`ubii/${this.#settings.clientId}/settled`, () => {
+      const isOver = !client.connected || connection !== this.#connection || round !== this.#round;
+      if (isOver) return;
+      if (kept === this.#keptCount) this.#events?.handleSettled();
+      else this.#settle(client);
+    });
+  }
+
+  #handleMessage(address: string, payload: Buffer, { properties, retain }: IPublishPacket): void {
+    if (retain) this.#keptCount++;
     const origin = properties?.userProperties?.[ORIGIN];
     this.#events?.handleMessage({
       ...{ address, payload, sizeBytes: payload.byteLength },
-      isEmpty: payload.byteLength === 0,
+      ...{ isEmpty: payload.byteLength === 0, isKept: retain },
       isOurs: origin !== undefined && origin === this.#settings.masterId(),
     });
   }

@@ -7,8 +7,8 @@ export interface FilterOptions {
   readonly qos: Qos;
   /** No local: the broker does not send back what this connection published. [BR-21] */
   readonly nl: true;
-  /** Retain as published. */
-  readonly rap: true;
+  /** Not retain as published: the flag says that the broker kept the message. [BR-14] */
+  readonly rap: false;
   /** Retain handling: 0 sends retained messages with the subscription, 2 does not. */
   readonly rh: 0 | 2;
 }
@@ -22,7 +22,7 @@ export function filtersOf(mappings: readonly Mapping[]): ReadonlyMap<string, Fil
     filters.set(filter, {
       qos: Math.max(before?.qos ?? 0, mapping.qos) as Qos,
       nl: true,
-      rap: true,
+      rap: false,
       rh: mapping.retained || before?.rh === 0 ? 0 : 2,
     });
   }

@@ -55,7 +55,9 @@ export class OscSystem implements ForeignSystem<OscContent> {
   }
 
   /** UDP has no subscriptions: all that comes is told, and the engine selects. */
-  setMappings(_mappings: readonly Mapping[]): void {}
+  setMappings(_mappings: readonly Mapping[]): void {
+    if (this.#socket !== undefined) this.#events?.handleSettled();
+  }
 
   send({ address, payload, mapping: _mapping }: OutgoingMessage<OscContent>): Sent {
     const socket = this.#socket;
@@ -98,6 +100,7 @@ export class OscSystem implements ForeignSystem<OscContent> {
       socket.on('error', (error) => this.#events?.handleRefused(error.message));
       this.#backOff.handleConnected();
       this.#events.handleState({ status: 'connected' });
+      this.#events.handleSettled();
     } catch (error) {
       this.#events?.handleState({ status: 'waiting', reason: (error as Error).message });
       if (this.#events === undefined) return;
@@ -114,7 +117,7 @@ export class OscSystem implements ForeignSystem<OscContent> {
       for (const { address, args, timestampMs } of decodeOsc(bytes)) {
         this.#events?.handleMessage({
           ...{ address, payload: { args, timestampMs }, sizeBytes: bytes.length },
-          ...{ isEmpty: false, isOurs: false },
+          ...{ isEmpty: false, isOurs: false, isKept: false },
         });
       }
     } catch (error) {

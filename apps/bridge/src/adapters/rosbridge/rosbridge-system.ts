@@ -42,7 +42,8 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
   readonly #waiting: WaitingMessages<RosMessage>;
   #events: ForeignEvents<RosMessage> | undefined;
   #socket: WebSocket | undefined;
-  #mappings: readonly Mapping[] = [];
+  /** By what they say. */
+  #wanted: ReadonlyMap<string, RosSubscription> = new Map();
   /** Topics that are advertised on this connection, with their types. */
   readonly #advertised = new Map<string, string>();
   #isClosed = false;
@@ -65,11 +66,15 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
   }
 
   setMappings(mappings: readonly Mapping[]): void {
-    for (const mapping of this.#mappings.filter(takesIn)) {
-      this.#tell({ op: 'unsubscribe', id: idOf(mapping), topic: mapping.foreign.text });
+    const before = this.#wanted;
+    this.#wanted = subscriptionsOf(mappings);
+    for (const [text, { id, topic }] of before) {
+      if (!this.#wanted.has(text)) this.#tell({ op: 'unsubscribe', id, topic });
     }
-    this.#mappings = mappings;
-    this.#subscribe();
+    // A subscription that goes on gets no latched message again.
+    for (const [text, subscription] of this.#wanted)
+      if (!before.has(text)) this.#tell(subscription);
+    if (this.#isOpen) this.#events?.handleSettled();
   }
 
   send(message: OutgoingMessage<RosMessage>): Sent {
@@ -79,7 +84,7 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     }
     // ROS keeps messages of a publisher that latches, and has nothing to delete them with.
     if (message.payload === undefined) return { kind: 'sent' };
-    if (this.#socket?.readyState === WebSocket.OPEN) return this.#publish(message);
+    if (this.#isOpen) return this.#publish(message);
     if (message.mapping.retained) {
       return this.#waiting.add(message, JSON.stringify(message.payload).length);
     }
@@ -99,6 +104,10 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     else socket.terminate();
     await Promise.race([closed, new Promise((resolve) => setTimeout(resolve, 500))]);
     socket.terminate();
+  }
+
+  get #isOpen(): boolean {
+    return this.#socket?.readyState === WebSocket.OPEN;
   }
 
   #connect(): void {
@@ -124,8 +133,10 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     this.#isAlive = true;
     this.#advertised.clear();
     this.#timers = [clock.every(HEARTBEAT_MS, () => this.#beat())];
-    this.#subscribe();
+    for (const subscription of this.#wanted.values()) this.#tell(subscription);
     this.#events?.handleState({ status: 'connected' });
+    // It does not tell latched messages from others.
+    this.#events?.handleSettled();
     for (const message of this.#waiting.takeAll()) {
       const sent = this.#publish(message);
       if ('reason' in sent) this.#events?.handleDropped(message.mapping, sent.reason);
@@ -160,7 +171,7 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     if (op === 'publish' && typeof topic === 'string' && typeof msg === 'object' && msg !== null) {
       this.#events?.handleMessage({
         ...{ address: topic, payload: msg as RosMessage, sizeBytes: bytes.length },
-        ...{ isEmpty: false, isOurs: false },
+        ...{ isEmpty: false, isOurs: false, isKept: false },
       });
     } else if (op === 'status' && (frame['level'] === 'error' || frame['level'] === 'warning')) {
       this.#events?.handleRefused(`rosbridge: ${String(frame['msg']).slice(0, 500)}`);
@@ -168,18 +179,6 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
       this.#events?.handleRefused(
         `Messages of the kind ${String(op).slice(0, 100)} are not taken.`,
       );
-    }
-  }
-
-  #subscribe(): void {
-    for (const mapping of this.#mappings.filter(takesIn)) {
-      this.#tell({
-        ...{ op: 'subscribe', id: idOf(mapping), topic: mapping.foreign.text },
-        type: mapping.rosType,
-        // Milliseconds between messages; rosbridge counts whole ones.
-        throttle_rate: mapping.maxRateHz > 0 ? Math.floor(1_000 / mapping.maxRateHz) : 0,
-        ...{ queue_length: mapping.queueLength, compression: mapping.compression },
-      });
     }
   }
 
@@ -198,10 +197,24 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
   }
 
   #tell(message: object): void {
-    if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(message));
+    if (this.#isOpen) this.#socket?.send(JSON.stringify(message));
   }
 }
 
-function idOf({ name }: Mapping): string {
-  return `subscribe:${name}`;
+/** As rosbridge is asked for the messages of a topic. */
+interface RosSubscription {
+  readonly op: 'subscribe';
+  readonly id: string;
+  readonly topic: string;
+}
+
+function subscriptionsOf(mappings: readonly Mapping[]): ReadonlyMap<string, RosSubscription> {
+  const subscriptions = mappings.filter(takesIn).map((mapping) => ({
+    ...({ op: 'subscribe', id: `subscribe:${mapping.name}`, topic: mapping.foreign.text } as const),
+    type: mapping.rosType,
+    // Milliseconds between messages; rosbridge counts whole ones.
+    throttle_rate: mapping.maxRateHz > 0 ? Math.floor(1_000 / mapping.maxRateHz) : 0,
+    ...{ queue_length: mapping.queueLength, compression: mapping.compression },
+  }));
+  return new Map(subscriptions.map((one) => [JSON.stringify(one), one]));
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createEngineBench } from '../../testing/engine-bench.ts';
 import { mappingOf } from '../../testing/mapping-of.ts';
+import type { Mapping } from '../mapping/mapping.ts';
 import { BRIDGE_LIMITS } from '../limits.ts';
 
 const inMapping = mappingOf('in', 'sensors/+/temp', '/mqtt/{1}/temp');
@@ -115,6 +116,15 @@ describe('a bridge between a master and another system', () => {
     expect(bench.published.at(-1)).toEqual(['/home/lamp', 2]);
   });
 
+  it('finds what comes back in single precision [BR-23]', () => {
+    const bench = createEngineBench({ returnsMessages: true });
+    bench.engine.setMappings([mappingOf('both', 'home/+', '/home/{1}')]);
+    bench.record('/home/lamp', 0.1);
+    bench.receive('home/lamp', String(Math.fround(0.1)));
+    expect(bench.published).toEqual([]);
+    expect(bench.lane(0, 'in').returned).toBe(1);
+  });
+
   it('a newer value of one side takes the place of one that waits for it [BR-31]', () => {
     const bench = createEngineBench();
     bench.engine.setMappings([{ ...both, maxRateHz: 1 }]);
@@ -124,6 +134,96 @@ describe('a bridge between a master and another system', () => {
     bench.clock.advanceSync(2_000);
     expect(bench.sent).toEqual([['home/lamp', '1']]);
     expect(bench.published).toEqual([['/home/lamp', 3]]);
+  });
+
+  describe('where both sides have a value when the bridge comes [BR-14]', () => {
+    const start = () => {
+      const bench = createEngineBench({ isSettled: false });
+      bench.engine.setMappings([both, outMapping]);
+      return bench;
+    };
+    const kept = { isKept: true };
+
+    it.each([
+      ['before', false],
+      ['after', true],
+    ])('the kept message counts, also when it comes %s the record', (_name, isLater) => {
+      const bench = start();
+      if (!isLater) bench.receive('home/lamp', '1', kept);
+      bench.record('/home/lamp', 2);
+      if (isLater) bench.receive('home/lamp', '1', kept);
+      bench.record('/garden/wind', 3);
+      bench.engine.handleSettled();
+      expect(bench.published).toEqual([['/home/lamp', 1]]);
+      expect(bench.sent).toEqual([['out/wind', '3']]);
+      // What is set from then on leaves.
+      bench.record('/home/lamp', 4, 'ada', 'double', bench.clock.nowMs() + 1);
+      expect(bench.sent.at(-1)).toEqual(['home/lamp', '4']);
+    });
+
+    it('what the master had before may come late, and does not leave', () => {
+      const bench = start();
+      bench.receive('home/lamp', '1', kept);
+      bench.receive('home/fan', '1', kept);
+      bench.engine.handleSettled();
+      bench.record('/home/lamp', 2, 'ada', 'double', bench.clock.nowMs() - 1);
+      expect(bench.sent).toEqual([]);
+      expect(bench.lane(0, 'out').returned).toBe(1);
+      // Only the first record can be that, and only soon.
+      bench.record('/home/lamp', 3, 'ada', 'double', bench.clock.nowMs() - 1);
+      bench.clock.advanceSync(10_001);
+      bench.record('/home/fan', 4);
+      expect(bench.sent).toEqual([
+        ['home/lamp', '3'],
+        ['home/fan', '4'],
+      ]);
+    });
+
+    it('the record counts where nothing is kept, or what another run of a bridge here has sent', () => {
+      const bench = start();
+      bench.record('/home/lamp', 1);
+      bench.record('/home/lamp', 2);
+      bench.record('/home/fan', 3);
+      bench.receive('home/fan', '9', { ...kept, isOurs: true });
+      expect(bench.sent).toEqual([]);
+      bench.engine.handleSettled();
+      expect(bench.sent).toEqual([
+        ['home/lamp', '2'],
+        ['home/fan', '3'],
+      ]);
+      expect(bench.published).toEqual([]);
+      // What was kept and comes too late is older than what left.
+      bench.receive('home/lamp', '1', kept);
+      expect(bench.published).toEqual([]);
+    });
+
+    it('the newer one counts where both say their time', () => {
+      const bench = start();
+      const atMs = bench.clock.nowMs();
+      bench.record('/home/lamp', 1, 'ada', 'double', atMs);
+      bench.record('/home/fan', 1, 'ada', 'double', atMs);
+      bench.receive('home/lamp', '5', { ...kept, timestampMs: atMs - 1 });
+      bench.receive('home/fan', '5', { ...kept, timestampMs: atMs + 1 });
+      bench.engine.handleSettled();
+      expect(bench.published).toEqual([['/home/fan', 5]]);
+      expect(bench.sent).toEqual([['home/lamp', '1']]);
+    });
+
+    it('after an outage, a kept message that was taken before is no news', () => {
+      const bench = start();
+      bench.receive('home/lamp', '1', kept);
+      bench.receive('home/fan', '1', kept);
+      bench.engine.handleSettled();
+      bench.engine.handleState({ status: 'waiting', reason: 'outage' });
+      bench.clock.advanceSync(60_000);
+      bench.record('/home/lamp', 2);
+      bench.record('/home/fan', 2);
+      bench.receive('home/lamp', '1', kept);
+      bench.receive('home/fan', '7', kept);
+      bench.engine.handleSettled();
+      expect(bench.sent).toEqual([['home/lamp', '2']]);
+      expect(bench.published.slice(2)).toEqual([['/home/fan', 7]]);
+    });
   });
 
   it('ends a retained value on the other side, and only its own [BR-13]', () => {
@@ -153,6 +253,29 @@ describe('a bridge between a master and another system', () => {
     bench.record('/garden/wind', 4);
     expect(bench.lane(0, 'in').passed).toBe(2);
     expect([bench.sent, bench.patterns()]).toEqual([[], []]);
+  });
+
+  it('leaves alone what does not change: no value is sent again [BR-4]', () => {
+    const bench = createEngineBench();
+    const copyOf = (mapping: Mapping): Mapping => structuredClone(mapping);
+    bench.engine.setMappings([outMapping, { ...both, maxRateHz: 1 }]);
+    bench.record('/garden/door', 1);
+    bench.record('/home/lamp', 1);
+    bench.record('/home/lamp', 2);
+    const [first] = bench.subscriptions();
+    bench.engine.setMappings([copyOf({ ...both, maxRateHz: 1 }), copyOf(outMapping), inMapping]);
+    expect(bench.subscriptions()).toContain(first);
+    expect(bench.subscriptions()).toHaveLength(2);
+    expect(bench.engine.report().mappings.map(({ name }) => name)).toEqual(
+      [both, outMapping, inMapping].map(({ name }) => name),
+    );
+    // What waits for its time still does.
+    bench.clock.advanceSync(1_000);
+    expect(bench.sent.at(-1)).toEqual(['home/lamp', '2']);
+    bench.engine.setMappings([{ ...outMapping, maxRateHz: 5 }]);
+    expect(bench.subscriptions()).toHaveLength(1);
+    expect(bench.subscriptions()).not.toContain(first);
+    expect(bench.lane(0, 'out').passed).toBe(1);
   });
 
   it('counts what waited for the connection and was dropped [BR-32]', () => {

@@ -4,14 +4,15 @@ import { BRIDGE_LIMITS } from '../limits.ts';
 import type { EchoMemory } from '../loop/echo-memory.ts';
 import type { OtherBridges } from '../loop/other-bridges.ts';
 import { isPattern, toGlob } from '../mapping/address-path.ts';
-import { givesOut, takesIn } from '../mapping/mapping.ts';
+import { givesOut, isSameMapping, takesIn } from '../mapping/mapping.ts';
 import type { Mapping } from '../mapping/mapping.ts';
 import type { PayloadCodec } from '../payload/payload-codec.ts';
-import type { ForeignMessage, ForeignSystem } from '../ports/foreign-system.ts';
+import type { ForeignMessage, ForeignState, ForeignSystem } from '../ports/foreign-system.ts';
 import type { TopicMaster } from '../ports/topic-master.ts';
 import { InLane } from './in-lane.ts';
 import type { LaneReport } from './lane-report.ts';
 import { OutLane } from './out-lane.ts';
+import { SendGate } from './send-gate.ts';
 
 /** Addresses whose mappings are remembered. */
 const REMEMBERED_ADDRESSES = 10_000;
@@ -62,6 +63,7 @@ interface Lanes<P> {
 export class BridgeEngine<P> {
   readonly #options: EngineOptions<P>;
   readonly #bucket: TokenBucket;
+  readonly #gate: SendGate<P>;
   #lanes: readonly Lanes<P>[] = [];
   #routes = new Map<string, readonly { readonly lane: InLane<P>; readonly topic: string }[]>();
   #overRate = 0;
@@ -71,14 +73,29 @@ export class BridgeEngine<P> {
   constructor(options: EngineOptions<P>) {
     this.#options = options;
     this.#bucket = new TokenBucket(BRIDGE_LIMITS.messagesPerSecond, options.clock.monotonicMs());
+    this.#gate = new SendGate({
+      ...{ foreign: options.foreign, clock: options.clock },
+      onSent: (address, payload) => this.#handleSent(address, payload),
+      onDropped: (mapping, reason) => this.handleDropped(mapping, reason),
+    });
   }
 
-  /** The mappings that hold from now on. Counters go on where a mapping has the same name. [BR-4] */
+  /** The mappings that hold from now on. Counters go on where a mapping has the same name, and all of it where nothing changed. [BR-4] */
   setMappings(mappings: readonly Mapping[]): void {
     const before = new Map(this.#lanes.map((lanes) => [lanes.mapping.name, lanes]));
-    for (const lanes of this.#lanes) lanes.end();
+    const kept = new Set(
+      mappings.flatMap((mapping) => {
+        const lanes = before.get(mapping.name);
+        return lanes !== undefined && isSameMapping(lanes.mapping, mapping) ? [lanes] : [];
+      }),
+    );
+    for (const lanes of this.#lanes) if (!kept.has(lanes)) lanes.end();
+    this.#gate.close(false);
     this.#routes.clear();
-    this.#lanes = mappings.map((mapping) => this.#open(mapping, before.get(mapping.name)));
+    this.#lanes = mappings.map((mapping) => {
+      const lanes = before.get(mapping.name);
+      return lanes !== undefined && kept.has(lanes) ? lanes : this.#open(mapping, lanes);
+    });
     this.#options.foreign.setMappings(mappings);
   }
 
@@ -90,6 +107,15 @@ export class BridgeEngine<P> {
     for (const { lane, topic } of this.#routesOf(message.address)) {
       lane.handleMessage(message, topic);
     }
+  }
+
+  /** What the other system keeps was given. [BR-14] */
+  handleSettled(): void {
+    this.#gate.open();
+  }
+
+  handleState({ status }: ForeignState): void {
+    if (status !== 'connected') this.#gate.close(true);
   }
 
   handleRefused(reason: string): void {
@@ -154,16 +180,17 @@ export class BridgeEngine<P> {
   }
 
   #world() {
-    const { clock, codec, master, foreign, bridges, echoes } = this.#options;
+    const { clock, codec, master, bridges, echoes } = this.#options;
     return {
-      ...{ clock, codec, master, foreign, echoes },
+      ...{ clock, codec, master, echoes, gate: this.#gate },
       isFromThere: (publisherId: string): boolean =>
         publisherId !== '' && (publisherId === master.ownId || bridges.has(publisherId)),
-      onSent: (address: string, payload: P): void => {
-        if (echoes === undefined) return;
-        for (const { lane } of this.#routesOf(address)) lane.handleSent(address, payload);
-      },
     };
+  }
+
+  #handleSent(address: string, payload: P): void {
+    if (this.#options.echoes === undefined) return;
+    for (const { lane } of this.#routesOf(address)) lane.handleSent(address, payload);
   }
 
   #routesOf(address: string): readonly { readonly lane: InLane<P>; readonly topic: string }[] {

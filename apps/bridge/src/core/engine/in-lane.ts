@@ -1,6 +1,7 @@
 import { isMasterTopic } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import { BRIDGE_LIMITS } from '../limits.ts';
+import { contentHash } from '../loop/content-hash.ts';
 import type { EchoMemory } from '../loop/echo-memory.ts';
 import { fillPath, matchPath } from '../mapping/address-path.ts';
 import type { Mapping } from '../mapping/mapping.ts';
@@ -10,6 +11,8 @@ import type { TopicMaster } from '../ports/topic-master.ts';
 import { LaneCounters } from './lane-report.ts';
 import type { LaneReport } from './lane-report.ts';
 import { Sampler } from './sampler.ts';
+import { hasTwoValues } from './send-gate.ts';
+import type { SendGate } from './send-gate.ts';
 
 /** What the lanes of a bridge share. */
 export interface LaneWorld<P> {
@@ -18,6 +21,7 @@ export interface LaneWorld<P> {
   readonly master: TopicMaster;
   /** For systems that send back what they get. */
   readonly echoes: EchoMemory | undefined;
+  readonly gate: SendGate<P>;
 }
 
 /** One mapping from the other system into the master. */
@@ -65,9 +69,16 @@ export class InLane<P> {
     } catch (error) {
       return this.#refuse(address, (error as Error).message);
     }
-    if (this.#world.echoes?.takeEcho(this.#echoKey(address), contentOf(read)) === true) {
+    if (this.#world.echoes?.takeEcho(this.#echoKey(address), contentHash(read)) === true) {
       return this.#counters.handleReturned();
     }
+    if (!hasTwoValues(this.mapping)) return this.#offer(message, topic, read);
+    const content = contentHash(read);
+    const { timestampMs = message.timestampMs } = read;
+    if (message.isKept && !this.#world.gate.isNews(message, timestampMs, content)) {
+      return this.#counters.handleReturned(); // [BR-14]
+    }
+    this.#world.gate.handleTaken(message, content);
     this.#offer(message, topic, read);
   }
 
@@ -76,7 +87,7 @@ export class InLane<P> {
     const { echoes, codec } = this.#world;
     if (echoes === undefined) return;
     try {
-      echoes.handleSent(this.#echoKey(address), contentOf(codec.read(payload, this.mapping)));
+      echoes.handleSent(this.#echoKey(address), contentHash(codec.read(payload, this.mapping)));
     } catch {
       // What this mapping cannot read, it will not take either.
     }
@@ -131,10 +142,6 @@ export class InLane<P> {
   #echoKey(address: string): string {
     return `${this.mapping.name}\n${address}`;
   }
-}
-
-function contentOf({ format, value }: TypedValue): string {
-  return `${format} ${JSON.stringify(value)}`;
 }
 
 /** Says why a topic may not be used; `undefined` when it may. [TD-13] [TD-16] */

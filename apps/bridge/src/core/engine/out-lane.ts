@@ -2,7 +2,7 @@ import { decodeRecord } from '@ubii/proto';
 import { BRIDGE_LIMITS } from '../limits.ts';
 import { fillPath, matchPath } from '../mapping/address-path.ts';
 import type { Mapping } from '../mapping/mapping.ts';
-import type { ForeignSystem, Sent } from '../ports/foreign-system.ts';
+import type { Sent } from '../ports/foreign-system.ts';
 import type { MasterRecord } from '../ports/topic-master.ts';
 import type { LaneWorld } from './in-lane.ts';
 import { LaneCounters } from './lane-report.ts';
@@ -11,11 +11,8 @@ import { Sampler } from './sampler.ts';
 
 /** What an `OutLane` needs besides. */
 export interface OutWorld<P> extends LaneWorld<P> {
-  readonly foreign: Pick<ForeignSystem<P>, 'send'>;
   /** Whether a client is a bridge to the same system, or this one. [BR-20] */
   isFromThere(publisherId: string): boolean;
-  /** A message leaves for an address. */
-  onSent(address: string, payload: P): void;
 }
 
 /** One mapping from the master into the other system. */
@@ -74,7 +71,7 @@ export class OutLane<P> {
       topic,
       'no value any more',
       0,
-      this.#world.foreign.send({ address, payload: undefined, mapping: this.mapping }),
+      this.#world.gate.send({ address, payload: undefined, mapping: this.mapping }, 0),
     );
   }
 
@@ -102,9 +99,10 @@ export class OutLane<P> {
   }
 
   #send({ topic, bytes }: MasterRecord, address: string): void {
-    const { codec, foreign } = this.#world;
+    const { codec, gate } = this.#world;
     let payload: P;
     let value: unknown;
+    let timestampMs: number | undefined;
     try {
       const record = decodeRecord(bytes);
       if (record.format === undefined) return;
@@ -112,13 +110,14 @@ export class OutLane<P> {
       if (format !== undefined && record.format !== format) {
         throw new Error(`Expected ${format}, got ${record.format}.`);
       }
-      value = record.value;
+      ({ value, timestampMs } = record);
       payload = codec.write({ ...record, bytes }, this.mapping);
     } catch (error) {
       return this.#refuse(topic, (error as Error).message);
     }
-    const sent = foreign.send({ address, payload, mapping: this.mapping });
-    if (sent.kind === 'sent' || sent.kind === 'waiting') this.#world.onSent(address, payload);
+    const message = { address, payload, mapping: this.mapping, timestampMs };
+    if (gate.isOlder(message)) return this.#counters.handleReturned(); // [BR-14]
+    const sent = gate.send(message, bytes.byteLength);
     this.#count(address, value, bytes.byteLength, sent);
   }
 

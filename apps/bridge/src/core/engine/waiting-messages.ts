@@ -21,8 +21,7 @@ export class WaitingMessages<P> {
   }
 
   add(message: OutgoingMessage<P>, sizeBytes: number): Sent {
-    const before = this.#messages.get(message.address);
-    if (before !== undefined) this.#drop(message.address, before, 'A newer value took its place.');
+    this.drop(message.address, 'A newer value took its place.');
     if (sizeBytes > BRIDGE_LIMITS.waitingBytes) {
       return { kind: 'dropped', reason: 'Too large to wait for the connection.' };
     }
@@ -37,6 +36,17 @@ export class WaitingMessages<P> {
       this.#drop(oldest[0], oldest[1], 'Too many messages wait for the connection.');
     }
     return { kind: 'waiting' };
+  }
+
+  /** The message that waits for an address. */
+  get(address: string): OutgoingMessage<P> | undefined {
+    return this.#messages.get(address)?.message;
+  }
+
+  /** Drops the message that waits for an address, if there is one. */
+  drop(address: string, reason: string): void {
+    const waiting = this.#messages.get(address);
+    if (waiting !== undefined) this.#drop(address, waiting, reason);
   }
 
   /** Takes all, the one first that waits longest. */

@@ -28,7 +28,12 @@ function createBench() {
     JSON.parse(sent.get(topic) ?? 'null') as Record<string, unknown> | null;
   const find = (topic: string, content: string) => {
     const payload = new TextEncoder().encode(content);
-    const sizes = { sizeBytes: payload.length, isEmpty: payload.length === 0, isOurs: true };
+    const sizes = {
+      sizeBytes: payload.length,
+      isEmpty: payload.length === 0,
+      isOurs: true,
+      isKept: true,
+    };
     return homeAssistant.handleMessage({ address: topic, payload, ...sizes });
   };
   return { homeAssistant, sent, config, find };

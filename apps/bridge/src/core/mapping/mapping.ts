@@ -55,3 +55,18 @@ export const OTHER_PROTOCOLS = {
 
 export const takesIn = ({ direction }: Pick<Mapping, 'direction'>): boolean => direction !== 'out';
 export const givesOut = ({ direction }: Pick<Mapping, 'direction'>): boolean => direction !== 'in';
+
+/** Whether two mappings say the same, member by member. */
+export function isSameMapping(one: Mapping, other: Mapping): boolean {
+  return one === other || isSame(one, other);
+}
+
+/** Of plain objects, lists, and values without members. */
+function isSame(one: unknown, other: unknown): boolean {
+  if (typeof one !== 'object' || typeof other !== 'object' || one === null || other === null) {
+    return Object.is(one, other);
+  }
+  const [members, others] = [one, other] as Readonly<Record<string, unknown>>[];
+  const names = new Set([...Object.keys(members!), ...Object.keys(others!)]);
+  return [...names].every((name) => isSame(members![name], others![name]));
+}

@@ -10,6 +10,8 @@ export interface ForeignMessage<P> {
   readonly isEmpty: boolean;
   /** A bridge of the same master sent it: it says so itself. [BR-21] */
   readonly isOurs: boolean;
+  /** The system kept it, and gives it because the bridge has subscribed. */
+  readonly isKept: boolean;
   /** When it was sent, milliseconds since the Unix epoch, as far as the system says. */
   readonly timestampMs?: number | undefined;
 }
@@ -20,6 +22,8 @@ export interface OutgoingMessage<P> {
   /** `undefined`: the address has no value any more. */
   readonly payload: P | undefined;
   readonly mapping: Mapping;
+  /** Time of the value, milliseconds since the Unix epoch, where the record has one. */
+  readonly timestampMs?: number | undefined;
 }
 
 /** What becomes of a message: it left, it waits for the connection, or it was dropped or refused, with the reason. */
@@ -40,6 +44,8 @@ export interface ForeignEvents<P> {
   /** A message that `send` said is waiting was dropped. */
   handleDropped(mapping: Mapping, reason: string): void;
   handleState(state: ForeignState): void;
+  /** What the system keeps for the mappings was given: after each connection, and after each change of the mappings. [BR-14] */
+  handleSettled(): void;
 }
 
 /** Another system with messages at addresses. Its adapter connects again by itself, after growing pauses. [BR-40] */
