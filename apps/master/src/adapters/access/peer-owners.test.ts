@@ -1,7 +1,8 @@
 import { connect, createServer, type AddressInfo, type Socket } from 'node:net';
 import { endianness } from 'node:os';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { PeerOwners, type OwnerSource, type PeerSocket, type SocketTable } from './peer-owners.ts';
+import { PeerOwners, type OwnerSource, type PeerSocket } from './peer-owners.ts';
+import { systemTables, type ReadSocketTable, type SocketTable } from './socket-tables.ts';
 
 const HEAD = '  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid';
 const ESTABLISHED = '01';
@@ -18,9 +19,11 @@ const peer = (remoteAddress: string, localAddress = remoteAddress) => ({
 /** The rows of both tables, with lines of other sockets before and behind. */
 const source = (rows: Partial<Record<SocketTable, string>>, userId = 1000) => {
   const others = { tcp: row('0100007F:0050 0100007F:0051', 7), tcp6: '' };
-  const readTable = (table: SocketTable) =>
-    Promise.resolve(tableOf(others[table], rows[table] ?? '', others[table]));
-  return { userId, readTable: vi.fn(readTable) };
+  const readTable = vi.fn<ReadSocketTable>((table, take) => {
+    take(tableOf(others[table], rows[table] ?? '', others[table]));
+    return Promise.resolve();
+  });
+  return { userId, readTable };
 };
 /** Whose it is, once it was learnt. */
 const isOperators = async (from: OwnerSource, socket: PeerSocket) => {
@@ -71,6 +74,21 @@ describe.skipIf(endianness() !== 'LE')('whose program a connection comes from [A
     expect([owners.learn(one), from.readTable.mock.calls.length]).toEqual([undefined, 1]);
   });
 
+  it('is found in whatever part of a table it is, and no part behind that is read', async () => {
+    const parts = [
+      tableOf(row(V4.replace('AA74', 'AA75'), 33)),
+      `${row(V4, 1000)}\n`,
+      `${row(V4, 33)}\n`,
+    ];
+    const taken: boolean[] = [];
+    const readTable: ReadSocketTable = (_, take) => {
+      while (taken.at(-1) !== false) taken.push(take(parts[taken.length]!));
+      return Promise.resolve();
+    };
+    expect(await isOperators({ userId: 1000, readTable }, peer('127.0.0.1'))).toBe(true);
+    expect(taken).toEqual([true, false]);
+  });
+
   it('cannot be told where the system says nothing', () => {
     const silent = new PeerOwners({ userId: 1000, readTable: undefined });
     const noUsers = new PeerOwners({ ...source({}), userId: undefined });
@@ -88,7 +106,13 @@ describe.skipIf(endianness() !== 'LE')('whose program a connection comes from [A
 describe.skipIf(endianness() !== 'LE')('a port that goes to another program [AC-1]', () => {
   it('is looked up in a table that was opened after its connection', async () => {
     const answers: ((table: string) => void)[] = [];
-    const readTable = () => new Promise<string>((resolve) => answers.push(resolve));
+    const readTable: ReadSocketTable = (_, take) =>
+      new Promise<void>((resolve) =>
+        answers.push((table) => {
+          take(table);
+          resolve();
+        }),
+      );
     const owners = new PeerOwners({ userId: 1000, readTable });
     const [before, after] = [peer('127.0.0.1'), peer('127.0.0.1')];
     const learnt = owners.learn(before);
@@ -105,10 +129,11 @@ describe.skipIf(endianness() !== 'LE')('a port that goes to another program [AC-
 
   it('says nothing of the connection before, which was reset', async () => {
     const socket = peer('127.0.0.1');
-    const readTable = () => {
+    const readTable: ReadSocketTable = (_, take) => {
       // The table has the port of the new program; the reset is handled in the same turn.
       setImmediate(() => (socket.destroyed = true));
-      return Promise.resolve(tableOf(row(V4, 1000)));
+      take(tableOf(row(V4, 1000)));
+      return Promise.resolve();
     };
     expect(await isOperators({ userId: 1000, readTable }, socket)).toBe(false);
   });
@@ -120,6 +145,20 @@ describe.skipIf(endianness() !== 'LE')('a port that goes to another program [AC-
 });
 
 describe.skipIf(process.platform !== 'linux')('on Linux', () => {
+  it('reads whole lines of a table, and as many as are wanted', async () => {
+    const lines: string[] = [];
+    const read = async (isEnough: boolean) =>
+      systemTables()!('tcp', (text) => {
+        lines.push(text);
+        return !isEnough;
+      });
+    await read(true);
+    expect(lines).toHaveLength(1);
+    await read(false);
+    expect(lines.filter((text) => !text.endsWith('\n'))).toEqual([]);
+    expect(lines[1]).toMatch(/^ +sl +local_address /);
+  });
+
   it.each(['127.0.0.1', '::1'])('knows a connection of this user over %s [AC-1]', async (host) => {
     const server = createServer();
     await new Promise<void>((resolve) => server.listen(0, '::', resolve));

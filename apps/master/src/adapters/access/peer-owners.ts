@@ -1,8 +1,8 @@
-import { existsSync } from 'node:fs';
-import { open } from 'node:fs/promises';
 import { isIPv4 } from 'node:net';
 import { endianness } from 'node:os';
-import { setImmediate as nextTurn } from 'node:timers/promises';
+import { setImmediate as nextTurn, setTimeout as sleep } from 'node:timers/promises';
+
+import { systemTables, type ReadSocketTable, type SocketTable } from './socket-tables.ts';
 
 /** The two ends of a connection, as a server sees it. */
 export interface PeerSocket {
@@ -13,13 +13,10 @@ export interface PeerSocket {
   readonly destroyed?: boolean;
 }
 
-/** A table of TCP sockets, named after its file in `/proc/net`. */
-export type SocketTable = 'tcp' | 'tcp6';
-
 /** Operating system queries of `PeerOwners`. */
 export interface OwnerSource {
   /** Reads a table as Linux writes it; undefined where there are none. */
-  readonly readTable: ((table: SocketTable) => Promise<string>) | undefined;
+  readonly readTable: ReadSocketTable | undefined;
   /** The user that the master runs as; undefined where there are no numbers for users. */
   readonly userId: number | undefined;
 }
@@ -37,16 +34,18 @@ interface Question {
 const ENDS_WIDTH: Readonly<Record<SocketTable, number>> = { tcp: 27, tcp6: 75 };
 /** SYN_SENT: this connection was not accepted yet, so it is none of those that are asked about. */
 const CONNECTING = '02';
-/** Of the processors that Linux runs on. */
-const LARGEST_PAGE_BYTES = 65_536;
+/** Part of the time of the last read for which sockets are waited for that share the next one. */
+const GATHERING_SHARE = 0.5;
+/** Longest wait, milliseconds: a table takes longer on a busy machine. */
+const MAX_GATHERING_MS = 5;
 
 /**
  * Finds the user of the program that opened a local connection: the operator's user, or another one
  * (a proxy, another person), who is a stranger. Available on Linux only. [AC-1]
  *
- * The system writes all its sockets for one question, which takes milliseconds. Sockets that are
- * asked about while a table is read share the next one; none is judged by a table that was opened
- * before it was asked about, because its port may have been another program's then.
+ * The system walks through all its sockets for one question, which takes milliseconds. Sockets that are
+ * asked about while a table is read, or a moment later, share the next one; none is judged by a table that
+ * was opened before it was asked about, because its port may have been another program's then.
  */
 export class PeerOwners {
   readonly #source: OwnerSource;
@@ -55,6 +54,8 @@ export class PeerOwners {
   readonly #pending = new Map<PeerSocket, Promise<void>>();
   #waiting: Question[] = [];
   #isReading = false;
+  /** How long the last read took, milliseconds. */
+  #readMs = 0;
 
   constructor(source: OwnerSource = linux()) {
     this.#source = source;
@@ -99,11 +100,12 @@ export class PeerOwners {
   async #answerAll(): Promise<void> {
     this.#isReading = true;
     while (this.#waiting.length > 0) {
-      // Those that come later in this turn share the read.
-      await nextTurn();
+      await this.#gather();
       const questions = this.#waiting;
       this.#waiting = [];
+      const startMs = performance.now();
       await this.#findOwners(questions);
+      this.#readMs = performance.now() - startMs;
       // A port changes hands only after its connection was reset. A turn later that has been seen,
       // and what the table says of the port is not said of the connection before.
       await nextTurn();
@@ -116,6 +118,12 @@ export class PeerOwners {
     this.#isReading = false;
   }
 
+  /** Lets others come that share the read: those of this turn, and of the next milliseconds where a read takes long. */
+  async #gather(): Promise<void> {
+    const gatheringMs = Math.floor(Math.min(MAX_GATHERING_MS, GATHERING_SHARE * this.#readMs));
+    await (gatheringMs < 1 ? nextTurn() : sleep(gatheringMs));
+  }
+
   async #findOwners(questions: readonly Question[]): Promise<void> {
     for (const table of ['tcp', 'tcp6'] as const) {
       const open = new Map<string, Question>();
@@ -125,7 +133,10 @@ export class PeerOwners {
       }
       if (open.size === 0) continue;
       try {
-        findOwners(open, await this.#source.readTable!(table), ENDS_WIDTH[table]);
+        await this.#source.readTable!(table, (lines) => {
+          findOwners(open, lines, ENDS_WIDTH[table]);
+          return open.size > 0;
+        });
       } catch {
         // Nothing was found: strangers.
       }
@@ -133,21 +144,23 @@ export class PeerOwners {
   }
 }
 
-/** Fills in the owners of those that the table has. */
-function findOwners(open: Map<string, Question>, table: string, width: number): void {
-  for (let start = table.indexOf('\n') + 1; start > 0 && open.size > 0;) {
-    const endsAt = table.indexOf(': ', start) + 2;
+/** Fills in the owners of those that the lines have, and removes them from `open`. */
+function findOwners(open: Map<string, Question>, lines: string, width: number): void {
+  for (let start = 0; start < lines.length && open.size > 0;) {
+    const endsAt = lines.indexOf(': ', start) + 2;
     if (endsAt < 2) return;
-    const lineEnd = table.indexOf('\n', endsAt);
-    const question = open.get(table.slice(endsAt, endsAt + width));
+    const nextLine = lines.indexOf('\n', endsAt);
+    const lineEnd = nextLine < 0 ? lines.length : nextLine;
+    const ends = lines.slice(endsAt, endsAt + width);
+    const question = open.get(ends);
     if (question !== undefined) {
-      const rest = table.slice(endsAt + width, lineEnd < 0 ? undefined : lineEnd);
       // Behind the ends: state, queues, timer, retransmits, user, timeout, inode.
+      const rest = lines.slice(endsAt + width, lineEnd);
       const [state, , , , user, , inode] = rest.trim().split(/\s+/);
       // A socket without an inode has no owner any more, but the system reports user 0.
       if (inode !== undefined && inode !== '0' && state !== CONNECTING) {
         question.owner = Number(user);
-        open.delete(table.slice(endsAt, endsAt + width));
+        open.delete(ends);
       }
     }
     start = lineEnd + 1;
@@ -196,24 +209,6 @@ function portText(port: number): string {
 }
 
 function linux(): OwnerSource {
-  const hasTables = process.platform === 'linux' && existsSync('/proc/net/tcp');
-  return {
-    userId: hasTables ? process.getuid?.() : undefined,
-    readTable: hasTables ? readTable : undefined,
-  };
-}
-
-/** The system delivers a page at a time. `readFile` would make a buffer of 64 kB for each. */
-async function readTable(table: SocketTable): Promise<string> {
-  const file = await open(`/proc/net/${table}`);
-  try {
-    const page = Buffer.allocUnsafe(LARGEST_PAGE_BYTES);
-    for (let text = ''; ;) {
-      const { bytesRead } = await file.read(page, 0, page.length, null);
-      if (bytesRead === 0) return text;
-      text += page.toString('latin1', 0, bytesRead);
-    }
-  } finally {
-    await file.close();
-  }
+  const readTable = systemTables();
+  return { userId: readTable && process.getuid?.(), readTable };
 }
