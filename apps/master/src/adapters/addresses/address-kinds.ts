@@ -17,6 +17,8 @@ inPrivateNetworks.addSubnet('fe80::', 10, 'ipv6');
 
 /** True for a name or address that means this very machine. */
 export function isLoopbackHost(host: string): boolean {
+  // Asked several times for each request; a list of blocks makes objects for each question.
+  if (isIP(host) === 4) return host.startsWith('127.');
   return host === 'localhost' || host.endsWith('.localhost') || isIn(loopback, host);
 }
 
@@ -41,7 +43,7 @@ export function plainAddress(remoteAddress: string | undefined): string | undefi
 export function kindOfPeer(remoteAddress: string | undefined): AddressKind | undefined {
   const address = plainAddress(remoteAddress);
   if (address === undefined) return undefined;
-  if (isIn(loopback, address)) return 'loopback';
+  if (isLoopbackHost(address)) return 'loopback';
   return isPrivateAddress(address) ? 'private' : 'public';
 }
 

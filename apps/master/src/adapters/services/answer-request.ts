@@ -69,7 +69,10 @@ async function readRequest(
   }
   const scan =
     format.name === 'json' ? new JsonBodyScan(limits.requestDepth) : new BinaryBodyScan();
-  const body = await receiveBody({ stream, declaredBytes }, incoming, scan, { clock, ...limits });
+  // One by one: there are many limits, and copying all costs more than reading a small body.
+  const { bodyGraceMs, bodyBytesPerSecond } = limits;
+  const pace = { clock, bodyGraceMs, bodyBytesPerSecond };
+  const body = await receiveBody({ stream, declaredBytes }, incoming, scan, pace);
   // The router refuses it, whatever the payload is. [SV-41]
   if (body.bytes === undefined) return { topic: body.topic };
   const request = await decoder.decode(body, format.name, incoming.account);

@@ -45,9 +45,17 @@ export function bodyLimitsOf(limits: Limits, { request }: ServiceInfo): BodyLimi
   };
 }
 
+/** Found once for the limits of a master, not for each request. */
+const largestKnown = new WeakMap<Limits, BodyLimits>();
+
 /** The limits on the body of a request whose service is not known yet: those of the largest. */
 export function largestBodyLimits(limits: Limits): BodyLimits {
-  return Object.values(SERVICES)
-    .map((service) => bodyLimitsOf(limits, service))
-    .reduce((largest, each) => (each.bytes > largest.bytes ? each : largest));
+  let largest = largestKnown.get(limits);
+  if (largest === undefined) {
+    largest = Object.values(SERVICES)
+      .map((service) => bodyLimitsOf(limits, service))
+      .reduce((most, each) => (each.bytes > most.bytes ? each : most));
+    largestKnown.set(limits, largest);
+  }
+  return largest;
 }
