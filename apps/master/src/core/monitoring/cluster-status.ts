@@ -47,7 +47,7 @@ export function* clusterProblems({ masters }: Pick<Core, 'masters'>): Iterable<P
     severity: StatusProblemSeverity.ERROR,
     text: 'This master cannot reach NATS, and works alone. Clients of other masters count as lost, and masters that reach NATS take over its sessions, which run twice until NATS is back.',
     remedy:
-      'Check that NATS runs, and the network between it and this master. The master connects again by itself.',
+      'Check that NATS runs, and the network between it and this master. The master connects again automatically.',
     sinceMs: masters.reachSinceMs,
   };
 }
