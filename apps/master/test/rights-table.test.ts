@@ -7,6 +7,8 @@ import {
   identifyTopic,
   messageDescriptor,
   preflightTopic,
+  type Init,
+  type ServiceRequest,
 } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { withRights } from '../scripts/rights-page.ts';
@@ -70,7 +72,11 @@ describe('services, in both directions [AC-21]', () => {
     for (const service of ALL_SERVICES) {
       const { name, info } = service;
       const { topic } = info;
-      const payload = name === 'joinCheck' ? { joinCheckRequest: {} } : { client: { name: 'x' } };
+      const payloads: Partial<Record<typeof name, Init<ServiceRequest>>> = {
+        joinCheck: { joinCheckRequest: {} },
+        masterProof: { masterProofRequest: {} },
+      };
+      const payload = payloads[name] ?? { client: { name: 'x' } };
       const { error } = await master.call({ topic, ...payload }, stranger());
       const isRefused = error?.code === 'unauthenticated';
       // The registration is open to everybody who shows a token.

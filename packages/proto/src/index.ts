@@ -44,6 +44,7 @@ export {
   type ServiceReplyOf,
   type ServiceRequestOf,
 } from './services/services.ts';
+export { masterHost, masterProofText, type MasterProofFacts } from './services/master-proof.ts';
 export type { ReplyMember, RequestMember, ServiceInfo } from './services/define-service.ts';
 export {
   isServiceErrorCode,

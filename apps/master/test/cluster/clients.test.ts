@@ -83,10 +83,38 @@ describe('clients of a cluster', () => {
     const phone = await a.extension('phone');
     expect(phone.registered.extension?.masters).toEqual([]);
     await phone.subscribe({ subscribeTopics: ['/ubii/masters'] });
-    await world.add(at(2));
+    const b = await world.add(at(2));
     expect(phone.takeValues()).toEqual([['/ubii/masters', { elements: ['http://127.0.0.1:2'] }]]);
     const other = await a.extension('other');
     expect(other.registered.extension?.masters).toEqual(['http://127.0.0.1:2']);
+    // Who hears nobody may be cut off itself.
+    world.setReachable(b, false);
+    await world.pass(4_000);
+    const { extension } = (await a.extension('third')).registered;
+    expect(extension?.masters).toEqual(['http://127.0.0.1:2']);
+    world.setReachable(b, true);
+    await world.pass(1_000);
+    phone.takeValues();
+    await b.master.close();
+    await world.pass();
+    expect(phone.takeValues()).toEqual([['/ubii/masters', { elements: [] }]]);
+    expect((await a.extension('fourth')).registered.extension?.masters).toEqual([]);
+  });
+
+  it('[CU-26] are not told for long of masters that died while others are there', async () => {
+    const world = new ClusterWorld();
+    const [a, b, c] = [
+      await world.add({ endpoints: { addresses: [{ url: 'http://127.0.0.1:1' }] } }),
+      await world.add({ endpoints: { addresses: [{ url: 'http://127.0.0.1:2' }] } }),
+      await world.add({ endpoints: { addresses: [{ url: 'http://127.0.0.1:3' }] } }),
+    ];
+    const told = async () => (await a.extension('phone')).registered.extension?.masters;
+    world.setReachable(b, false);
+    await world.pass(10_000);
+    expect(await told()).toEqual(['http://127.0.0.1:3']);
+    world.setReachable(c, false);
+    await world.pass(10_000);
+    expect(await told()).toEqual(['http://127.0.0.1:3']);
   });
 
   it('[CU-21] that do not come back are removed like absent ones', async () => {

@@ -7,6 +7,7 @@ import {
   decodeTopicData,
   encode,
   encodeRecord,
+  masterProofText,
   matchesProfile,
 } from '@ubii/proto';
 import type {
@@ -22,6 +23,7 @@ import type {
   TopicSubscription,
 } from '@ubii/proto';
 import { encodeRecordListFrame } from '@ubii/proto/wire';
+import { proofOf } from '../core/connection/master-proof.ts';
 import type { TopicDataQuery } from '../core/ports/topic-data-transport.ts';
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '../transports/memory.ts';
 
@@ -208,6 +210,11 @@ export class FakeMaster implements MemoryMaster {
         return {
           clientList: { elements: [...this.#clients.values()].map(({ client }) => client) },
         };
+      case SERVICES.masterProof.topic: {
+        const { targetId: clientId, host, nonce } = request.masterProofRequest!;
+        const text = masterProofText({ host, clientId, nonce });
+        return { masterProof: { proof: proofOf(this.#tokenOf(clientId), text) } };
+      }
       case SERVICES.topicSubscription.topic:
         this.#subscribe(request.topicSubscription!);
         return SUCCESS;

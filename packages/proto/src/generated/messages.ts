@@ -2351,6 +2351,30 @@ export interface MasterAddress {
 }
 
 /**
+ * What only a master can compute that has the key of the cluster, and this address. Rule CU-85.
+ *
+ * `ubii.extension.MasterProof`
+ */
+export interface MasterProof {
+  /** HMAC-SHA-256 in hexadecimal, of the host, the id and the nonce. */
+  proof: string;
+}
+
+/**
+ * Asks a master to prove that it is of the cluster of a client, before the client shows who it is. Rule CU-85.
+ *
+ * `ubii.extension.MasterProofRequest`
+ */
+export interface MasterProofRequest {
+  /** Id of the client, which is no secret. Its resume token is the key of the proof. */
+  targetId: string;
+  /** Host and port at which the master is asked, such as 10.0.0.6:8080. */
+  host: string;
+  /** Random text of the client, another one in each request: 16 to 64 characters of ASCII without spaces. */
+  nonce: string;
+}
+
+/**
  * How the master is. Counters are totals since its start.
  *
  * `ubii.extension.MasterStatus`
@@ -4461,6 +4485,8 @@ export interface ServiceReply {
   studyParticipantList?: StudyParticipantList | undefined;
   /** What was deleted of a participant. Rule ST-51. */
   studyDeletion?: StudyDeletion | undefined;
+  /** Proof that the master is of the cluster. */
+  masterProof?: MasterProof | undefined;
 }
 
 /**
@@ -4569,6 +4595,8 @@ export interface ServiceRequest {
   studyRunListRequest?: StudyRunListRequest | undefined;
   /** Which participants are meant. Rule ST-50. */
   studyParticipantRequest?: StudyParticipantRequest | undefined;
+  /** Asks a master to prove that it is of the cluster. */
+  masterProofRequest?: MasterProofRequest | undefined;
 }
 
 /**
@@ -4985,6 +5013,8 @@ export interface MessageTypes {
   'ubii.extension.LogRequest': LogRequest;
   'ubii.extension.LogTail': LogTail;
   'ubii.extension.MasterAddress': MasterAddress;
+  'ubii.extension.MasterProof': MasterProof;
+  'ubii.extension.MasterProofRequest': MasterProofRequest;
   'ubii.extension.MasterStatus': MasterStatus;
   'ubii.extension.MasterStatusRequest': MasterStatusRequest;
   'ubii.extension.ModuleEvent': ModuleEvent;

@@ -748,6 +748,12 @@ message ubii.extension.MasterAddress
 1 kind ubii.extension.MasterAddress.Kind
 2 interface_name string
 3 url string
+message ubii.extension.MasterProof
+1 proof string
+message ubii.extension.MasterProofRequest
+1 target_id string
+2 host string
+3 nonce string
 message ubii.extension.MasterStatus
 1 master_id string
 2 name string
@@ -1464,6 +1470,7 @@ message ubii.services.ServiceReply
 1089 study_check_list ubii.extension.StudyCheckList type
 1090 study_participant_list ubii.extension.StudyParticipantList type
 1091 study_deletion ubii.extension.StudyDeletion type
+1095 master_proof ubii.extension.MasterProof type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -1515,6 +1522,7 @@ message ubii.services.ServiceRequest
 1089 study_run_request ubii.extension.StudyRunRequest type
 1090 study_run_list_request ubii.extension.StudyRunListRequest type
 1091 study_participant_request ubii.extension.StudyParticipantRequest type
+1095 master_proof_request ubii.extension.MasterProofRequest type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *

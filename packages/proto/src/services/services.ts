@@ -20,6 +20,12 @@ export const SERVICES = {
     'Describes the master: id, addresses, ports and constants.',
     { constant: 'SERVER_CONFIG' },
   ),
+  masterProof: withPayload(
+    '/services/ubii/master_proof',
+    'masterProofRequest',
+    'masterProof',
+    'Proves to a client that the master is of its cluster.',
+  ),
   serviceList: withoutPayload(
     '/services/service_list',
     'serviceList',

@@ -22,6 +22,10 @@ export class HmacResumeTokens implements ResumeTokens {
     return given.length === expected.length && timingSafeEqual(given, expected);
   }
 
+  prove(clientId: string, text: string): string {
+    return createHmac('sha256', this.issue(clientId)).update(text).digest('hex');
+  }
+
   #hash(clientId: string): Buffer {
     return createHmac('sha256', this.#key).update(clientId).digest();
   }

@@ -179,9 +179,9 @@ export class Cluster implements BusListener {
     return this.#peers.get(masterId);
   }
 
-  /** Of other masters, of each the best first. [CU-26] */
+  /** Of other masters that clients can go to, of each the best first. [CU-26] */
   addresses(): string[] {
-    return this.members.list().flatMap(({ addresses }) => addresses);
+    return this.members.listForClients().flatMap(({ addresses }) => addresses);
   }
 
   handleReach(isReachable: boolean): void {

@@ -47,6 +47,8 @@ export class Members {
   readonly onLost = new Hook<[member: Member, hasEnded: boolean]>();
   readonly #context: MembersContext;
   readonly #members = new Map<string, Heard>();
+  /** Those that fell silent, as long as they may be there and not be heard. */
+  readonly #silent = new Map<string, Heard>();
 
   constructor(context: MembersContext) {
     this.#context = context;
@@ -54,9 +56,15 @@ export class Members {
 
   /** Sorted by name, then by id. */
   list(): Member[] {
-    return [...this.#members.values()]
-      .map(({ member }) => member)
-      .sort((a, b) => a.name.localeCompare(b.name) || (a.id < b.id ? -1 : 1));
+    return sorted(this.#members);
+  }
+
+  /**
+   * Where clients can go: to those that are there. While none is heard, to those that fell silent, because it may be
+   * this master that hears nobody; never to those that said goodbye. [CU-26]
+   */
+  listForClients(): Member[] {
+    return sorted(this.#members.size > 0 ? this.#members : this.#silent);
   }
 
   get(id: string): Member | undefined {
@@ -83,6 +91,7 @@ export class Members {
     const sinceMs = before?.member.sinceMs ?? clock.nowMs();
     const member = { id, name, addresses, version, startedMs, sinceMs };
     this.#members.set(id, { member, heardMs: clock.monotonicMs() });
+    this.#silent.delete(id);
     if (before === undefined || !isSame(before.member, member)) this.onJoined.emit(member);
   }
 
@@ -93,14 +102,21 @@ export class Members {
   }
 
   handleGoodbye(id: string): void {
+    this.#silent.delete(id);
     this.#lose(id, true);
   }
 
   /** Gives up masters that are silent. */
   sweep(): void {
     const nowMs = this.#context.clock.monotonicMs();
-    for (const [id, { heardMs }] of this.#members) {
-      if (nowMs - heardMs >= LOST_MS) this.#lose(id, false);
+    for (const [id, heard] of this.#members) {
+      if (nowMs - heard.heardMs < LOST_MS) continue;
+      this.#silent.set(id, heard);
+      this.#lose(id, false);
+    }
+    // Another one is heard that could have fallen silent together with these: it is they who are gone.
+    for (const [id, { heardMs }] of this.#silent) {
+      if (this.#members.size > 0 && nowMs - heardMs >= 2 * LOST_MS) this.#silent.delete(id);
     }
   }
 
@@ -113,6 +129,12 @@ export class Members {
   #broadcast(message: Init<ClusterMessage>): void {
     this.#context.bus.broadcast(encode('ubii.extension.ClusterMessage', message));
   }
+}
+
+function sorted(heard: ReadonlyMap<string, Heard>): Member[] {
+  return [...heard.values()]
+    .map(({ member }) => member)
+    .sort((a, b) => a.name.localeCompare(b.name) || (a.id < b.id ? -1 : 1));
 }
 
 function isSame(a: Member, b: Member): boolean {

@@ -4,4 +4,9 @@ export interface ResumeTokens {
   issue(clientId: string): string;
   /** Whether `token` was issued for `clientId`. Takes the same time whether right or wrong. Never throws. */
   verify(clientId: string, token: string): boolean;
+  /**
+   * HMAC-SHA-256 of `text` with the token of this id as the key, in hexadecimal: shows who has that token that this
+   * master could have issued it.
+   */
+  prove(clientId: string, text: string): string;
 }

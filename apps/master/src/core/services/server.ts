@@ -3,6 +3,7 @@ import { ADMINS } from '../access/roles.ts';
 import { nameOf } from '../areas/settings.ts';
 import { definer } from './define-service.ts';
 import { lanOpen } from './lan.ts';
+import { masterProof } from './master-proof.ts';
 
 const define = definer<'id' | 'settings'>();
 
@@ -47,4 +48,5 @@ export const SERVER_SERVICES = [
     handle: ({ settings }) => ({ elements: [], ...settings.startedWith }),
   }),
   lanOpen,
+  masterProof,
 ];

@@ -184,6 +184,9 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
   'ubii.extension.ClientThrottleRequest.target_id': ID,
   'ubii.extension.ClientThrottleRequest.reason': REASON,
 
+  'ubii.extension.MasterProofRequest.target_id': ID,
+  'ubii.extension.MasterProofRequest.host': NOT_KEPT,
+  'ubii.extension.MasterProofRequest.nonce': unlimited('16 to 64 characters, else refused.'),
   'ubii.extension.JoinCheckRequest.token': SECRET,
   'ubii.extension.AccessGrantCreateRequest.client_id': ID,
   'ubii.extension.AccessGrantCreateRequest.label': refuse('nameCharacters'),

@@ -1,3 +1,4 @@
+import { createHmac } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
 import type { ResumeTokens } from '../../core/ports/resume-tokens.ts';
 
@@ -31,6 +32,13 @@ export function resumeTokensSuite(name: string, createTokens: () => ResumeTokens
         expect(createTokens().verify(ADA, token)).toBe(false);
       },
     );
+
+    it('prove that they could have issued a token [CU-85]', () => {
+      const token = createTokens().issue(ADA);
+      const expected = createHmac('sha256', token).update('a text').digest('hex');
+      expect(createTokens().prove(ADA, 'a text')).toBe(expected);
+      expect(createTokens().prove(BEN, 'a text')).not.toBe(expected);
+    });
 
     it('issue what can stand in a URL as it is', () => {
       const token = createTokens().issue(ADA);

@@ -6,6 +6,7 @@ import { ConnectionError } from '../connection/connection-error.ts';
 import type { Arrival } from '../connection/connection-model.ts';
 import { Connection } from '../connection/connection.ts';
 import { createMemoryIdentity } from '../connection/identity.ts';
+import { askForProof } from '../connection/master-proof.ts';
 import { Masters } from '../connection/masters.ts';
 import { Moves } from '../connection/moves.ts';
 import { ProfileSync } from '../connection/profile-sync.ts';
@@ -209,12 +210,12 @@ export class ClientParts {
 
   /** Where to go when the master is lost. [CU-80] */
   #followMasters(): void {
-    const { connection, masters } = this;
+    const { connection, masters, registration } = this;
+    const { clock, random, uuid } = this.#ports;
     const scout = new Scout({
-      clock: this.#ports.clock,
-      random: this.#ports.random,
+      ...{ clock, random, masters },
       policy: this.#policy,
-      masters,
+      ask: (url) => askForProof(masters.at(url), registration.identity, uuid()),
       outage: () => connection.outage,
       recheck: () => connection.recheck(),
       visit: (url) => connection.visit(url),
@@ -228,7 +229,8 @@ export class ClientParts {
   #learnMasters(): void {
     const { masters, registration, subscriptions } = this;
     const told = registration.membership?.masters ?? [];
-    masters.learn(told);
+    // One that has just started has not heard of the others yet: what was told before stands.
+    if (told.length > 0) masters.learn(told);
     // A master that is alone has nothing to tell, and is spared a subscription of every client.
     if (told.length === 0 || this.#hearsOfMasters) return;
     this.#hearsOfMasters = true;

@@ -72,15 +72,20 @@ describe('a client whose master dies [CU-80]', () => {
     expect(b.clientIds).toEqual(['client-1']);
   });
 
-  it('hears of masters that come later, and keeps those it knows when it hears of none', async () => {
-    const { a, client } = await setup();
+  it('hears of masters that come later, and forgets those that go', async () => {
+    const { a, client, clock } = await setup();
     const tell = async (...elements: string[]) => {
       a.publish({ topic: '/ubii/masters', format: 'stringList', value: { elements } });
       await settle();
       return client.otherMasters;
     };
     expect(await tell('http://d')).toEqual(['http://d']);
-    expect(await tell()).toEqual(['http://d']);
+    expect(await tell()).toEqual([]);
+    await tell('http://b');
+    a.masters = [];
+    a.restart(); // it has not heard of the others yet
+    await clock.advance(5_000);
+    expect(client.otherMasters).toEqual(['http://b']);
   });
 
   it('stays with a master that tells of no others, and subscribes to nothing there', async () => {
@@ -140,23 +145,36 @@ describe('a client whose master does not answer [CU-81] [CU-82]', () => {
     expect(client.masterUrl).not.toBe('http://a');
   });
 
-  it('shows others who it is only when it goes there', async () => {
-    const { a, b, c, clock } = await setup();
-    const bearers: unknown[] = [];
+  it('shows no secret to a server that is not of the cluster, whatever it answers [CU-85]', async () => {
+    const { a, b, c, client, clock } = await setup();
+    a.credential = 'secret';
+    a.restart();
+    await clock.advance(10_000);
+    const shown: unknown[] = [];
     for (const master of [b, c]) {
+      master.restart({ hasNewKey: true }); // of somebody else, who has the address now
       const handle = master.handleServiceRequest.bind(master);
       Object.assign(master, {
         handleServiceRequest: (request: never, bearer: unknown) => {
-          bearers.push(bearer);
+          shown.push(request, bearer);
           return handle(request);
         },
+        openConnection: (query: unknown) => void shown.push(query),
       });
-      master.isSilent = true; // so it never comes to a registration
     }
     a.stop();
-    await clock.advance(10_000);
-    expect(bearers.length).toBeGreaterThan(2);
-    expect(new Set(bearers)).toEqual(new Set([undefined]));
+    await clock.advance(20_000);
+    expect(shown.length).toBeGreaterThan(4);
+    const told = JSON.stringify(shown);
+    expect([told.includes('secret'), told.includes('key:client-1')]).toEqual([false, false]);
+    expect(new Set([...topicsOf(b), ...topicsOf(c)])).toEqual(
+      new Set(['/services/ubii/master_proof']),
+    );
+    const nonces = [...b.requests, ...c.requests].map((each) => each.masterProofRequest?.nonce);
+    expect(new Set(nonces).size).toBe(nonces.length);
+    a.isDown = false;
+    await clock.advance(6_000);
+    expect([client.masterUrl, client.authorization]).toEqual(['http://a', 'Bearer secret']);
   });
 });
 
@@ -190,13 +208,14 @@ describe('a client that goes to another master [CU-83]', () => {
 
   it('is itself there or nobody: it leaves a master that makes it a new client', async () => {
     const { a, b, c, client, clock } = await setup({ random: () => 0 });
-    c.restart({ hasNewKey: true });
-    const stranger = createTestClient(c);
-    await stranger.client.connect();
+    await createTestClient(c).client.connect(); // its first id is another client's
+    c.onRequest = ({ client: asked }) => {
+      if (asked !== undefined) c.restart({ hasNewKey: true }); // between its proof and the registration
+    };
     a.stop();
     await clock.advance(15_000);
     expect([client.id, client.masterUrl]).toEqual(['client-1', 'http://b']);
-    expect([b.clientIds, c.clientIds]).toEqual([['client-1'], ['client-1']]); // c's own is the stranger
+    expect([b.clientIds, c.clientIds]).toEqual([['client-1'], []]);
     expect(topicsOf(c)).toContain('/services/client/deregistration');
   });
 
@@ -214,6 +233,24 @@ describe('a client that goes to another master [CU-83]', () => {
     await clock.advance(30_000);
     expect(client.authorization).toBe('Bearer secret');
     expect(client.state.status).toBe('reconnecting');
+  });
+
+  it('is who it was when another master, which it leaves again, says who it is', async () => {
+    const saved: unknown[] = [];
+    const identity = { load: () => undefined, save: (next: unknown) => void saved.push(next) };
+    const { a, b, c, client, clock } = await setup({ identity });
+    for (const master of [b, c]) {
+      master.credential = 'of another master';
+      master.openConnection = () => undefined; // it registers the client, and has no socket for it
+    }
+    a.stop();
+    await clock.advance(30_000);
+    expect([...b.clientIds, ...c.clientIds]).toContain('client-1');
+    a.isDown = false;
+    await clock.advance(6_000);
+    expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
+    expect(client.authorization).toBeUndefined();
+    expect(saved).toEqual([{ clientId: 'client-1', resumeToken: 'key:client-1' }]);
   });
 
   it('ends calls that the lost master did not answer; later ones wait and go to the new one', async () => {

@@ -35,9 +35,9 @@ export class Masters {
     return this.#waysTo === undefined ? [] : usableMasters(this.#told, this.#own.url);
   }
 
-  /** The own master tells of others. A master that lost the others tells of none: what it told before stands. [CU-80] */
+  /** The own master tells of others: of these alone from now on. [CU-80] */
   learn(addresses: readonly string[]): void {
-    if (addresses.length > 0) this.#told = addresses;
+    this.#told = addresses;
   }
 
   /** Ways to one of the others, to ask it something. */

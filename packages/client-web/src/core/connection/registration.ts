@@ -24,6 +24,13 @@ export interface RegistrationCalls {
   rejectAll(error: ConnectionError): void;
 }
 
+/** What is known of the own master, and who the client is there, while another one is asked. */
+interface Parked {
+  readonly identity: Identity | undefined;
+  readonly membership: Membership | undefined;
+  readonly doubted: Membership | undefined;
+}
+
 /** Keeps the identity at the master: registers, resumes as the same client, deregisters. */
 export class Registration {
   readonly #calls: RegistrationCalls;
@@ -34,7 +41,7 @@ export class Registration {
   /** An earlier identity that the master has not confirmed yet. */
   #doubted: Membership | undefined;
   /** Of the own master, while another one is asked; `undefined` at the own one. [CU-83] */
-  #parked: { readonly membership?: Membership; readonly doubted?: Membership } | undefined;
+  #parked: Parked | undefined;
   #hasLoaded = false;
   #clientId = '';
   /** The master has an older profile. */
@@ -61,6 +68,11 @@ export class Registration {
       },
       joinToken,
     );
+  }
+
+  /** Who the client is, as far as a master said so. */
+  get identity(): Identity | undefined {
+    return this.#identity;
   }
 
   /** Credential of later requests of this client. [AC-13] */
@@ -149,22 +161,30 @@ export class Registration {
 
   /** Another master is asked from now on: it knows the client by id and token alone. [CU-83] */
   visit(): void {
-    const { membership, doubted } = { membership: this.#membership, doubted: this.#doubted };
-    this.#parked = { ...(membership && { membership }), ...(doubted && { doubted }) };
+    this.#parked = {
+      identity: this.#identity,
+      membership: this.#membership,
+      doubted: this.#doubted,
+    };
     this.#membership = undefined;
     this.#doubted = undefined;
   }
 
-  /** The own master is asked again, with what was known of it. */
+  /** The own master is asked again, as who the client is there: what the other one said of it is forgotten. */
   leave(): void {
-    this.#membership = this.#parked?.membership;
-    this.#doubted = this.#parked?.doubted;
+    if (this.#parked === undefined) return;
+    ({
+      identity: this.#identity,
+      membership: this.#membership,
+      doubted: this.#doubted,
+    } = this.#parked);
     this.#parked = undefined;
   }
 
-  /** The other master is the own one from now on. */
+  /** The other master is the own one from now on, and what it said of the client stands. */
   keep(): void {
     this.#parked = undefined;
+    this.#storage.save(this.#identity);
   }
 
   /** Gives up what is being asked. */
@@ -192,7 +212,10 @@ export class Registration {
   invalidate(): void {
     this.#membership = undefined;
     this.#doubted = undefined;
-    if (this.#parked !== undefined) this.#parked = {};
+    if (this.#parked !== undefined) {
+      const { identity } = this.#parked;
+      this.#parked = { identity, membership: undefined, doubted: undefined };
+    }
   }
 
   /** The master may not know us any more: ask it by registering again, if it can be asked. */
@@ -209,6 +232,7 @@ export class Registration {
 
   /** The identity is not valid any more: register as a new client. [EX-5] */
   forget(): void {
+    this.#parked &&= { identity: undefined, membership: undefined, doubted: undefined };
     this.invalidate();
     this.#identity = undefined;
     this.#storage.save(undefined);
@@ -267,7 +291,7 @@ export class Registration {
     this.#identity = membership.identity;
     this.#membership = membership;
     this.#isProfileNew = this.#profile !== profile;
-    this.#storage.save(this.#identity);
+    if (this.#parked === undefined) this.#storage.save(this.#identity);
     return membership;
   }
 

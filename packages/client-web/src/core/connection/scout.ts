@@ -1,8 +1,8 @@
 import type { Cancel, Clock } from '@ubii/timing';
-import { SERVICES } from '@ubii/proto';
 import type { RandomSource } from '../ports/random.ts';
 import type { Outage } from './connection-model.ts';
 import type { ConnectionState } from './connection-state.ts';
+import type { ProofUnderWay } from './master-proof.ts';
 import type { Masters } from './masters.ts';
 import { reconnectDelayMs, type ReconnectPolicy } from './reconnect-policy.ts';
 
@@ -20,6 +20,8 @@ export interface ScoutOptions {
   readonly policy: ReconnectPolicy;
   readonly masters: Masters;
   readonly outage: () => Outage | undefined;
+  /** Asks another master to prove that it is of the cluster. [CU-85] */
+  readonly ask: (url: string) => ProofUnderWay;
   /** Another master is there: so the network is, and the own master is asked at once. */
   readonly recheck: () => void;
   readonly visit: (url: string) => void;
@@ -80,31 +82,27 @@ export class Scout {
     this.#cancel = undefined;
     const url = this.#next();
     if (url === undefined) return;
-    const { clock, masters } = this.#options;
-    const exchange = masters.at(url).services.send({ topic: SERVICES.serverConfiguration.topic });
+    const { ask, clock } = this.#options;
+    const asked = ask(url);
     let isOver = false;
-    const finish = (hasAnswered: boolean): void => {
+    const finish = (isProven: boolean): void => {
       if (isOver) return;
       isOver = true;
       cancelTimer();
       this.#cancel = undefined;
-      if (hasAnswered) this.#handleAnswer(url);
+      if (isProven) this.#handleAnswer(url);
       else this.#askAfter(this.#pauseMs());
     };
     const cancelTimer = clock.after(ANSWER_MS, () => {
-      exchange.cancel();
+      asked.cancel();
       finish(false);
     });
     this.#cancel = () => {
       isOver = true;
       cancelTimer();
-      exchange.cancel();
+      asked.cancel();
     };
-    exchange.reply.then(
-      // A master says how it is, or why it does not; other servers answer as well.
-      ({ server, error }) => finish((server ?? error) !== undefined),
-      () => finish(false),
-    );
+    void asked.isProven.then(finish);
   }
 
   #handleAnswer(url: string): void {

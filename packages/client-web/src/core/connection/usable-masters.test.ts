@@ -7,7 +7,12 @@ describe('the masters that a client can use [CU-80]', () => {
   it.each([
     ['of other machines', LAN, ['http://10.0.0.6:8080/'], ['http://10.0.0.6:8080']],
     ['below a path', LAN, ['https://m.example/ubii/'], ['https://m.example/ubii']],
-    ['encrypted ones', LAN, ['https://10.0.0.6:8080'], ['https://10.0.0.6:8080']],
+    [
+      'encrypted ones, also as the unencrypted one that it is',
+      LAN,
+      ['https://10.0.0.6:8080'],
+      ['https://10.0.0.6:8080', 'http://10.0.0.6:8080'],
+    ],
     ['each once, not its own', LAN, [LAN, 'http://b', 'http://b/'], ['http://b']],
     [
       'no unencrypted one after an encrypted one',

@@ -14,7 +14,7 @@ export function usableMasters(
   const own = parse(ownUrl ?? '');
   if (own === undefined) return [];
   const usable = new Set<string>();
-  for (const text of told.slice(0, MAX_ADDRESSES)) {
+  for (const text of told.slice(0, MAX_ADDRESSES).flatMap(waysTo)) {
     const url = parse(text);
     // What shows who the client is never goes unencrypted when it came encrypted.
     if (url === undefined || (own.protocol === 'https:' && url.protocol !== 'https:')) continue;
@@ -23,6 +23,12 @@ export function usableMasters(
     if (baseOf(url) !== baseOf(own)) usable.add(baseOf(url));
   }
   return [...usable];
+}
+
+/** A master has HTTP on the port of HTTPS: there, a client that came by HTTP needs no certificate that it trusts. */
+function waysTo(text: string): readonly string[] {
+  const [, rest] = /^https(:\/\/[^/?#]+:\d+\/?)$/.exec(text) ?? [];
+  return rest === undefined ? [text] : [text, `http${rest}`];
 }
 
 function parse(text: string): URL | undefined {
