@@ -100,6 +100,14 @@ export const OPTIONS = {
     ...pathOption('<file>', 'its own', 'Private key of that certificate, as PEM.'),
     isSecret: true,
   },
+  tlsAuthority: {
+    ...pathOption(
+      '<file>',
+      'its own',
+      'Certificate and key of the authority that issues the certificates of this master, in one PEM file, created when missing. Give all masters of a cluster the same file: devices that trust one of them then trust all, and pages over HTTPS can move.',
+    ),
+    isSecret: true,
+  },
   mdns: choiceOption(
     ['on', 'off'],
     'on',
@@ -311,6 +319,11 @@ them that is set applies.
     if (double !== undefined) {
       throw new ConfigError(
         `Port ${double} of --zeromq-ports cannot be used for anything else. Choose another one.`,
+      );
+    }
+    if (values.tlsAuthority !== undefined && values.tlsCertificate !== undefined) {
+      throw new ConfigError(
+        'With --tls-certificate the master issues no certificates, and has no use for --tls-authority. Remove one of them.',
       );
     }
     if ((values.tlsCertificate === undefined) !== (values.tlsKey === undefined)) {

@@ -8,11 +8,14 @@ import { isIpAddress } from '../addresses/address-kinds.ts';
 import { readCertificate, writeCertificate } from './certificate-files.ts';
 import type { CertificateFiles } from './certificate-files.ts';
 import type { Issued } from './issue-certificates.ts';
+import { createSharedAuthority, readSharedAuthority } from './shared-authority.ts';
 
 export interface CertificatesOptions {
   readonly dataDir: string;
   /** Files of a certificate of another issuer; the master then issues none. */
   readonly own: CertificateFiles | undefined;
+  /** File of an authority that several masters share, created when missing. Default: one of its own. [CU-94] */
+  readonly sharedAuthority?: string | undefined;
   /** Hostnames and addresses this machine has now. */
   readonly names: () => readonly string[];
   /** For people: whose authority it is. */
@@ -104,6 +107,7 @@ function filesOf(dataDir: string, name: 'authority' | 'leaf'): CertificateFiles 
 }
 
 async function openAuthority(options: CertificatesOptions): Promise<Issued> {
+  if (options.sharedAuthority !== undefined) return openShared(options.sharedAuthority, options);
   const files = filesOf(options.dataDir, 'authority');
   const kept = readCertificate(files);
   if (kept !== undefined) {
@@ -113,12 +117,35 @@ async function openAuthority(options: CertificatesOptions): Promise<Issued> {
     );
     return kept;
   }
-  const { issueAuthority } = await import('./issue-certificates.ts');
-  const name = `Ubi-Interact ${options.masterName}`;
-  const authority = await issueAuthority(name, options.names(), options.nowMs());
+  const authority = await createAuthority(options);
   writeCertificate(files, authority);
   options.log.info('created a certificate authority for this master', { file: files.certificate });
   return authority;
+}
+
+/** The authority of all masters that were given the same file. [CU-94] */
+async function openShared(file: string, options: CertificatesOptions): Promise<Issued> {
+  const { log } = options;
+  const kept = readSharedAuthority(file, log);
+  if (kept === undefined) {
+    const shared = createSharedAuthority(file, await createAuthority(options), log);
+    log.info('created a certificate authority for all masters that are given its file', { file });
+    return shared;
+  }
+  checkPair(
+    kept,
+    `Use a file that a master created, or delete ${file}: the master then creates another authority, which devices that trusted this one must install.`,
+  );
+  const { ca, publicKey } = new X509Certificate(kept.certificate);
+  if (ca && publicKey.asymmetricKeyDetails?.namedCurve === 'prime256v1') return kept;
+  throw new ConfigError(
+    `The certificate in ${file} (--tls-authority) must be that of an authority, with a key on the curve P-256. Use a file that a master created, or --tls-certificate for a certificate of another authority.`,
+  );
+}
+
+async function createAuthority({ masterName, names, nowMs }: CertificatesOptions): Promise<Issued> {
+  const { issueAuthority } = await import('./issue-certificates.ts');
+  return issueAuthority(`Ubi-Interact ${masterName}`, names(), nowMs());
 }
 
 async function renewLeaf(

@@ -28,7 +28,7 @@ export async function openHttps(
   host: string,
   log: Log,
 ): Promise<Https | undefined> {
-  const { tlsCertificate, tlsKey, dataDir, name } = config;
+  const { tlsCertificate, tlsKey, tlsAuthority, dataDir, name } = config;
   const own =
     tlsCertificate === undefined || tlsKey === undefined
       ? undefined
@@ -37,6 +37,7 @@ export async function openHttps(
   if (!isWanted) return undefined;
   const certificates = await Certificates.open({
     ...{ dataDir, own, log },
+    sharedAuthority: tlsAuthority,
     names: listOwnNames,
     masterName: name,
     nowMs: Date.now,
