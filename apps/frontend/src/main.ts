@@ -4,16 +4,18 @@ import { createRouter, createWebHistory } from 'vue-router';
 import App from './App.vue';
 import { CONNECTION } from './connection/connection.ts';
 import { createConnection } from './connection/create-connection.ts';
+import { pageStorages, takeHandOver } from './connection/hand-over.ts';
 import { keepInstallOffer } from './install/install-offer.ts';
 import { sendToJoin } from './joining/join/send-to-join.ts';
 import { keepInReach } from './out-of-reach/keep-in-reach.ts';
 import { routes } from './routes.ts';
-import { tellMoves } from './shell/tell-moves.ts';
 import { createTabNode } from './tab-node/create-tab-node.ts';
 import { openTabNode } from './tab-node/open-tab-node.ts';
 import { TAB_NODE } from './tab-node/tab-node.ts';
 import { createToasts, provideToasts } from './ui/toasts/toasts.ts';
 
+// Before anything reads the address, or who the page is
+takeHandOver(location, history, pageStorages());
 keepInstallOffer();
 const app = createApp(App);
 const router = createRouter({ history: createWebHistory(), routes });
@@ -29,7 +31,6 @@ app.provide(
 );
 const toasts = createToasts();
 provideToasts(app, toasts);
-tellMoves(connection.client, toasts);
 app.mount('#app');
 connection.connect();
 // After everything that the page itself wants

@@ -12,6 +12,7 @@ import { createClientReportsStore } from './client-reports-store.ts';
 import { createClientsStore } from './clients-store.ts';
 import type { Connection } from './connection.ts';
 import { friendlyName } from './friendly-name.ts';
+import { IDENTITY_KEY, NAME_KEY } from './hand-over.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
 import { nameMasters } from './masters.ts';
 import { createNodesStore } from './nodes-store.ts';
@@ -22,7 +23,6 @@ import { numberedName, useTabName, type TabNumber } from './tab-name.ts';
 import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 
 const DEFAULT_PUBLISH_INTERVAL_MS = 15;
-const IDENTITY_KEY = 'ubii.identity';
 
 /** Name of the frame that contains this page; undefined outside of frames. */
 function frameName(): string | undefined {
@@ -36,8 +36,8 @@ export function createConnection(): Connection {
   const frame = frameName();
   const ownName =
     frame === undefined
-      ? useLocalStorage('ubii.name', friendlyName(Math.random), { flush: 'sync' })
-      : useSessionStorage(`ubii.name.${frame}`, frame, { flush: 'sync' });
+      ? useLocalStorage(NAME_KEY, friendlyName(Math.random), { flush: 'sync' })
+      : useSessionStorage(`${NAME_KEY}.${frame}`, frame, { flush: 'sync' });
   const publishIntervalMs = useLocalStorage('ubii.publishIntervalMs', DEFAULT_PUBLISH_INTERVAL_MS);
   const identityKey = frame === undefined ? IDENTITY_KEY : `${IDENTITY_KEY}.${frame}`;
   const identity = createTabIdentity(identityKey, IDENTITY_KEY);
