@@ -2,7 +2,7 @@ import { expect } from '@playwright/test';
 import { AccessRole } from '@ubii/proto';
 import { test } from '../../fixtures/cluster.ts';
 import { GathererPage, TouchedPhone } from '../../pages/gatherer-page.ts';
-import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
+import { JoinPage } from '../../pages/join-page.ts';
 import { makeGrant } from '../connect/make-grant.ts';
 
 const DEVICE = 'web-interface-smart-device';
@@ -22,7 +22,7 @@ test('a phone goes on at another master when its own is killed, and so does the 
   await balcony.open();
   await balcony.expectSession('Running');
 
-  const phone = await cluster.withPhone(north, 'Mara', FROM_ELSEWHERE);
+  const phone = await cluster.withPhone(north, 'Mara');
   phone.watch.expect(...EXPECTED, new RegExp(`^request to ${south.url}/`));
   const { page } = phone;
   const { token } = await makeGrant(north, {
