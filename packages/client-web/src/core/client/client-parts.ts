@@ -6,10 +6,10 @@ import { ConnectionError } from '../connection/connection-error.ts';
 import type { Arrival } from '../connection/connection-model.ts';
 import { Connection } from '../connection/connection.ts';
 import { createMemoryIdentity } from '../connection/identity.ts';
-import { askForProof } from '../connection/master-proof.ts';
 import { Masters } from '../connection/masters.ts';
 import { Moves } from '../connection/moves.ts';
 import { ProfileSync } from '../connection/profile-sync.ts';
+import { Proofs } from '../connection/proofs.ts';
 import { DEFAULT_RECONNECT_POLICY, type ReconnectPolicy } from '../connection/reconnect-policy.ts';
 import { Registration } from '../connection/registration.ts';
 import { reportingStorage } from '../connection/reporting-storage.ts';
@@ -56,6 +56,7 @@ export class ClientParts {
   readonly #options: ClientOptions;
   readonly #ports: ClientPorts;
   readonly #timeoutMs: number;
+  readonly #proofs = new Proofs();
   #hearsOfMasters = false;
 
   constructor(options: ClientOptions, ports: ClientPorts) {
@@ -215,7 +216,7 @@ export class ClientParts {
     const scout = new Scout({
       ...{ clock, random, masters },
       policy: this.#policy,
-      ask: (url) => askForProof(masters.at(url), registration.identity, uuid()),
+      ask: (url) => this.#proofs.ask(masters.at(url), registration.identity, uuid()),
       outage: () => connection.outage,
       recheck: () => connection.recheck(),
       visit: (url) => connection.visit(url),
@@ -230,7 +231,10 @@ export class ClientParts {
     const { masters, registration, subscriptions } = this;
     const told = registration.membership?.masters ?? [];
     // One that has just started has not heard of the others yet: what was told before stands.
-    if (told.length > 0) masters.learn(told);
+    if (told.length > 0) {
+      masters.learn(told);
+      this.#proofs.load();
+    }
     // A master that is alone has nothing to tell, and is spared a subscription of every client.
     if (told.length === 0 || this.#hearsOfMasters) return;
     this.#hearsOfMasters = true;
