@@ -93,6 +93,7 @@ export async function startMaster({
     isOnLan: () => lan.isOpen,
     host: lan.host,
     allowedOrigins: config.allowedOrigins,
+    publicUrl: config.publicUrl,
     isOwnAddress: (address) => ownAddresses.has(address),
     clusterOrigins,
   });
@@ -133,7 +134,7 @@ export async function startMaster({
       lan.host,
       listeners.ports,
       listNetworkAddresses(),
-      lan.https !== undefined,
+      { isSecure: lan.https !== undefined, publicUrl: config.publicUrl },
     );
 
   const assetSets = new StoredAssetSets({
@@ -233,7 +234,7 @@ export async function startMaster({
   /** A master that cannot keep anything goes on as it is. */
   const openTerminal = async (): Promise<TerminalAccess | undefined> => {
     try {
-      const terminal = await master.openTerminal(lan.isOpen);
+      const terminal = await master.openTerminal(lan.isOpen || config.publicUrl !== undefined);
       tokenFile = new AdminTokenFile(config.dataDir, terminal.admin.token);
       return terminal;
     } catch (error) {
@@ -259,7 +260,8 @@ export async function startMaster({
   let tokenFile: AdminTokenFile | undefined;
   let announced: AnnouncedMaster | undefined;
   const announceIfWished = (): void => {
-    if (config.mdns === 'off') return;
+    // Who should use the address of a proxy must not find another one.
+    if (config.mdns === 'off' || config.publicUrl !== undefined) return;
     announced = announce({
       id: master.id,
       name: config.name,

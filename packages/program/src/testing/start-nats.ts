@@ -22,6 +22,8 @@ export interface NatsServer {
   /** `nats://127.0.0.1:<port>`. */
   readonly url: string;
   readonly port: number;
+  /** Process id; undefined while it does not run. */
+  readonly pid: number | undefined;
   /** Kills it, as `kill -9` does. */
   kill(): Promise<void>;
   /** Starts it again, on the same port and with what was stored. */
@@ -56,6 +58,9 @@ export async function startNats({
   return {
     url: `nats://127.0.0.1:${port}`,
     port,
+    get pid() {
+      return running?.pid;
+    },
     kill: () => end('SIGKILL'),
     async restart() {
       await end('SIGTERM');

@@ -246,6 +246,8 @@ export const MasterAddressKind = {
   ETHERNET: 2,
   /** Network of virtual machines or containers, or a tunnel. */
   VIRTUAL: 3,
+  /** The address that the operator named, such as that of a proxy. It has no interface. */
+  PUBLIC: 4,
 } as const;
 export type MasterAddressKind = (typeof MasterAddressKind)[keyof typeof MasterAddressKind];
 

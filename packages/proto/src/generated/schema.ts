@@ -78,6 +78,7 @@ enum ubii.extension.MasterAddress.Kind
 1 WIFI
 2 ETHERNET
 3 VIRTUAL
+4 PUBLIC
 enum ubii.extension.ModuleEvent.Kind
 0 ERROR
 1 LOG

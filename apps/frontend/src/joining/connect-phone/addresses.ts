@@ -43,6 +43,8 @@ export function networkWord({ kind, interfaceName, url }: MasterAddress): string
       return 'Ethernet';
     case MasterAddressKind.LOOPBACK:
       return 'This computer only';
+    case MasterAddressKind.PUBLIC:
+      return 'Public address';
     default:
       return VIRTUAL_KINDS.find(([pattern]) => pattern.test(interfaceName))?.[1] ?? 'Virtual';
   }

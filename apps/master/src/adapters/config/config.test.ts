@@ -83,6 +83,12 @@ describe('options', () => {
     expect(resolve([], { UBII_LAN: 'on' }).lan).toBe(true);
   });
 
+  it('take the public address as an origin [SV-13]', () => {
+    expect(resolve(['--public-url', 'https://Ubii.example.org:443/']).publicUrl).toBe(
+      'https://ubii.example.org',
+    );
+  });
+
   it('take relative paths from where they were written', () => {
     expect(resolve(['--data-dir', 'x']).dataDir).toBe('/work-folder/x');
     const file = configFile({ dataDir: 'x' });
@@ -138,6 +144,10 @@ describe('a wrong value is explained in one sentence', () => {
     [['--port', '80.5'], '"80.5"'],
     [['--port', ''], '""'],
     [['--host', 'http://x'], 'without scheme and port'],
+    [['--public-url', 'ubii.example.org'], 'an address without a path'],
+    [['--public-url', 'https://ubii.example.org/lab'], 'an address without a path'],
+    [['--public-url', 'https://user:word@ubii.example.org'], 'an address without a path'],
+    [['--public-url', 'ftp://ubii.example.org'], 'an address without a path'],
     [['--lan=maybe'], 'true or false'],
     [['--legacy-ports', '8102'], 'two ports separated by a comma'],
     [['--legacy-ports', '1,2,3'], 'on, off, or two ports'],

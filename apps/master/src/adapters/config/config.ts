@@ -29,6 +29,7 @@ import {
   parseNetworks,
   parseOrigins,
   parsePort,
+  parsePublicUrl,
   parseZeroMqPorts,
 } from './parse-values.ts';
 
@@ -86,6 +87,14 @@ export const OPTIONS = {
     'Networks of proxies that name their clients in X-Forwarded-For or Forwarded: 10.0.0.7,192.168.2.0/24. Clients behind any other proxy have to join.',
     parseNetworks,
   ),
+  publicUrl: option<string | undefined>({
+    placeholder: '<url>',
+    fallback: undefined,
+    fallbackText: 'the addresses of this machine',
+    description:
+      'Address by which others reach the master, such as that of a proxy: https://ubii.example.org. QR codes, pages and other masters show it instead of the addresses of this machine, and nothing is announced by multicast DNS.',
+    parse: parsePublicUrl,
+  }),
   https: choiceOption(
     ['on', 'off'],
     'on',

@@ -80,6 +80,16 @@ export function parseNetworks(text: string): readonly string[] {
   return networks;
 }
 
+/** An origin. */
+export function parsePublicUrl(text: string): string {
+  const url = URL.canParse(text) ? new URL(text) : undefined;
+  const isOrigin = url !== undefined && `${url.origin}/` === url.href;
+  if (!isOrigin || !/^https?:$/.test(url.protocol)) {
+    throw new Error('an address without a path, such as https://ubii.example.org');
+  }
+  return url.origin;
+}
+
 /** An address with a slash at its end. */
 export function parseMirror(text: string): string {
   const url = URL.canParse(text) ? new URL(text) : undefined;

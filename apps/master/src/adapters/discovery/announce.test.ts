@@ -13,7 +13,7 @@ it('is announced in real networks, and never when only this machine can reach it
     { kind: 'virtual', interfaceName: 'docker0', address: '172.17.0.1' },
   ] as const;
   const addresses = (host: string) =>
-    announcedAddresses(describeReachability(host, PORTS, networks, true));
+    announcedAddresses(describeReachability(host, PORTS, networks, { isSecure: true }));
   expect(addresses('::')).toEqual(['192.168.1.20', '10.0.0.5']);
   expect(addresses('10.0.0.5')).toEqual(['10.0.0.5']);
   expect(addresses('localhost')).toEqual([]);

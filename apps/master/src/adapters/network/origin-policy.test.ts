@@ -166,6 +166,33 @@ describe('[CU-90] pages of the other masters of a cluster', () => {
   });
 });
 
+describe('[SV-13] the address that the operator named', () => {
+  const policy = new OriginPolicy({
+    isOnLan: () => false,
+    host: '127.0.0.1',
+    allowedOrigins: [],
+    publicUrl: 'https://ubii.example.org:8443',
+  });
+
+  it.each([
+    ['ubii.example.org:8443', undefined, 'same-origin'],
+    ['ubii.example.org:8443', 'https://ubii.example.org:8443', 'same-origin'],
+    // A proxy that leaves the port out
+    ['ubii.example.org', 'https://ubii.example.org:8443', 'allowed'],
+    ['ubii.example.org:8443', 'https://ubii.example.org', 'refused'],
+    ['evil.example', undefined, 'refused'],
+    ['x.ubii.example.org', undefined, 'refused'],
+  ])('is a name of this master: Host %s, Origin %s is %s', (host, origin, kind) => {
+    expect(policy.judge({ host, ...(origin && { origin }) }).kind).toBe(kind);
+  });
+
+  it('gives its pages no rights of this machine', () => {
+    const origin = 'https://ubii.example.org:8443';
+    expect(policy.pageOf({ host: 'localhost:8080', origin })).toBe('foreign');
+    expect(policy.pageOf({ host: 'ubii.example.org:8443' })).toBe('foreign');
+  });
+});
+
 describe('whose a page is, on this machine', () => {
   const policy = new OriginPolicy({
     isOnLan: () => true,

@@ -7,6 +7,8 @@ export interface OriginPolicyOptions {
   readonly host: string;
   /** Origins of the configuration, see `allowedOrigins` in config.ts. */
   readonly allowedOrigins: readonly string[];
+  /** Address of the operator, by whose name the master may be called; its pages are those of any machine. [SV-13] */
+  readonly publicUrl?: string | undefined;
   /**
    * Whether an address is one of this machine. Programs here call themselves by what their hostname
    * resolves to (the Python node does), which is no loopback address everywhere. @default never
@@ -43,6 +45,7 @@ const NAMELESS =
 export class OriginPolicy {
   readonly #options: OriginPolicyOptions;
   readonly #patterns: readonly RegExp[];
+  readonly #publicName: string | undefined;
   /** The origins with a name. */
   readonly #named: readonly RegExp[];
   /** Every page may call, those without a name as well. */
@@ -50,6 +53,7 @@ export class OriginPolicy {
 
   constructor(options: OriginPolicyOptions) {
     this.#options = options;
+    this.#publicName = options.publicUrl && new URL(options.publicUrl).hostname;
     this.#patterns = options.allowedOrigins.map(patternOf);
     this.#isOpen = options.allowedOrigins.includes('*');
     this.#named = options.allowedOrigins.filter((origin) => origin !== '*').map(patternOf);
@@ -120,8 +124,10 @@ export class OriginPolicy {
     if (this.#patterns.some((pattern) => pattern.test(origin))) return true;
     if (!/^https?:\/\//.test(origin)) return false;
     const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
-    const { isOnLan, isOwnAddress, clusterOrigins } = this.#options;
+    const { isOnLan, isOwnAddress, clusterOrigins, publicUrl } = this.#options;
     return (
+      // Proxies may leave the port out of Host.
+      origin === publicUrl ||
       isLoopbackHost(name) ||
       (isOnLan() && isPrivateAddress(name)) ||
       (isIpAddress(name) && isOwnAddress?.(name) === true) ||
@@ -141,6 +147,7 @@ export class OriginPolicy {
       !name.includes('.') ||
       /\.(local|lan|internal|home\.arpa)$/.test(name) ||
       name === this.#options.host ||
+      name === this.#publicName ||
       this.#patterns.some(
         (pattern) => pattern.test(`http://${host}`) || pattern.test(`https://${host}`),
       )

@@ -38,6 +38,18 @@ describe('[SV-10] where a master can be reached', () => {
     expect(endpoints.addresses).toHaveLength(1);
   });
 
+  it.each(['127.0.0.1', '::'])('[SV-13] at the address that was named, listening on %s', (host) => {
+    const publicUrl = 'https://ubii.example.org';
+    const { localUrl, networkAddresses, endpoints } = describeReachability(host, ports, networks, {
+      publicUrl,
+    });
+    expect(localUrl).toMatch(/^http:.*:8080$/);
+    expect(networkAddresses).toEqual([
+      { kind: MasterAddressKind.PUBLIC, interfaceName: '', url: publicUrl },
+    ]);
+    expect(endpoints.addresses.map(({ url }) => url)).toEqual([publicUrl, localUrl]);
+  });
+
   it('writes IPv6 addresses in brackets and tells existing clients none', () => {
     const ipv6 = [{ kind: 'wifi', interfaceName: 'wlan0', address: 'fd00::1' }] as const;
     const { networkAddresses, endpoints } = describeReachability('::', ports, ipv6);

@@ -20,30 +20,39 @@ const WILDCARDS: readonly string[] = ['::', '0.0.0.0'];
 export interface Reachability {
   /** The address for this machine. */
   readonly localUrl: string;
-  /** Addresses for others, best first; empty when the master listens on loopback only. */
+  /** Addresses for others, best first; empty when nobody else can reach the master. */
   readonly networkAddresses: readonly MasterAddress[];
   readonly endpoints: MasterEndpoints;
+}
+
+export interface ReachabilityOptions {
+  /** Others can use HTTPS. Browsers need nothing of the kind on this machine. @default false */
+  readonly isSecure?: boolean;
+  /** The only address for others, such as that of a proxy. [SV-13] @default those of the networks */
+  readonly publicUrl?: string | undefined;
 }
 
 /**
  * @param host what the master listens on
  * @param networks addresses of this machine, best first
- * @param isSecure whether others can use HTTPS; browsers need nothing of the kind on this machine
  */
 export function describeReachability(
   host: string,
   ports: ListeningPorts,
   networks: readonly NetworkAddress[],
-  isSecure = false,
+  { isSecure = false, publicUrl }: ReachabilityOptions = {},
 ): Reachability {
   const reachable = isLoopbackHost(host)
     ? []
     : networks.filter(({ address }) => WILDCARDS.includes(host) || address === host);
-  const networkAddresses = reachable.map(({ kind, interfaceName, address }) => ({
-    kind: KINDS[kind],
-    interfaceName,
-    url: urlOf(address, ports.main, isSecure ? 'https' : 'http'),
-  }));
+  const networkAddresses =
+    publicUrl !== undefined
+      ? [{ kind: MasterAddressKind.PUBLIC, interfaceName: '', url: publicUrl }]
+      : reachable.map(({ kind, interfaceName, address }) => ({
+          kind: KINDS[kind],
+          interfaceName,
+          url: urlOf(address, ports.main, isSecure ? 'https' : 'http'),
+        }));
   const localUrl = urlOf(WILDCARDS.includes(host) ? 'localhost' : host, ports.main);
   const isLocal = isLoopbackHost(host) || WILDCARDS.includes(host);
   // [SV-10]

@@ -47,6 +47,15 @@ describe('what the terminal shows', () => {
     expect(joinUrl('http://10.0.0.2:8080', 'a-token')).toBe('http://10.0.0.2:8080/join#a-token');
   });
 
+  it('[SV-13] shows the address that the operator named', () => {
+    const publicUrl = 'https://ubii.example.org';
+    const reachability = describeReachability('127.0.0.1', ports, [], { publicUrl });
+    const text = formatBanner({ ...facts, reachability });
+    expect(text).toContain('https://ubii.example.org   public address\n');
+    expect(text).not.toContain('accept the certificate');
+    expect(bestPhoneUrl(reachability)).toBe(publicUrl);
+  });
+
   it('says what callers of this machine are [AC-40]', () => {
     const reachability = describeReachability('localhost', ports, []);
     const admin = { token: 'admin-token', code: 'ABCD-EFGH' };
@@ -65,7 +74,7 @@ describe('what the terminal shows', () => {
 
   it('tells phones that they have to trust the certificate once', () => {
     const networks = [{ kind: 'wifi', interfaceName: 'wlan0', address: '10.0.0.2' }] as const;
-    const reachability = describeReachability('::', ports, networks, true);
+    const reachability = describeReachability('::', ports, networks, { isSecure: true });
     const text = formatBanner({ ...facts, reachability });
     expect(text).toContain('https://10.0.0.2:8080   Wi-Fi, wlan0');
     expect(text).toContain('open http://localhost:8080 and start an example');

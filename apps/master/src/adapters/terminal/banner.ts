@@ -32,6 +32,7 @@ const KIND_NAMES: Readonly<Record<number, string>> = {
   [MasterAddressKind.WIFI]: 'Wi-Fi',
   [MasterAddressKind.ETHERNET]: 'Ethernet',
   [MasterAddressKind.VIRTUAL]: 'virtual network',
+  [MasterAddressKind.PUBLIC]: 'public address',
 };
 
 /** The address a phone should be given: the best one that is not of a virtual network. */
@@ -67,7 +68,7 @@ export function formatBanner(facts: BannerFacts): string {
       ({ url, kind, interfaceName }, index) =>
         [
           index === 0 ? 'In the network' : '',
-          `${url}   ${KIND_NAMES[kind]}, ${interfaceName}`,
+          `${url}   ${[KIND_NAMES[kind], interfaceName].filter(Boolean).join(', ')}`,
         ] as const,
     ),
     ...(join === undefined || networkAddresses.length === 0
@@ -98,11 +99,7 @@ export function formatBanner(facts: BannerFacts): string {
     admin === undefined
       ? `Next: open ${devUrl ?? localUrl} and start an example.`
       : 'Next: open the address for this machine, which makes you admin, and start an example.',
-    networkAddresses.length > 0
-      ? networkAddresses[0]?.url.startsWith('https:')
-        ? 'Phones in the same network open the address and type the code, or scan the QR code; they accept the certificate once.'
-        : 'Phones in the same network open the address and type the code, or scan the QR code.'
-      : 'Phones cannot reach this master. To connect phones, turn on the local network on the page "Connect a phone", or start the master without --lan off and --host.',
+    howPhonesJoin(reachability),
     'Ctrl-C stops the master. All flags:  npm start -- --help',
   ];
   return [
@@ -114,6 +111,16 @@ export function formatBanner(facts: BannerFacts): string {
     ...next.map((line) => `  ${line}`),
     '',
   ].join('\n');
+}
+
+function howPhonesJoin({ networkAddresses: [best] }: Reachability): string {
+  if (best === undefined) {
+    return 'Phones cannot reach this master. To connect phones, turn on the local network on the page "Connect a phone", or start the master without --lan off and --host.';
+  }
+  const open = 'open the address and type the code, or scan the QR code';
+  if (best.kind === MasterAddressKind.PUBLIC) return `Phones ${open}.`; // [SV-13]
+  const isSecure = best.url.startsWith('https:');
+  return `Phones in the same network ${open}${isSecure ? '; they accept the certificate once' : ''}.`;
 }
 
 /** Role of callers on this computer without a token. [AC-40] */
