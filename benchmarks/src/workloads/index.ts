@@ -1,5 +1,6 @@
 import { clientsPage } from './clients-page.ts';
 import { connecting, idleConnections } from './connections.ts';
+import { CORES } from './cores.ts';
 import { detection } from './detection.ts';
 import { fanOut, fanOutPictures } from './fan-out.ts';
 import { firstPublish } from './first-publish.ts';
@@ -30,6 +31,7 @@ export const WORKLOADS: readonly Workload[] = [
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
   fanOutPictures,
   zeromq,
+  ...CORES,
   connecting,
   idleConnections,
   firstPublish,
