@@ -30,13 +30,15 @@ export interface MasterStart {
   readonly profileDir: string | undefined;
   /** Folder with modules to trust. */
   readonly modulesDir?: string;
+  /** Of the profile. Default: ubii */
+  readonly name?: string;
   /** More flags. */
   readonly flags?: readonly string[];
 }
 
 /** Starts a built master on a free port of this machine alone. */
 export async function startMasterProcess(start: MasterStart): Promise<MasterProcess> {
-  const { master, profileDir, modulesDir, flags: more = [] } = start;
+  const { master, profileDir, modulesDir, name = 'ubii', flags: more = [] } = start;
   if (!existsSync(master)) {
     throw new Error(`There is no master at ${master}: run \`npm run build\` first.`);
   }
@@ -46,7 +48,7 @@ export async function startMasterProcess(start: MasterStart): Promise<MasterProc
   if (knowsFlag(master, '--trust-loopback')) flags.push('--trust-loopback');
   if (modulesDir !== undefined) flags.push('--modules', modulesDir);
   const process = await startBrokerProcess({
-    name: 'ubii',
+    name,
     args: [master, ...flags, '--data-dir', dataDir, '--print-endpoints', 'json'],
     profileDir,
   });

@@ -17,7 +17,7 @@ export async function brokerSubjects(
   const ubii = await parts.get('ubii', () => startUbii(master, profileDir));
   return [...rawWs.targets, ...ubii.targets].map((target) => ({
     name: target.name,
-    pids: [target.pid],
+    pids: target.pids,
     measure: (options) => measure(target, options),
   }));
 }

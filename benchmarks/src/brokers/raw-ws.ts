@@ -16,6 +16,7 @@ export async function startRawWs(profileDir: string | undefined): Promise<Broker
       {
         name: 'raw-ws',
         pid: broker.pid,
+        pids: [broker.pid],
         join: async ({ publishes, topics }, receiver) => {
           const query = [publishes && 'publish=1', topics.length > 0 && 'subscribe=1'];
           const address = `${url}?${query.filter(Boolean).join('&')}`;

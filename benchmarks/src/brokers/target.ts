@@ -1,4 +1,5 @@
-import type { LoadConnection, StreamReceiver } from '../load/load-connection.ts';
+import type { StreamReceiver } from '../load/load-connection.ts';
+import type { Wire } from '../load/wire.ts';
 
 /** A broker together with the kind of clients that use it. */
 export type TargetName = 'raw-ws' | 'ubii-extension' | 'ubii-legacy';
@@ -17,18 +18,30 @@ export interface ClientRole {
 
 /** One client of a broker, connected and, if it wants to be, subscribed. */
 export interface BrokerClient {
-  readonly connection: LoadConnection;
+  readonly connection: {
+    /** Sends bytes that are whole messages already. */
+    send(messages: Buffer): void;
+    close(): Promise<void>;
+  };
   /** Leaves the broker as if it had never been there. */
   leave(): Promise<void>;
 }
 
-/** A running broker and one way to connect to it. */
-export interface Target {
-  readonly name: TargetName;
-  /** Process whose CPU time is counted. */
-  readonly pid: number;
+/** One way for clients to reach a broker, or several that work together. */
+export interface Access {
+  /** Processes whose CPU time is counted. */
+  readonly pids: readonly number[];
+  /** Default: WebSocket */
+  readonly wire?: Wire;
   /** @param receiver takes what the broker sends */
   join(role: ClientRole, receiver: StreamReceiver): Promise<BrokerClient>;
+}
+
+/** A running broker and one way to connect to it. */
+export interface Target extends Access {
+  readonly name: TargetName;
+  /** Its process. */
+  readonly pid: number;
 }
 
 /** A broker process. Two targets may share it. */

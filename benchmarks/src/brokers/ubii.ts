@@ -9,6 +9,7 @@ export async function startUbii(master: string, profileDir: string | undefined):
   const target = (name: 'ubii-extension' | 'ubii-legacy'): Target => ({
     name,
     pid: process.pid,
+    pids: [process.pid],
     join: (role, receiver) => joinMaster(process, role, receiver, name === 'ubii-extension'),
   });
   return {

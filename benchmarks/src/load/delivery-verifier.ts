@@ -1,13 +1,12 @@
 import { decode } from '@ubii/proto';
-import { FrameReader, OPCODE } from './frame-reader.ts';
 import type { StreamReceiver } from './load-connection.ts';
-import type { RecordRing } from './record-ring.ts';
+import type { RecordRing, Tape } from './record-ring.ts';
 import { MAX_WINDOW } from './record-ring.ts';
+import { WEB_SOCKET, type StreamReader, type Wire } from './wire.ts';
 
 const TOPIC_DATA_RECORD_TAG = 0x12;
 const RECORD_LIST_TAG = 0x1a;
 const LIST_ELEMENT_TAG = 0x0a;
-const TEXT_PING = 'PING';
 
 /** Delivery faults of one connection, in records. Zero and empty without faults. */
 export interface DeliveryFaults {
@@ -33,7 +32,9 @@ export class DeliveryVerifier implements StreamReceiver {
   next = 0;
   readonly faults: DeliveryFaults = { lost: 0, altered: 0, repeated: 0, unexpected: [] };
   readonly #ring: RecordRing;
-  readonly #reader: FrameReader;
+  /** The stream as it usually comes. */
+  readonly #expected: Tape;
+  readonly #reader: StreamReader;
   /** Bytes of a frame that has begun to match and is not complete. */
   #partialBytes = 0;
 
@@ -41,10 +42,13 @@ export class DeliveryVerifier implements StreamReceiver {
   /** Called after bytes were verified; `next` says how far the stream is. */
   onProgress: () => void = () => {};
 
-  constructor(ring: RecordRing) {
+  constructor(ring: RecordRing, wire: Wire = WEB_SOCKET) {
     this.#ring = ring;
-    this.#reader = new FrameReader((opcode, bytes, start, end) => {
-      this.#handleFrame(opcode, bytes, start, end);
+    this.#expected = wire.delivered(ring);
+    this.#reader = wire.openReader({
+      handleTopicData: (bytes, start, end) => this.#handleTopicData(bytes, start, end),
+      handlePing: () => this.onPing(),
+      handleOther: (what) => this.#report(what),
     });
   }
 
@@ -67,7 +71,7 @@ export class DeliveryVerifier implements StreamReceiver {
 
   #verify(chunk: Buffer): void {
     if (this.#reader.isAtBoundary) {
-      const { frames } = this.#ring;
+      const frames = this.#expected;
       const offset = frames.offsetOf(this.next) + this.#partialBytes;
       if (frames.matches(offset, chunk, 0, chunk.length)) {
         const bytes = this.#partialBytes + chunk.length;
@@ -82,16 +86,6 @@ export class DeliveryVerifier implements StreamReceiver {
       }
     }
     this.#reader.push(chunk);
-  }
-
-  #handleFrame(opcode: number, bytes: Buffer, start: number, end: number): void {
-    if (opcode === OPCODE.binary) {
-      this.#handleTopicData(bytes, start, end);
-    } else if (opcode === OPCODE.text && bytes.toString('latin1', start, end) === TEXT_PING) {
-      this.onPing();
-    } else {
-      this.#report(`a frame with opcode ${opcode} and ${end - start} bytes`);
-    }
   }
 
   #handleTopicData(bytes: Buffer, start: number, end: number): void {

@@ -33,6 +33,11 @@ export class Tape {
     this.bytes = Buffer.concat([...steps, ...steps.slice(0, OVERLAP_RECORDS)]);
   }
 
+  /** Bytes of each record before the tape begins again. */
+  *steps(): Iterable<Buffer> {
+    for (let step = 0; step < this.#size; step += 1) yield this.slice(step, 1);
+  }
+
   /** Offset of record number `sequence` in `bytes`. */
   offsetOf(sequence: number): number {
     return (sequence % this.#size) * this.stepBytes;
@@ -56,6 +61,8 @@ export interface RecordRing {
   readonly topic: string;
   /** Length of one encoded TopicDataRecord, bytes. */
   readonly recordBytes: number;
+  /** TopicData with one record each. */
+  readonly messages: Tape;
   /** Masked frames, each one TopicData with one record. */
   readonly published: Tape;
   /** Frames as a broker sends them that passes on what was published. */
@@ -115,6 +122,7 @@ function ringOf(topic: string, records: readonly Uint8Array[]): RecordRing {
   return {
     topic,
     recordBytes: records[0]!.length,
+    messages: new Tape(messages),
     published: new Tape(messages.map((message) => clientFrame(OPCODE.binary, message))),
     frames: new Tape(messages.map(serverFrame)),
     elements: new Tape(records.map((record) => delimited(LIST_ELEMENT_TAG, record))),

@@ -1,9 +1,10 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { brokerSubjects } from '../brokers/open-brokers.ts';
-import { REFERENCE, type BrokerClient, type Target } from '../brokers/target.ts';
+import { REFERENCE, type Access, type BrokerClient } from '../brokers/target.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { FlowWindow } from '../load/flow-window.ts';
 import { createPictureRing, createRecordRing, type RecordRing } from '../load/record-ring.ts';
+import { WEB_SOCKET } from '../load/wire.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
@@ -93,12 +94,13 @@ function workload(fan: FanOut, goals: FigureInfo['goals']): Workload {
 /** One measurement. */
 export async function measureFanOut(
   { subscribers: count, window }: Pick<FanOut, 'subscribers' | 'window'>,
-  target: Target,
+  target: Access,
   ring: RecordRing,
   { warmUpMs, measureMs }: MeasureOptions,
 ): Promise<Measurement> {
   const subscribers = await joinAll(target, count, ring);
-  const published = new DeliveryVerifier(ring);
+  const published = new DeliveryVerifier(ring, target.wire);
+  const tape = (target.wire ?? WEB_SOCKET).published(ring);
   const publisher = await target.join({ publishes: true, topics: [] }, published);
   const flow = new FlowWindow(count, window);
   let delivered = 0;
@@ -109,7 +111,7 @@ export async function measureFanOut(
   const publish = (): void => {
     const free = window - (sent - flow.slowest);
     if (free <= 0) return;
-    const frames = ring.published.slice(sent, free);
+    const frames = tape.slice(sent, free);
     sent += free;
     publisher.connection.send(frames);
   };
@@ -130,7 +132,7 @@ export async function measureFanOut(
   publish();
   await sleep(warmUpMs);
   const deliveredBefore = delivered;
-  const stopLap = startLap([target.pid]);
+  const stopLap = startLap(target.pids);
   await sleep(measureMs);
   const deliveries = delivered - deliveredBefore;
   const lap = stopLap();
@@ -159,12 +161,12 @@ export async function measureFanOut(
 
 type Subscriber = BrokerClient & { readonly verifier: DeliveryVerifier };
 
-async function joinAll(target: Target, count: number, ring: RecordRing): Promise<Subscriber[]> {
+async function joinAll(target: Access, count: number, ring: RecordRing): Promise<Subscriber[]> {
   const clients: Subscriber[] = [];
   while (clients.length < count) {
     const next = Math.min(JOIN_AT_ONCE, count - clients.length);
     const joined = Array.from({ length: next }, async () => {
-      const verifier = new DeliveryVerifier(ring);
+      const verifier = new DeliveryVerifier(ring, target.wire);
       const client = await target.join({ publishes: false, topics: [ring.topic] }, verifier);
       return { ...client, verifier };
     });

@@ -1,4 +1,5 @@
 import { clientsPage } from './clients-page.ts';
+import { CLUSTER } from './cluster.ts';
 import { connecting, idleConnections } from './connections.ts';
 import { CORES } from './cores.ts';
 import { detection } from './detection.ts';
@@ -31,6 +32,7 @@ export const WORKLOADS: readonly Workload[] = [
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
   fanOutPictures,
   zeromq,
+  ...CLUSTER,
   ...CORES,
   connecting,
   idleConnections,

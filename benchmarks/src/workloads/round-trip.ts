@@ -1,9 +1,10 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { brokerSubjects } from '../brokers/open-brokers.ts';
-import { REFERENCE, type Target } from '../brokers/target.ts';
+import { REFERENCE, type Access } from '../brokers/target.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { percentile } from '../statistics.ts';
+import { WEB_SOCKET } from '../load/wire.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
@@ -64,15 +65,36 @@ export const roundTrip: Workload = {
   },
 };
 
-/** One measurement. */
-export async function measureRoundTrip(
-  target: Target,
+/** One measurement with a single client. */
+export function measureRoundTrip(
+  target: Access,
   ring: RecordRing,
+  options: MeasureOptions,
+): Promise<Measurement> {
+  return measureLegs([{ access: target, ring }], target.pids, options);
+}
+
+/** Part of a round trip: from one client to the next. */
+export interface Leg {
+  /** Where the receiving client is. */
+  readonly access: Access;
+  /** Records that travel on it. */
+  readonly ring: RecordRing;
+}
+
+/**
+ * One measurement. The client at the end of a leg publishes the same record number on the next leg; the client at the
+ * end of the last one begins again.
+ *
+ * @param pids processes whose CPU time is counted
+ */
+export async function measureLegs(
+  legs: readonly Leg[],
+  pids: readonly number[],
   { warmUpMs, measureMs }: MeasureOptions,
 ): Promise<Measurement> {
-  const verifier = new DeliveryVerifier(ring);
-  const client = await target.join({ publishes: true, topics: [ring.topic] }, verifier);
-  const { connection } = client;
+  const stops = await Promise.all(legs.map(openStop));
+  const first = stops.at(-1)!;
   const samples = new Float64Array(MAX_SAMPLES);
   let sampleCount = 0;
   let isSampling = false;
@@ -82,13 +104,22 @@ export async function measureRoundTrip(
   let onIdle: () => void = () => {};
 
   const publish = (): void => {
-    const frame = ring.published.slice(sent, 1);
+    const frame = stops[0]!.tape.slice(sent, 1);
     sent += 1;
     sentAtMs = performance.now();
-    connection.send(frame);
+    first.client.connection.send(frame);
   };
-  verifier.onProgress = () => {
-    if (verifier.next < sent) return;
+  for (const [index, stop] of stops.slice(0, -1).entries()) {
+    const { tape } = stops[index + 1]!;
+    let passed = 0;
+    stop.verifier.onProgress = () => {
+      for (; passed < stop.verifier.next; passed += 1) {
+        stop.client.connection.send(tape.slice(passed, 1));
+      }
+    };
+  }
+  first.verifier.onProgress = () => {
+    if (first.verifier.next < sent) return;
     const tookMs = performance.now() - sentAtMs;
     if (isSampling && sampleCount < MAX_SAMPLES) {
       samples[sampleCount] = tookMs * 1000;
@@ -100,7 +131,7 @@ export async function measureRoundTrip(
 
   publish();
   await sleep(warmUpMs);
-  const stopLap = startLap([target.pid]);
+  const stopLap = startLap(pids);
   isSampling = true;
   await sleep(measureMs);
   isSampling = false;
@@ -108,9 +139,11 @@ export async function measureRoundTrip(
 
   const idle = new Promise<void>((resolve) => (onIdle = resolve));
   isRunning = false;
-  if (verifier.next < sent) await Promise.race([idle, sleep(STALL_MS, undefined, { ref: false })]);
-  verifier.finish(sent);
-  await client.leave();
+  if (first.verifier.next < sent) {
+    await Promise.race([idle, sleep(STALL_MS, undefined, { ref: false })]);
+  }
+  for (const { verifier } of stops) verifier.finish(sent);
+  for (const { client } of stops) await client.leave();
 
   const sorted = samples.subarray(0, sampleCount).sort();
   return {
@@ -122,6 +155,13 @@ export async function measureRoundTrip(
     },
     otherCpuShare: lap.otherCpuShare,
     deliveries: sampleCount,
-    faults: describeFaults([verifier.faults]),
+    faults: describeFaults(stops.map(({ verifier }) => verifier.faults)),
   };
+}
+
+/** Client at the end of a leg, with what is published on that leg. */
+async function openStop({ access, ring }: Leg) {
+  const verifier = new DeliveryVerifier(ring, access.wire);
+  const client = await access.join({ publishes: true, topics: [ring.topic] }, verifier);
+  return { verifier, client, tape: (access.wire ?? WEB_SOCKET).published(ring) };
 }

@@ -13,16 +13,18 @@ const MISSING = `nats-server was not found on the PATH. It is needed by tests of
 export interface NatsOptions {
   /** With the key-value stores, in a folder of its own that is removed at the end. Default: false */
   readonly jetstream?: boolean;
+  /** Address to listen on. Default: 127.0.0.1 */
+  readonly host?: string;
   /** Further arguments of the program, such as `--user`. */
   readonly args?: readonly string[];
 }
 
-/** A NATS server of a test, on a port of loopback. */
+/** A NATS server of a test, on a free port. */
 export interface NatsServer {
-  /** `nats://127.0.0.1:<port>`. */
+  /** Such as `nats://127.0.0.1:4222`. */
   readonly url: string;
   readonly port: number;
-  /** Process id; undefined while it does not run. */
+  /** Of the process that runs now; undefined while none does. */
   readonly pid: number | undefined;
   /** Kills it, as `kill -9` does. */
   kill(): Promise<void>;
@@ -41,12 +43,13 @@ export interface NatsServer {
  */
 export async function startNats({
   jetstream = false,
+  host = '127.0.0.1',
   args = [],
 }: NatsOptions = {}): Promise<NatsServer> {
   const program = findNats();
   const port = await freePort();
   const folder = mkdtempSync(join(tmpdir(), 'ubii-nats-'));
-  const allArgs = ['-a', '127.0.0.1', '-p', String(port), ...args];
+  const allArgs = ['-a', host, '-p', String(port), ...args];
   if (jetstream) allArgs.push('-js', '-sd', folder);
   const start = (): Promise<ChildProcess> => startProgram(program, allArgs);
   let running: ChildProcess | undefined = await start();
@@ -56,7 +59,7 @@ export async function startNats({
     if (ended !== undefined) await endProgram(ended, signal);
   };
   return {
-    url: `nats://127.0.0.1:${port}`,
+    url: `nats://${host}:${port}`,
     port,
     get pid() {
       return running?.pid;

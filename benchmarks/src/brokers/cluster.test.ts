@@ -1,0 +1,33 @@
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { createRecordRing } from '../load/record-ring.ts';
+import { measureFanOut } from '../workloads/fan-out.ts';
+import { measureLegs } from '../workloads/round-trip.ts';
+import { startNatsPart, type NatsPart } from './cluster.ts';
+
+const OPTIONS = { warmUpMs: 10, measureMs: 50 };
+
+describe('NATS alone', () => {
+  let nats: NatsPart;
+  beforeAll(async () => {
+    nats = await startNatsPart();
+  });
+  afterAll(() => nats.stop());
+
+  it('passes everything on in a round trip of four legs', async () => {
+    const legs = Array.from({ length: 4 }, (_, index) => ({
+      access: nats,
+      ring: createRecordRing(`leg-${index}`, 100),
+    }));
+    const { faults, deliveries } = await measureLegs(legs, nats.pids, OPTIONS);
+    expect(faults).toEqual([]);
+    expect(deliveries).toBeGreaterThan(0);
+  });
+
+  it('passes everything on in a fan-out', async () => {
+    const ring = createRecordRing('fan-out', 100);
+    const fan = { subscribers: 30, window: 64 };
+    const { faults, deliveries } = await measureFanOut(fan, nats, ring, OPTIONS);
+    expect(faults).toEqual([]);
+    expect(deliveries).toBeGreaterThan(0);
+  });
+});

@@ -1,0 +1,120 @@
+import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
+import { SERVICES } from '@ubii/proto';
+import { NatsConnection } from '../load/nats-connection.ts';
+import { NATS } from '../load/nats-wire.ts';
+import { startMasterProcess, type MasterProcess } from './master-process.ts';
+import type { Access } from './target.ts';
+import { joinMaster } from './ubii.ts';
+
+/** Masters in the cluster. */
+const MASTERS = 3;
+const HEARD_MS = 20_000;
+const METRIC = /^ubii_cluster_masters (\d+)$/m;
+
+/** Several masters and their NATS server. */
+export interface RunningCluster {
+  readonly nats: NatsPart;
+  readonly masters: readonly MasterProcess[];
+  /** All processes, NATS included. */
+  readonly pids: readonly number[];
+  stop(): Promise<void>;
+}
+
+/** A NATS server with clients of its own. */
+export interface NatsPart extends Access {
+  readonly url: string;
+  stop(): Promise<void>;
+}
+
+/** Starts NATS with the stores that a cluster needs. */
+export async function startNatsPart(): Promise<NatsPart> {
+  const server: NatsServer = await startNats({ jetstream: true });
+  const killWithUs = (): void => killProcess(server.pid);
+  process.once('exit', killWithUs);
+  return {
+    url: server.url,
+    pids: [server.pid!],
+    wire: NATS,
+    async join({ topics }, receiver) {
+      const connection = await NatsConnection.open(server.port, topics[0], receiver);
+      return { connection, leave: () => connection.close() };
+    },
+    stop: async () => {
+      process.off('exit', killWithUs);
+      await server.stop();
+    },
+  };
+}
+
+function killProcess(pid: number | undefined): void {
+  if (pid !== undefined) process.kill(pid, 'SIGKILL');
+}
+
+/** Starts masters that work as one, and resolves when they hear each other. */
+export async function startCluster(
+  master: string,
+  profileDir: string | undefined,
+): Promise<RunningCluster> {
+  const nats = await startNatsPart();
+  const masters: MasterProcess[] = [];
+  const stop = async (): Promise<void> => {
+    await Promise.all(masters.map((each) => each.stop()));
+    await nats.stop();
+  };
+  try {
+    for (let index = 0; index < MASTERS; index += 1) {
+      const flags = ['--cluster', nats.url];
+      const name = `master-${index + 1}`;
+      masters.push(await startMasterProcess({ master, profileDir, flags, name }));
+    }
+    await Promise.all(masters.map(waitForOthers));
+  } catch (error) {
+    await stop();
+    throw error;
+  }
+  return { nats, masters, pids: [...nats.pids, ...masters.map(({ pid }) => pid)], stop };
+}
+
+/** Clients of one of the masters, which take record lists. @param pids see `Access` */
+export function accessTo(
+  { masters }: RunningCluster,
+  index: number,
+  pids: readonly number[],
+): Access {
+  return {
+    pids,
+    async join(role, receiver) {
+      const client = await joinMaster(masters[index]!, role, receiver, true);
+      if (role.topics.length > 0) await Promise.all(masters.map(passOthers));
+      return client;
+    },
+  };
+}
+
+/** Clients of all masters: each joins the next one. */
+export function accessToAll(cluster: RunningCluster): Access {
+  const { masters, pids } = cluster;
+  let count = 0;
+  return {
+    pids,
+    join(role, receiver) {
+      count += 1;
+      return accessTo(cluster, count % masters.length, pids).join(role, receiver);
+    },
+  };
+}
+
+/** Waits until a master knows what others have told so far: all others answer this, after what they told. [CU-29] */
+async function passOthers(master: MasterProcess): Promise<void> {
+  await master.call({ topic: SERVICES.topicList.topic });
+}
+
+async function waitForOthers({ url }: MasterProcess): Promise<void> {
+  const endMs = performance.now() + HEARD_MS;
+  while (performance.now() < endMs) {
+    const text = await (await fetch(`${url}/metrics`)).text();
+    if (Number(METRIC.exec(text)?.[1]) === MASTERS - 1) return;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  throw new Error('The masters of the cluster did not hear each other.');
+}
