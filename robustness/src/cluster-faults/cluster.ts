@@ -1,0 +1,178 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { AccessRole, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
+import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
+
+import { MasterProcess, type MasterStart } from '../master/master-process.ts';
+import { CrowdHandle } from './crowd/crowd-handle.ts';
+import type { Ground } from './ground/ground.ts';
+
+/** Room for the clients of all masters, which come from one address each. */
+const LIMITS =
+  'connectionsPerAddress=9000,connectionsPerNetwork=9000,connectionsOfStrangers=9000,connections=18000';
+const DAY_MS = 24 * 3_600_000;
+/** Descriptors of a master, where the system gives so many. */
+const DESCRIPTORS = 65_536;
+
+/** Replies of a master whose store did not answer: what was asked may have been done. */
+const UNKNOWN = 'unavailable';
+
+/** Several masters, their NATS server, and the clients on the machine of each. */
+export class TestCluster {
+  readonly ground: Ground;
+  readonly nats: NatsServer;
+  readonly crowds: readonly CrowdHandle[];
+  readonly #starts: MasterStart[] = [];
+  readonly #masters: MasterProcess[] = [];
+  readonly #folder: string;
+  readonly #cutOff = new Set<number>();
+  /** Lines of the logs of masters that have ended. */
+  readonly #failures: string[] = [];
+
+  private constructor(ground: Ground, nats: NatsServer, folder: string, count: number) {
+    this.ground = ground;
+    this.nats = nats;
+    this.#folder = folder;
+    this.crowds = Array.from(
+      { length: count },
+      (_, index) => new CrowdHandle(ground.within(index)),
+    );
+  }
+
+  static async start(
+    ground: Ground,
+    count: number,
+    { program, canOpenMore }: { program: string; canOpenMore: boolean },
+  ): Promise<TestCluster> {
+    const nats = await startNats({ jetstream: true, host: ground.natsHost });
+    await ground.openWays(nats.port);
+    const folder = mkdtempSync(join(tmpdir(), 'ubii-cluster-'));
+    const cluster = new TestCluster(ground, nats, folder, count);
+    try {
+      for (let index = 0; index < count; index += 1) {
+        const flags = ['--cluster', ground.natsUrl(index), '--name', `master ${index + 1}`];
+        const start: MasterStart = {
+          ...{ program, within: ground.within(index), network: ground.network },
+          dataDir: join(folder, `data-${index + 1}`),
+          flags: [...flags, '--limits', LIMITS],
+          ...(canOpenMore && { maxDescriptors: DESCRIPTORS }),
+        };
+        const master = await MasterProcess.start(start);
+        cluster.#masters.push(master);
+        cluster.#starts.push({ ...start, flags: [...start.flags!, '--port', String(master.port)] });
+      }
+    } catch (error) {
+      await cluster.close();
+      throw error;
+    }
+    return cluster;
+  }
+
+  get size(): number {
+    return this.#starts.length;
+  }
+
+  /** Masters that run and can be reached. */
+  get present(): number[] {
+    return [...this.#masters.keys()].filter(
+      (index) => this.#masters[index]!.isRunning && !this.#cutOff.has(index),
+    );
+  }
+
+  /** Process ids of the masters. */
+  get pids(): readonly number[] {
+    return this.#masters.map(({ pid }) => pid);
+  }
+
+  /** URL of a master for its clients. */
+  urlOf(index: number): string {
+    return `http://${this.ground.hostOf(index)}:${this.#masters[index]!.port}`;
+  }
+
+  /** Which master has this URL. */
+  indexOf(url: string): number {
+    return this.#masters.findIndex((_, index) => new URL(this.urlOf(index)).host === hostOf(url));
+  }
+
+  /** URL of a master for programs of its own machine, which are admins. */
+  ownUrlOf(index: number): string {
+    return `http://127.0.0.1:${this.#masters[index]!.port}`;
+  }
+
+  /** Asks a master as its operator. @throws Error when it is not known whether it was done */
+  async ask(index: number, request: Init<ServiceRequest>): Promise<ServiceReply> {
+    const reply = await this.crowds[index]!.ask(this.ownUrlOf(index), request);
+    if (reply.error?.code === UNKNOWN) throw new Error(reply.error.message);
+    return reply;
+  }
+
+  /** Metrics of a master, as `MasterProcess.metrics` reads them. */
+  async metric(index: number, name: string): Promise<number> {
+    const text = await this.crowds[index]!.do('metrics', this.ownUrlOf(index));
+    return Number(new RegExp(`^${name} (\\d+)$`, 'm').exec(text)?.[1] ?? Number.NaN);
+  }
+
+  /** Makes an invitation that all clients join with. */
+  async invite(): Promise<string> {
+    const { accessGrantCreated, error } = await this.ask(0, {
+      topic: '/services/ubii/access_grant_create',
+      accessGrantCreateRequest: {
+        ...{ role: AccessRole.ACCESS_ROLE_PARTICIPANT, label: 'crowd' },
+        ...{ lifetimeMs: DAY_MS, stayMs: DAY_MS },
+      },
+    });
+    if (accessGrantCreated === undefined) throw new Error(error?.message);
+    return accessGrantCreated.token;
+  }
+
+  async kill(index: number): Promise<void> {
+    this.#keepFailures(index);
+    await this.#masters[index]!.kill();
+  }
+
+  async stop(index: number): Promise<void> {
+    await this.#masters[index]!.stop();
+    this.#keepFailures(index);
+  }
+
+  async restart(index: number): Promise<void> {
+    this.#masters[index] = await MasterProcess.start(this.#starts[index]!);
+  }
+
+  cut(index: number): void {
+    this.#cutOff.add(index);
+    this.ground.cut(index);
+  }
+
+  heal(index: number): void {
+    this.ground.heal(index);
+    this.#cutOff.delete(index);
+  }
+
+  /** Lines that no fault may cause: exceptions, and errors but for those of NATS being away. */
+  failures(): string[] {
+    for (const index of this.#masters.keys()) this.#keepFailures(index);
+    return this.#failures;
+  }
+
+  async close(): Promise<void> {
+    for (const crowd of this.crowds) crowd.close();
+    await Promise.all(this.#masters.map((master) => master.stop()));
+    await this.nats.stop();
+    await this.ground.close();
+    rmSync(this.#folder, { recursive: true, force: true });
+  }
+
+  #keepFailures(index: number): void {
+    const master = this.#masters[index]!;
+    for (const line of master.failures.slice(0, 20)) {
+      const failure = `master ${index + 1}: ${line}`;
+      if (!this.#failures.includes(failure)) this.#failures.push(failure);
+    }
+  }
+}
+
+function hostOf(url: string): string {
+  return URL.canParse(url) ? new URL(url).host : '';
+}

@@ -1,0 +1,91 @@
+import { Random } from '../random.ts';
+import { TestCluster } from './cluster.ts';
+import type { Fault } from './faults/fault.ts';
+import type { Ground } from './ground/ground.ts';
+import { findAbsent, Host, runPart, type PartReport } from './part.ts';
+import { settle } from './settle.ts';
+
+const MASTERS = 3;
+const PATIENCE_MS = 300_000;
+
+/** Parameters of a run. */
+export interface RunPlan {
+  readonly ground: Ground;
+  /** Main file of a built master. */
+  readonly program: string;
+  readonly faults: readonly Fault[];
+  readonly seed: number;
+  /** Clients on the machine of each master. */
+  readonly clients: number;
+  /** Topics whose publishers are on the machine of each master. */
+  readonly topics: number;
+  /** Topics that each client subscribes to. */
+  readonly topicsPerClient: number;
+  /** Time between two records of a topic, milliseconds. */
+  readonly periodMs: number;
+  /** Whether this process may raise the number of descriptors of the masters. */
+  readonly canOpenMore: boolean;
+  readonly say: (text: string) => void;
+}
+
+/** Number of masters of a run. */
+export const MASTER_COUNT = MASTERS;
+
+/** Starts a cluster with its clients, and does one fault after the other. */
+export async function runFaults(plan: RunPlan): Promise<readonly PartReport[]> {
+  const { ground, program, canOpenMore, faults, say } = plan;
+  const cluster = await TestCluster.start(ground, MASTERS, { program, canOpenMore });
+  try {
+    const tookMs = await joinAll(cluster, plan);
+    say(`${MASTERS} × ${plan.clients} clients joined in ${(tookMs / 1000).toFixed(1)} s`);
+    const host = new Host(cluster, new Random(plan.seed));
+    const reports: PartReport[] = [];
+    for (const fault of faults) {
+      const report = await runPart(cluster, fault, host, say);
+      reports.push(report);
+      say(formatPart(report));
+    }
+    const failures = cluster.failures();
+    if (failures.length > 0) {
+      const about = 'lines of errors in the logs of the masters';
+      reports.push({ name: 'logs', about, figures: [], violations: failures.slice(0, 20) });
+      say(formatPart(reports.at(-1)!));
+    }
+    return reports;
+  } finally {
+    await cluster.close();
+  }
+}
+
+/** One part as lines of text. */
+export function formatPart({ name, about, figures, violations }: PartReport): string {
+  return [
+    `${name}: ${about}`,
+    ...figures.map((figure) => `  ${figure}`),
+    ...violations.map((violation) => `  BROKEN ${violation}`),
+  ].join('\n');
+}
+
+/** @returns how long it took, milliseconds */
+async function joinAll(cluster: TestCluster, plan: RunPlan): Promise<number> {
+  const joinToken = await cluster.invite();
+  const publishes = cluster.crowds.map((_, machine) =>
+    Array.from({ length: plan.topics }, (_, index) => `/crowd/${machine + 1}/${index + 1}`),
+  );
+  // One of each machine in turn.
+  const topics = publishes[0]!.flatMap((_, index) => publishes.map((own) => own[index]!));
+  const begunMs = performance.now();
+  await Promise.all(
+    cluster.crowds.map((crowd, machine) =>
+      crowd.do('join', {
+        ...{ url: cluster.urlOf(machine), joinToken, count: plan.clients },
+        ...{ publishes: publishes[machine]!, topics },
+        ...{ topicsPerMember: plan.topicsPerClient, periodMs: plan.periodMs },
+      }),
+    ),
+  );
+  const tookMs = performance.now() - begunMs;
+  const { problems } = await settle(() => findAbsent(cluster), PATIENCE_MS);
+  if (problems.length > 0) throw new Error(problems.join('\n'));
+  return tookMs;
+}

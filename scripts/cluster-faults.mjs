@@ -1,0 +1,3 @@
+import { runRobustness } from './lib/robustness.mjs';
+
+await runRobustness('cluster-faults', ['master']);
