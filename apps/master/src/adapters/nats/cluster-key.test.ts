@@ -1,7 +1,7 @@
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { openNatsBench, type NatsBench } from '../../testing/nats-bench.ts';
-import { readOrCreateClusterKey } from './cluster-key.ts';
+import { keepClusterKey, readOrCreateClusterKey } from './cluster-key.ts';
 import { KvBucket } from './kv-bucket.ts';
 import type { NatsLink } from './nats-link.ts';
 
@@ -35,6 +35,32 @@ describe('[CU-56] the key of a cluster', () => {
     const key = await readOrCreateClusterKey(link, bucket);
     await new KvBucket(link, bucket).write('token-key', undefined);
     expect(await readOrCreateClusterKey(link, bucket)).not.toEqual(key);
+  });
+
+  it('is written back when NATS lost its storage, and not when it was deleted', async () => {
+    const bucket = 'ubii_kept_keys';
+    const key = await readOrCreateClusterKey(link, bucket);
+    const cancel = keepClusterKey(link, bucket, key);
+    const again = new KvBucket(link, bucket);
+    await bench.server.kill();
+    await bench.server.empty();
+    await bench.server.restart();
+    const stored = await vi.waitFor(async () => {
+      const entry = await again.read('token-key');
+      expect(entry).toBeDefined();
+      return entry!;
+    }, 10_000);
+    expect(Buffer.from(stored.value!).toString()).toBe(Buffer.from(key).toString('hex'));
+    await again.write('token-key', undefined);
+    const isBack = new Promise<void>((resolve) => {
+      link.onReach((isConnected) => isConnected && resolve());
+    });
+    await bench.server.kill();
+    await bench.server.restart();
+    await isBack;
+    await again.ensure();
+    expect((await again.read('token-key'))?.value).toBeUndefined();
+    cancel();
   });
 
   it('is never guessed from something else', async () => {

@@ -1,7 +1,8 @@
 import { ConfigError } from '@ubii/program';
+import type { Cancel } from '@ubii/timing';
 
 import { createTokenKey, parseTokenKey, TOKEN_KEY_BYTES } from '../tokens/token-key.ts';
-import { explainStores } from './explain-nats-error.ts';
+import { explainStores, reasonOf } from './explain-nats-error.ts';
 import { KvBucket, type KvEntry } from './kv-bucket.ts';
 import type { NatsLink } from './nats-link.ts';
 
@@ -32,4 +33,32 @@ export async function readOrCreateClusterKey(link: NatsLink, bucket: string): Pr
   throw new ConfigError(
     `The key ${KEY} in the bucket ${bucket} of NATS must hold ${TOKEN_KEY_BYTES} bytes in hexadecimal, but does not. Delete it and start all masters again; every client then joins as a new one.`,
   );
+}
+
+/**
+ * Writes the secret back whenever NATS comes back without it, because its storage was lost: a master that starts then
+ * would make another one, and turn away all clients of the others. [CU-56]
+ */
+export function keepClusterKey(link: NatsLink, bucket: string, key: Uint8Array): Cancel {
+  const keys = new KvBucket(link, bucket);
+  const restore = async (): Promise<void> => {
+    await keys.ensure();
+    const entry = await keys.read(KEY);
+    if (entry === undefined)
+      await keys.write(KEY, Buffer.from(Buffer.from(key).toString('hex')), 0);
+    const stored = await keys.read(KEY);
+    if (stored?.value === undefined || isSame(stored.value, key)) return;
+    link.log.error('NATS has another key than this master; start all masters again', { bucket });
+  };
+  return link.onReach((isConnected) => {
+    if (!isConnected) return;
+    restore().catch((error: unknown) => {
+      link.log.warn('the key of the cluster could not be looked for', { reason: reasonOf(error) });
+    });
+  });
+}
+
+function isSame(stored: Uint8Array, key: Uint8Array): boolean {
+  const parsed = parseTokenKey(Buffer.from(stored).toString('utf8'));
+  return parsed !== undefined && Buffer.compare(parsed, key) === 0;
 }

@@ -22,6 +22,8 @@ export class KvTable {
   readonly #writing = new Map<string, { count: number; readonly held: WatchedEntry[] }>();
   /** While all values are told again: those that were not yet. */
   #untold = new Map<string, KvEntry>();
+  /** Values that NATS lost and that are written back. */
+  readonly #unstored = new Set<string>();
 
   private constructor(link: NatsLink, name: string) {
     this.#link = link;
@@ -29,7 +31,7 @@ export class KvTable {
     this.#follower = new BucketFollower(link, this.#bucket, {
       handleBegin: (isAnew) => this.#handleBegin(isAnew),
       handleEntry: (entry) => this.#handleEntry(entry),
-      handleComplete: () => this.#dropUntold(),
+      handleComplete: () => this.#handleComplete(),
     });
     this.#removals = new Removals(this.#bucket, link.clock, (rawKey, revision) => {
       if (this.#entries.get(rawKey)?.revision === revision) this.#entries.delete(rawKey);
@@ -106,20 +108,51 @@ export class KvTable {
     if (isAnew) {
       for (const [rawKey, { value }] of this.#entries) {
         this.#entries.set(rawKey, { revision: 0, value });
+        this.#unstored.add(rawKey);
       }
     }
     this.#untold = new Map(this.#entries);
   }
 
-  /** What was in the table before, and was not told again, is not in the bucket any more. */
-  #dropUntold(): void {
+  /**
+   * What was in the table before, and was not told again, is not in the bucket any more: it was deleted, or NATS lost
+   * its storage. Then it is written back.
+   */
+  #handleComplete(): void {
+    const lost: string[] = [];
     for (const [rawKey, entry] of this.#untold) {
       // Written here meanwhile: it is told later.
       if (this.#entries.get(rawKey) !== entry) continue;
+      if (this.#unstored.has(rawKey)) {
+        lost.push(rawKey);
+        continue;
+      }
       this.#entries.delete(rawKey);
       if (entry.value !== undefined) this.#tell(rawKey, false);
     }
     this.#untold.clear();
+    if (lost.length > 0) void this.#writeBack(lost);
+  }
+
+  async #writeBack(rawKeys: readonly string[]): Promise<void> {
+    const { log } = this.#link;
+    log.warn('NATS lost what it had stored; writing it back', {
+      store: this.name,
+      count: rawKeys.length,
+    });
+    for (const rawKey of rawKeys) {
+      const entry = this.#entries.get(rawKey);
+      // Another master was faster, or it was written meanwhile.
+      if (entry?.revision !== 0) continue;
+      try {
+        // Deletions as well: a master that comes back later must not bring the value with it.
+        await this.write(rawKey, entry.value, 0);
+      } catch (error) {
+        log.warn('a document could not be written back', { reason: String(error) });
+        // The rest is tried when NATS is back.
+        return;
+      }
+    }
   }
 
   #handleEntry(entry: WatchedEntry): void {
@@ -133,12 +166,19 @@ export class KvTable {
     const known = this.#entries.get(rawKey);
     if (known !== undefined && known.revision >= revision) return;
     this.#entries.set(rawKey, { revision, value });
+    this.#unstored.delete(rawKey);
     if (value === undefined) this.#removals.add(rawKey, revision, timeMs);
     if (known?.value === undefined && value === undefined) return;
+    // Written back by another master.
+    if (known?.revision === 0 && isEqual(known.value, value)) return;
     this.#tell(rawKey, isOwn);
   }
 
   #tell(rawKey: string, isOwn: boolean): void {
     for (const listener of [...this.#listeners]) listener(rawKey, isOwn);
   }
+}
+
+function isEqual(a: Uint8Array | undefined, b: Uint8Array | undefined): boolean {
+  return a !== undefined && b !== undefined && Buffer.compare(a, b) === 0;
 }

@@ -4,7 +4,7 @@ import type { Log } from '../../core/ports/index.ts';
 import type { ClusterPorts } from '../../core/areas/settings.ts';
 import type { ClusterAddress } from '../config/cluster-address.ts';
 import { bucketOf, openClusterStorage, type Storage } from './cluster-storage.ts';
-import { readOrCreateClusterKey } from './cluster-key.ts';
+import { keepClusterKey, readOrCreateClusterKey } from './cluster-key.ts';
 import { readAuthorities, readCredentials } from './credentials.ts';
 import { NatsBus } from './nats-bus.ts';
 import { NatsLink } from './nats-link.ts';
@@ -63,12 +63,14 @@ export async function openCluster(options: ClusterOptions): Promise<OpenCluster>
       NatsOwners.open(link, bucketOf(name, 'owners')),
     ]);
     const key = await readOrCreateClusterKey(link, bucketOf(name, 'keys'));
+    const cancelKeep = keepClusterKey(link, bucketOf(name, 'keys'), key);
     const bus = new NatsBus(link, name, options.frameBytes + AROUND_FRAME_BYTES);
     return {
       key,
       storage,
       cluster: { name, bus, owners },
       async close() {
+        cancelKeep();
         await Promise.all([storage.settled(), bus.close()]);
         storage.close();
         owners.close();
