@@ -15,6 +15,7 @@ declare class URL {
   readonly protocol: string;
   readonly username: string;
   readonly hostname: string;
+  readonly port: string;
   readonly origin: string;
   readonly pathname: string;
 }

@@ -1,5 +1,5 @@
-// For tsconfig.core.json, which knows no DOM: the codec uses the Encoding standard, which every
-// JavaScript platform has, but which TypeScript declares only together with the whole DOM.
+// For tsconfig.core.json, which knows no DOM: the codec uses the Encoding standard, and addresses
+// the URL standard. Every JavaScript platform has both, but TypeScript declares them only together with the whole DOM.
 declare class TextDecoder {
   constructor(label?: string, options?: { fatal?: boolean; ignoreBOM?: boolean });
   decode(input?: Uint8Array, options?: { stream?: boolean }): string;
@@ -8,6 +8,13 @@ declare class TextDecoder {
 declare class TextEncoder {
   encode(input?: string): Uint8Array<ArrayBuffer>;
   encodeInto(source: string, destination: Uint8Array): { read: number; written: number };
+}
+
+declare class URL {
+  constructor(url: string);
+  readonly protocol: string;
+  readonly hostname: string;
+  readonly port: string;
 }
 
 declare function atob(data: string): string;

@@ -4,7 +4,7 @@ import { startMasterCluster, startOneMaster, type MasterSet } from '../brokers/m
 import { joinMaster } from '../brokers/ubii.ts';
 import { mainThreadCpuUs, processCpuUs } from '../cpu-time.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
-import { PacedRoom, type Join } from '../load/paced-room.ts';
+import { PacedRoom, type Join } from './paced-room.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import {

@@ -1,9 +1,9 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import type { BrokerClient, ClientRole } from '../brokers/target.ts';
-import type { DeliveryFaults } from './delivery-verifier.ts';
-import { DeliveryVerifier } from './delivery-verifier.ts';
-import { FlowWindow } from './flow-window.ts';
-import { MAX_WINDOW, type RecordRing } from './record-ring.ts';
+import type { DeliveryFaults } from '../load/delivery-verifier.ts';
+import { DeliveryVerifier } from '../load/delivery-verifier.ts';
+import { FlowWindow } from '../load/flow-window.ts';
+import { MAX_WINDOW, type RecordRing } from '../load/record-ring.ts';
 
 /** Records that at most are not with all subscribers: where it is reached, publishing waits. */
 const WINDOW = MAX_WINDOW / 2;
