@@ -7,7 +7,7 @@ export const NAME_KEY = 'ubii.name';
 const MARK = '#moved=';
 const MAX_CHARACTERS = 4_000;
 
-/** What a page is told apart by: its storages belong to its address. */
+/** Storages of a page: those of its address, so that a page at another address has none of them. */
 export interface PageStorages {
   readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
   readonly browser: Pick<Storage, 'getItem' | 'setItem'>;
