@@ -94,7 +94,7 @@ describe('nothing that crosses changes the other side [PM-56]', () => {
   it('an output flood of one run is cut [PM-55]', async () => {
     const { run } = await create({
       outputs: { many: 'string' },
-      limits: { outputBytes: 10_000 },
+      limits: { callTimeoutMs: 20_000, outputBytes: 10_000 },
       onProcessing: `() => ({ outputs: { many: { elements: Array.from({ length: 5000 }, (_, i) => ({ string: 'x'.repeat(100), identity: String(i) })) } } })`,
     });
     const { outputs, faults } = await run();
