@@ -7,14 +7,15 @@ import { ClusterWorld } from './cluster-world.ts';
 
 const URLS = ['http://10.0.0.1:8080', 'http://10.0.0.2:8080', 'http://10.0.0.3:8080'] as const;
 
-/** Three masters of a cluster, with clients of our library over channels in memory. */
-async function setup() {
+/** Masters of a cluster, three at the start, with clients of our library over channels in memory. */
+async function setup(count = 3) {
   const world = new ClusterWorld();
   const doors = new Map<string, MemoryMasterOf>();
-  for (const url of URLS) {
+  const open = async (url: string): Promise<void> => {
     const test = await world.add({ endpoints: { addresses: [{ url }] } });
     doors.set(url, new MemoryMasterOf(() => test, world.clock));
-  }
+  };
+  for (const url of URLS.slice(0, count)) await open(url);
   const waysTo = (url: string) => ({
     services: createMemoryServices(doors.get(url)!),
     topicData: createMemoryTopicData(doors.get(url)!),
@@ -45,7 +46,7 @@ async function setup() {
     world.setReachable(world.masters[at]!, false);
     await doors.get(URLS[at]!)!.die();
   };
-  return { world, pass, connect, kill };
+  return { world, pass, connect, kill, open };
 }
 
 describe('a client of our library at a cluster', () => {
@@ -89,6 +90,20 @@ describe('a client of our library at a cluster', () => {
     const clients = await Promise.all([screen.call('clientGetList', {}), pass(200)]);
     expect(clients[0].elements.filter(({ name }) => name === 'phone')).toHaveLength(1);
     expect(phone.otherMasters).not.toContain(phone.masterUrl);
+  });
+
+  it('[CU-80] hears of a master that starts later, and goes there', async () => {
+    const { world, pass, connect, kill, open } = await setup(1);
+    const phone = await connect(URLS[0]);
+    expect(phone.otherMasters).toEqual([]);
+    await open(URLS[1]);
+    await pass(3_000);
+    expect(phone.otherMasters).toEqual([URLS[1]]);
+    const { id } = phone;
+    await kill(0);
+    await pass(8_000);
+    expect([phone.id, phone.masterUrl, phone.state.status]).toEqual([id, URLS[1], 'connected']);
+    expect(world.masters).toHaveLength(2);
   });
 
   it('[CU-83] is the one that counts when it comes back from a master that was only cut off', async () => {

@@ -59,6 +59,8 @@ export class FakeMaster implements MemoryMaster {
   credential: string | undefined;
   /** Addresses of the others that clients are told. [CU-26] */
   masters: readonly string[] = [];
+  /** Id among the masters of its cluster; empty when it is alone. [CU-70] */
+  masterId = '';
   /** Clients that closed a socket with a code of their own, in order. [EX-55] */
   readonly farewells: { readonly clientId: string; readonly code: number }[] = [];
   /** Services beyond its own, by topic. */
@@ -264,6 +266,7 @@ export class FakeMaster implements MemoryMaster {
         masterVersion: '1.2.3',
         tellsTime: this.timeMs !== undefined,
         masters: [...this.masters],
+        masterId: this.masterId,
         ...(this.credential !== undefined && { credential: this.credential }),
       },
     };

@@ -26,6 +26,7 @@ export function membershipOf(change: Partial<Membership> & { clientId?: string }
     tellsTime: false,
     masterVersion: '1.2.3',
     masters: [],
+    isInCluster: false,
     role: undefined,
     serial: 1,
     ...rest,

@@ -1736,8 +1736,8 @@ export interface ClientExtension {
    */
   masters: string[];
   /**
-   * Master to all, in lists and announcements: id of the master of the cluster that the client is at, or was at when that
-   * master is lost; empty at a master that is alone. Rule CU-70.
+   * Master to all, in lists, announcements and the reply to a registration: id of the master of the cluster that the client
+   * is at, or was at when that master is lost; empty at a master that is alone. Rules CU-70 and CU-80.
    */
   masterId: string;
   /** Master to all, in an announcement: what is large was left out; client_get_list has it. Rule EX-74. */

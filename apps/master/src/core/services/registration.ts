@@ -19,7 +19,7 @@ interface Given {
 }
 
 type Parts = ReplayParts &
-  Pick<Core, 'clients' | 'devices' | 'info' | 'access' | 'tokens' | 'settings' | 'masters'>;
+  Pick<Core, 'id' | 'clients' | 'devices' | 'info' | 'access' | 'tokens' | 'settings' | 'masters'>;
 
 /** Says itself whom it admits, and as whom. [CL-1] [AC-13] [AC-23] */
 export const clientRegistration = definer<keyof Parts>()('clientRegistration', {
@@ -92,7 +92,7 @@ function removedMeanwhile(): ServiceError {
 
 /** Facts about itself for a client; legacy clients do not receive extension fields [EX-1]. */
 function replyOf(
-  { tokens, settings, access, masters }: Parts,
+  { id, tokens, settings, access, masters }: Parts,
   client: Client,
   isResumed: boolean,
 ): Init<ClientMessage> {
@@ -108,6 +108,7 @@ function replyOf(
       masterVersion: settings.version,
       tellsTime: true, // [TS-1]
       masters: masters?.addresses() ?? [], // [CU-26]
+      masterId: masters === undefined ? '' : id, // [CU-80]
       role: wireRole(role), // [AC-20]
       ...access.credentialOf(client.id, client.access), // [AC-13]
     },

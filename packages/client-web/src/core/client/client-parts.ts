@@ -228,19 +228,21 @@ export class ClientParts {
   }
 
   #learnMasters(): void {
-    const { masters, registration, subscriptions } = this;
-    const told = registration.membership?.masters ?? [];
-    // One that has just started has not heard of the others yet: what was told before stands.
-    if (told.length > 0) {
-      masters.learn(told);
-      this.#proofs.load();
-    }
-    // A master that is alone has nothing to tell, and is spared a subscription of every client.
-    if (told.length === 0 || this.#hearsOfMasters) return;
+    const { membership } = this.registration;
+    if (membership === undefined) return;
+    // A master that has just started has not heard of the others yet: the earlier list stays.
+    if (membership.masters.length > 0) this.#learn(membership.masters);
+    // Clients of a master without a cluster do without the subscription.
+    if (!membership.isInCluster || this.#hearsOfMasters) return;
     this.#hearsOfMasters = true;
-    subscriptions
+    this.subscriptions
       .subscribe({ topic: MASTERS_TOPIC }, { format: 'stringList' })
-      .onRecord(({ value }) => masters.learn(value.elements));
+      .onRecord(({ value }) => this.#learn(value.elements));
+  }
+
+  #learn(addresses: readonly string[]): void {
+    this.masters.learn(addresses);
+    if (addresses.length > 0) this.#proofs.load();
   }
 
   async #restore({ membership, previousId }: Arrival): Promise<void> {

@@ -10,7 +10,10 @@ const URLS = ['http://a', 'http://b', 'http://c'] as const;
 async function setup(options: Parameters<typeof createTestClient>[1] = {}) {
   const masters = URLS.map(() => new FakeMaster());
   const [a, b, c] = masters as [FakeMaster, FakeMaster, FakeMaster];
-  masters.forEach((master, at) => (master.masters = URLS.filter((_, i) => i !== at)));
+  masters.forEach((master, at) => {
+    master.masters = URLS.filter((_, i) => i !== at);
+    master.masterId = `master-${at}`;
+  });
   const others = new Map(URLS.map((url, at) => [url, masters[at]!]));
   const test = createTestClient(a, { url: URLS[0], others, ...options });
   const moves: unknown[] = [];
@@ -88,7 +91,7 @@ describe('a client whose master dies [CU-80]', () => {
     expect(client.otherMasters).toEqual(['http://b']);
   });
 
-  it('stays with a master that tells of no others, and subscribes to nothing there', async () => {
+  it('stays with a master that is alone, and subscribes to nothing there', async () => {
     const master = new FakeMaster();
     const { client, clock } = createTestClient(master, { url: 'http://a', others: new Map() });
     await client.connect();

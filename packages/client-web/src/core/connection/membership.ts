@@ -24,6 +24,8 @@ export interface Membership {
   readonly masterVersion: string | undefined;
   /** Addresses of the other masters of its cluster, as told. [CU-26] */
   readonly masters: readonly string[];
+  /** Whether the master belongs to a cluster, in which others may appear. [CU-80] */
+  readonly isInCluster: boolean;
   /** Role of the client; `undefined` on masters without roles. [AC-20] */
   readonly role: ClientRole | undefined;
   /** Another number after each registration with which the master may have lost what it knew of us. */

@@ -40,6 +40,7 @@ export function membershipOf({ id, extension }: Client, serial: number): Members
     tellsTime: extension?.tellsTime ?? false,
     masterVersion: extension?.masterVersion || undefined,
     masters: extension?.masters ?? [], // [CU-26]
+    isInCluster: (extension?.masterId ?? '') !== '', // [CU-80]
     role: clientRole(extension?.role ?? 0),
     serial,
   };
