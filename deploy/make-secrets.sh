@@ -9,20 +9,30 @@ cd "$(dirname "$0")"
 mkdir -p secrets
 cd secrets
 
+# Usage: check_name <host|ip> <name>
+check_name() {
+  if openssl x509 -in nats.pem -noout "-check$1" "$2" | grep -q 'does match'; then return; fi
+  echo "deploy/secrets/nats.pem is not for $2. Remove it, then run this again with all names and addresses." >&2
+  exit 1
+}
+
 if [ ! -e ca.pem ]; then
   openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 3650 \
     -subj '/CN=Authority of NATS for Ubi-Interact' \
     -addext 'keyUsage=critical,keyCertSign,cRLSign' -keyout ca-key.pem -out ca.pem
 fi
 
+names='DNS:localhost,IP:127.0.0.1'
+for name in "$@"; do
+  case $name in
+    *:*) kind=ip names="$names,IP:$name" ;;
+    *[!0-9.]*) kind=host names="$names,DNS:$name" ;;
+    *) kind=ip names="$names,IP:$name" ;;
+  esac
+  if [ -e nats.pem ]; then check_name "$kind" "$name"; fi
+done
+
 if [ ! -e nats.pem ]; then
-  names='DNS:localhost,IP:127.0.0.1'
-  for name in "$@"; do
-    case $name in
-      *[!0-9.]*) names="$names,DNS:$name" ;;
-      *) names="$names,IP:$name" ;;
-    esac
-  done
   {
     echo 'basicConstraints=critical,CA:FALSE'
     echo 'keyUsage=critical,digitalSignature'

@@ -17,6 +17,8 @@ export interface NatsOptions {
   readonly host?: string;
   /** Further arguments of the program, such as `--user`. */
   readonly args?: readonly string[];
+  /** Folder in which it runs. Default: the current one */
+  readonly cwd?: string;
 }
 
 /** A NATS server of a test, on a free port. */
@@ -45,13 +47,14 @@ export async function startNats({
   jetstream = false,
   host = '127.0.0.1',
   args = [],
+  cwd,
 }: NatsOptions = {}): Promise<NatsServer> {
   const program = findNats();
   const port = await freePort();
   const folder = mkdtempSync(join(tmpdir(), 'ubii-nats-'));
   const allArgs = ['-a', host, '-p', String(port), ...args];
   if (jetstream) allArgs.push('-js', '-sd', folder);
-  const start = (): Promise<ChildProcess> => startProgram(program, allArgs);
+  const start = (): Promise<ChildProcess> => startProgram(program, allArgs, cwd);
   let running: ChildProcess | undefined = await start();
   const end = async (signal: NodeJS.Signals): Promise<void> => {
     const ended = running;
@@ -88,8 +91,12 @@ function findNats(): string {
   return found;
 }
 
-async function startProgram(program: string, args: readonly string[]): Promise<ChildProcess> {
-  const child = spawn(program, args, { stdio: ['ignore', 'ignore', 'pipe'] });
+async function startProgram(
+  program: string,
+  args: readonly string[],
+  cwd: string | undefined,
+): Promise<ChildProcess> {
+  const child = spawn(program, args, { stdio: ['ignore', 'ignore', 'pipe'], cwd });
   await new Promise<void>((resolve, reject) => {
     let output = '';
     child.stderr.on('data', (chunk: Buffer) => {
