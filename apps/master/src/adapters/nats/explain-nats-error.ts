@@ -16,8 +16,19 @@ export function explainStart(cause: unknown, servers: readonly string[]): StartF
     const text = `NATS at ${where} refuses this master. Correct the user, password or token in --cluster, or give --cluster-credentials.`;
     return { error: new ConfigError(text), isFinal: true };
   }
+  const certificate = explainCertificate(cause, where);
+  if (certificate !== undefined) return { error: new ConfigError(certificate), isFinal: true };
   const text = `No NATS server of the cluster can be reached at ${where} (${reasonOf(cause)}). Start NATS, correct --cluster, or start this master without it.`;
   return { error: new ConfigError(text), isFinal: false };
+}
+
+function explainCertificate(cause: unknown, where: string): string | undefined {
+  const code = cause instanceof Error && 'code' in cause ? String(cause.code) : '';
+  if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') {
+    return `The certificate of NATS at ${where} has no such address (${reasonOf(cause)}). Write an address in --cluster that the certificate has, or create one for this address.`;
+  }
+  if (!/CERT|UNABLE_TO_VERIFY/.test(code)) return undefined;
+  return `This master does not trust the certificate of NATS at ${where} (${reasonOf(cause)}). Name the authority that issued it with --cluster-ca, or renew the certificate if it has expired.`;
 }
 
 /** What to do about stores that could not be opened. */

@@ -8,6 +8,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { RecordingLog } from '../../testing/recording-log.ts';
 import { parseCluster } from '../config/cluster-address.ts';
 import { issueAuthority, issueLeaf } from '../tls/issue-certificates.ts';
+import { explainStart } from './explain-nats-error.ts';
 import { openCluster, type ClusterOptions, type OpenCluster } from './open-cluster.ts';
 
 const ends: (() => Promise<void>)[] = [];
@@ -99,7 +100,7 @@ describe('[CU-61] a cluster', () => {
 
   it('[CU-62] is joined over TLS, with a login in a file, by masters that know its authority', async () => {
     const authority = await issueAuthority('test', ['localhost'], Date.now());
-    const leaf = await issueLeaf(authority, ['localhost', '127.0.0.1'], Date.now());
+    const leaf = await issueLeaf(authority, ['localhost'], Date.now());
     const { port } = await start([
       ...['--tls', '--tlscert', fileWith('cert.pem', leaf.certificate)],
       ...['--tlskey', fileWith('key.pem', leaf.key), '--user', 'ann', '--pass', 'secret'],
@@ -112,8 +113,18 @@ describe('[CU-61] a cluster', () => {
     await storage.sessions.write('one', {});
     expect(storage.sessions.documents().size).toBe(1);
     expect(JSON.stringify(log.lines)).not.toContain('secret');
-    await expect(enter(url, { credentialsFile, startMs: 300 })).rejects.toThrow(/certificate/);
+    const isDistrusted = /does not trust.*Name the authority.*--cluster-ca/;
+    await expect(enter(url, { credentialsFile })).rejects.toThrow(isDistrusted);
     const plain = `nats://localhost:${port}`;
     await expect(enter(plain, { caFile, startMs: 300 })).rejects.toThrow(/refuses this master/);
+  });
+
+  it('[CU-62] is not waited for where the certificate of NATS is for other addresses', () => {
+    const cause = Object.assign(new Error('Host: 10.0.0.7. is not in the names'), {
+      code: 'ERR_TLS_CERT_ALTNAME_INVALID',
+    });
+    const { error, isFinal } = explainStart(cause, ['tls://10.0.0.7:4222']);
+    expect(isFinal).toBe(true);
+    expect(error.message).toContain('tls://10.0.0.7:4222 has no such address (Host: 10.0.0.7.');
   });
 });

@@ -188,7 +188,7 @@ export class Cluster implements BusListener {
     this.isReachable = isReachable;
     this.reachSinceMs = this.#context.clock.nowMs();
     if (this.#isClosed) return;
-    const text = isReachable ? 'the bus of the cluster is there' : 'the bus of the cluster is lost';
+    const text = isReachable ? 'joined the cluster' : 'lost the cluster: NATS cannot be reached';
     this.#context.log[isReachable ? 'info' : 'warn'](text);
     this.#takeover.handleReach(isReachable);
     if (isReachable) this.members.sayHello();
