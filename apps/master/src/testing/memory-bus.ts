@@ -7,6 +7,7 @@ export class MemoryHub {
   readonly #cuts = new Set<string>();
   readonly #away = new Set<string>();
   #toLose = 0;
+  #toCarry = 0;
 
   /** A bus for one more master. */
   bus(): MemoryBus {
@@ -31,9 +32,14 @@ export class MemoryHub {
     this.#cuts.clear();
   }
 
-  /** Loses the next messages; one that is sent to several masters counts for each of them. */
-  lose(count: number): void {
+  /**
+   * Loses the next messages; one that is sent to several masters counts for each of them.
+   *
+   * @param after messages that are carried before
+   */
+  lose(count: number, after = 0): void {
     this.#toLose += count;
+    this.#toCarry = after;
   }
 
   /** Loses nothing any more. */
@@ -62,6 +68,10 @@ export class MemoryHub {
 
   #isLost(): boolean {
     if (this.#toLose === 0) return false;
+    if (this.#toCarry > 0) {
+      this.#toCarry--;
+      return false;
+    }
     this.#toLose -= 1;
     return true;
   }

@@ -2,7 +2,7 @@ import { ClusterMasterState, type ClusterMaster, type ClusterStatus } from '@ubi
 import { describe, expect, it } from 'vitest';
 import { TestMaster, type TestMaster as Master } from '../../src/testing/index.ts';
 import { doubling, TOPICS } from '../sessions/session-world.ts';
-import { clusterOf } from './cluster-world.ts';
+import { clusterOf, ClusterWorld } from './cluster-world.ts';
 
 const { SELF, PRESENT, LOST, ENDED } = ClusterMasterState;
 
@@ -109,6 +109,19 @@ describe('the status of a cluster', () => {
     await b!.master.close();
     await world.pass();
     expect((await clusterAt(a!)).gaps).toBe(before.gaps);
+  });
+
+  it('[CU-73] does not count a request that was lost before a master told anything', async () => {
+    const world = new ClusterWorld();
+    const a = await world.add();
+    // After the hello of the new master: what the other one says and requests then.
+    world.hub.lose(2, 1);
+    const b = await world.add();
+    await world.pass(8_000);
+    for (const master of [a, b]) {
+      const { gaps, masters } = await clusterAt(master);
+      expect([gaps, masters[1]?.complete]).toEqual([0, true]);
+    }
   });
 
   it('[CU-75] says since when the bus cannot be reached, and that it is a problem', async () => {

@@ -81,6 +81,8 @@ export class Peer {
   readonly #roundTrip = new PeerRoundTrip();
   readonly #rates: PeerRates;
   #recordsFrom = 0;
+  /** It has told something since it is there. */
+  #hasTold = false;
   /** Times that something that it told was missing. */
   gaps = 0;
 
@@ -150,6 +152,7 @@ export class Peer {
     const place = this.#incoming.place(part);
     if (place === 'next') {
       this.#silentLooks = 0;
+      this.#hasTold = true;
       this.#roundTrip.handleTimes(part, this.#parts.clock.monotonicMs());
       this.#apply(part);
     } else if (place === 'gap') this.#listenAgain();
@@ -247,7 +250,8 @@ export class Peer {
   /** Something is missing [CU-7]. Who cannot be understood is not asked all the time. */
   #listenAgain(): void {
     if (this.#isToListen) return;
-    this.gaps++;
+    // A first request that gets lost while both start costs nothing that was known.
+    if (this.#hasTold) this.gaps++;
     this.#isToListen = true;
     if (this.#waitLooks === 0) this.#listenNow();
   }
