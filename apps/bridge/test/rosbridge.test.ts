@@ -173,6 +173,60 @@ describe('values and messages of ROS [BR-70]', () => {
     expect(() => rosCodec.read(message, mapping)).toThrow(reason);
   });
 
+  it.each([
+    ['std_msgs/Float64', 'double', { data: null }, Number.NaN],
+    ['std_msgs/Float32', 'float', { data: Infinity }, Infinity],
+    ['std_msgs/Float32MultiArray', 'floatList', { data: [1, null, 2] }, [1, Number.NaN, 2]],
+    ['std_msgs/Int32', 'int32', { data: -(2 ** 31) }, -(2 ** 31)],
+    ['std_msgs/Int64', 'double', { data: 2n ** 53n - 1n }, 2 ** 53 - 1],
+    ['std_msgs/Int64', 'double', { data: -(2 ** 53) + 1 }, -(2 ** 53) + 1],
+  ] as const)(
+    'reads the numbers of %s as %s at their ends: %o [BR-72]',
+    (rosType, format, ...rest) => {
+      const [message, value] = rest;
+      const mapping = mappingOf('in', '/a', '/a', { rosType, format });
+      const expected = Array.isArray(value) ? { elements: value } : value;
+      expect(rosCodec.read(message, mapping).value).toEqual(expected);
+    },
+  );
+
+  it('reads a vector with null as one with NaN, and never as one with 0 [BR-72]', () => {
+    const mapping = mappingOf('in', '/a', '/a', {
+      ...{ rosType: 'geometry_msgs/Vector3', format: 'vector3' },
+    });
+    const { value } = rosCodec.read({ x: null, y: 1, z: 2 }, mapping);
+    expect(value).toEqual({ x: Number.NaN, y: 1, z: 2 });
+  });
+
+  it.each([
+    ['std_msgs/Int32', 'int32', { data: null }, 'Expected a number'],
+    ['std_msgs/Int32', 'int32', { data: 2 ** 31 }, 'Expected a whole number from'],
+    ['std_msgs/Int32MultiArray', 'int32List', { data: [null] }, 'must be an integer'],
+    ['std_msgs/Int64', 'double', { data: 2 ** 53 }, 'below 2^53'],
+    ['std_msgs/Int64', 'double', { data: -(2n ** 53n) }, 'below 2^53'],
+  ] as const)(
+    'refuses numbers that %s as %s does not carry: %o [BR-72]',
+    (rosType, format, ...rest) => {
+      const [message, reason] = rest;
+      const mapping = mappingOf('in', '/a', '/a', { rosType, format });
+      expect(() => rosCodec.read(message, mapping)).toThrow(reason);
+    },
+  );
+
+  it.each([
+    ['std_msgs/Float64', 'double', Number.NaN],
+    ['std_msgs/Float64', 'double', -Infinity],
+    // Too large for single precision.
+    ['std_msgs/Float32', 'double', 1e300],
+    ['std_msgs/Float32MultiArray', 'floatList', { elements: [1, 1e300] }],
+    ['geometry_msgs/Twist', 'doubleList', { elements: [0, 0, 0, 0, 0, Number.NaN] }],
+    ['geometry_msgs/PointStamped', 'vector3', { x: 0, y: Infinity, z: 0 }],
+  ] as const)('does not write null for a number: %s, %s, %o [BR-72]', (rosType, format, value) => {
+    const mapping = mappingOf('out', '/a', '/a', { rosType });
+    const record = { topic: '/a', format, value, bytes: new Uint8Array() };
+    expect(() => rosCodec.write(record, mapping)).toThrow('no NaN and no infinity');
+  });
+
   it('does not write what a type cannot carry', () => {
     const write = (rosType: string, format: 'double' | 'vector3', value: unknown) =>
       rosCodec.write(

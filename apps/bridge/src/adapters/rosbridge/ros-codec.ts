@@ -1,3 +1,4 @@
+import type { DataFormat } from '@ubii/proto';
 import type { PayloadCodec } from '../../core/payload/payload-codec.ts';
 import { toValue } from '../../core/payload/plain-values.ts';
 import type { RosMessage } from './ros-message.ts';
@@ -9,13 +10,19 @@ export const rosCodec: PayloadCodec<RosMessage> = {
   read(message, { format, rosType }) {
     if (format === undefined) throw new Error('The mapping has no data format.');
     const json = typeOf(rosType).read(message, format);
-    const value = format === 'image2D' ? checkedImage(json) : toValue(format, plainNumbers(json));
+    const value = format === 'image2D' ? checkedImage(json) : valueOf(format, json);
     return { format, value, timestampMs: stampOf(message) };
   },
   write({ format, value }, { rosType }) {
     const type = typeOf(rosType);
-    if (type.formats.includes(format)) return type.write(value, format);
-    throw new Error(`${rosType} carries ${type.formats.join(', ')}, not ${format}.`);
+    if (!type.formats.includes(format)) {
+      throw new Error(`${rosType} carries ${type.formats.join(', ')}, not ${format}.`);
+    }
+    const message = type.write(value, format);
+    if (hasNumberNotInJson(message)) {
+      throw new Error('rosbridge carries no NaN and no infinity, and the message has one.');
+    }
+    return message;
   },
 };
 
@@ -32,9 +39,25 @@ function checkedImage(json: unknown): unknown {
   return { ...empty, ...rest, data };
 }
 
-/** CBOR has integers of 64 bits. */
-function plainNumbers(json: unknown): unknown {
-  return typeof json === 'bigint' ? Number(json) : json;
+function valueOf(format: DataFormat, json: unknown): unknown {
+  if (format === 'string' || format === 'bool') return toValue(format, json);
+  const numbers = withNaN(json);
+  const isPlain = typeof numbers === 'number' && format !== 'int32';
+  return isPlain ? numbers : toValue(format, numbers);
+}
+
+/** rosbridge writes NaN and infinities as null, because JSON has none. Their places stay, so that lists keep their order. [BR-72] */
+function withNaN(json: unknown): unknown {
+  if (json === null) return Number.NaN;
+  if (typeof json === 'bigint') return Number(json);
+  if (Array.isArray(json)) return json.map(withNaN);
+  if (typeof json !== 'object') return json;
+  return Object.fromEntries(Object.entries(json).map(([name, member]) => [name, withNaN(member)]));
+}
+
+function hasNumberNotInJson(json: unknown): boolean {
+  if (typeof json === 'number') return !Number.isFinite(json);
+  return typeof json === 'object' && json !== null && Object.values(json).some(hasNumberNotInJson);
 }
 
 /** Time of the header, milliseconds since the Unix epoch; ROS 1 has `secs`, ROS 2 `sec`. */

@@ -31,6 +31,16 @@ function whole(least: number, most: number): RosType {
   });
 }
 
+/** JSON carries integers exactly up to 2^53 only: others would be another number. [BR-72] */
+const int64: RosType = {
+  ...whole(Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER),
+  read({ data }) {
+    const isNumber = typeof data === 'number' || typeof data === 'bigint';
+    if (!isNumber || Number.isSafeInteger(Number(data))) return data;
+    throw new Error(`Expected a whole number below 2^53, got ${data}.`);
+  },
+};
+
 function list(format: DataFormat, round: (value: number) => number): RosType {
   return {
     formats: [format],
@@ -141,7 +151,7 @@ export const ROS_TYPES: Readonly<Record<string, RosType>> = {
   'std_msgs/UInt16': whole(0, 65_535),
   'std_msgs/Int32': whole(-(2 ** 31), 2 ** 31 - 1),
   'std_msgs/UInt32': whole(0, 2 ** 32 - 1),
-  'std_msgs/Int64': whole(Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER),
+  'std_msgs/Int64': int64,
   'std_msgs/ColorRGBA': numbers('color'),
   'std_msgs/Float64MultiArray': list('doubleList', (value) => value),
   'std_msgs/Float32MultiArray': list('floatList', Math.fround),

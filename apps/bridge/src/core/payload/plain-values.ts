@@ -27,8 +27,8 @@ function convert(format: DataFormat, json: unknown): unknown {
       return toNumber(json);
     case 'int32': {
       const number = toNumber(json);
-      if (number === Math.trunc(number) && Math.abs(number) < 2 ** 31) return number;
-      throw new Error(`Expected a whole number below 2^31, got ${shown(json)}.`);
+      if (number === (number | 0)) return number;
+      throw new Error(`Expected a whole number from -2^31 to 2^31 - 1, got ${shown(json)}.`);
     }
     case 'bool': {
       const word = typeof json === 'string' ? json.trim().toLowerCase() : json;
