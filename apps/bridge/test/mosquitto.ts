@@ -1,7 +1,7 @@
 import { spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { connect, createServer } from 'node:net';
+import { createServer } from 'node:net';
 import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
 import { delimiter, join } from 'node:path';
@@ -40,6 +40,7 @@ export async function startBroker(
   const text = [
     `listener ${port} 127.0.0.1`,
     'persistence false',
+    'log_dest stderr',
     // As root it would become the user mosquitto, who may not read the folder.
     ...(process.getuid?.() === 0 ? ['user root'] : []),
     ...lines(folder),
@@ -49,9 +50,7 @@ export async function startBroker(
     ...{ url: `mqtt://127.0.0.1:${port}`, port, folder },
     async start() {
       child = spawn(program, ['-c', config], { stdio: ['ignore', 'ignore', 'pipe'] });
-      let said = '';
-      child.stderr?.on('data', (more) => (said += more));
-      await untilListening(port, child, () => said);
+      await untilRunning(child);
     },
     async stop() {
       const ending = child;
@@ -78,18 +77,17 @@ async function freePort(): Promise<number> {
   return port;
 }
 
-async function untilListening(port: number, child: ChildProcess, said: () => string) {
-  for (;;) {
-    if (child.exitCode !== null) throw new Error(`Mosquitto ended: ${said()}`);
-    const isOpen = await new Promise<boolean>((resolve) => {
-      const socket = connect(port, '127.0.0.1');
-      socket.once('connect', () => {
-        socket.destroy();
-        resolve(true);
-      });
-      socket.once('error', () => resolve(false));
+/** Mosquitto says so when it listens. */
+function untilRunning(child: ChildProcess): Promise<void> {
+  return new Promise((resolve, reject) => {
+    let said = '';
+    const fail = (): void => reject(new Error(`Mosquitto ended: ${said}`));
+    child.once('exit', fail);
+    child.stderr?.on('data', (more) => {
+      said += more;
+      if (!/^.*mosquitto version .* running$/m.test(said)) return;
+      child.off('exit', fail);
+      resolve();
     });
-    if (isOpen) return;
-    await new Promise((resolve) => setTimeout(resolve, 20));
-  }
+  });
 }
