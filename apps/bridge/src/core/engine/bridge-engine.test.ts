@@ -179,6 +179,20 @@ describe('a bridge between a master and another system', () => {
       ]);
     });
 
+    it('a record without a time leaves when the master has taken the kept message before it', () => {
+      const bench = start();
+      bench.receive('home/lamp', '1', kept);
+      bench.receive('home/fan', '1', kept);
+      bench.engine.handleSettled();
+      // The master sends in the order in which records were published: first what it had, then ours, then what is new.
+      bench.record('/home/lamp', 1, 'bridge');
+      bench.record('/home/lamp', 2);
+      bench.record('/home/fan', 2);
+      bench.record('/home/fan', 1, 'bridge');
+      expect(bench.sent).toEqual([['home/lamp', '2']]);
+      expect(bench.lane(0, 'out').returned).toBe(3);
+    });
+
     it('the record counts where nothing is kept, or what another run of a bridge here has sent', () => {
       const bench = start();
       bench.record('/home/lamp', 1);

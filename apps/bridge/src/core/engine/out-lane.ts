@@ -39,6 +39,8 @@ export class OutLane<P> {
     const address = this.#addressFor(record.topic);
     if (address === undefined) return;
     if (this.#world.isFromThere(record.publisherId)) {
+      if (record.publisherId === this.#world.master.ownId)
+        this.#world.gate.handlePublished(address);
       this.#sampler.end(address);
       return this.#counters.handleReturned();
     }

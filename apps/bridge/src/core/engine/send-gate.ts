@@ -34,8 +34,8 @@ export class SendGate<P> {
   readonly #left = new Set<string>();
   /** Content of the newest message that was taken of each address, until a value leaves for it. */
   readonly #taken = new Map<string, string>();
-  /** When a kept message was taken of each address, until the next record of the master. */
-  readonly #keptTakenMs = new Map<string, number>();
+  /** When a kept message was taken of each address, and whether the master has it, until the next record of others. */
+  readonly #keptTaken = new Map<string, { readonly atMs: number; isPublished: boolean }>();
 
   constructor(world: GateWorld<P>) {
     this.#world = world;
@@ -80,17 +80,23 @@ export class SendGate<P> {
     this.#taken.set(address, content);
     forgetFirst(this.#taken);
     if (!isKept) return;
-    this.#keptTakenMs.set(address, this.#world.clock.nowMs());
-    forgetFirst(this.#keptTakenMs);
+    this.#keptTaken.set(address, { atMs: this.#world.clock.nowMs(), isPublished: false });
+    forgetFirst(this.#keptTaken);
+  }
+
+  /** The master has sent the bridge's own record for an address: what comes after it was published later. */
+  handlePublished(address: string): void {
+    const taken = this.#keptTaken.get(address);
+    if (taken !== undefined) taken.isPublished = true;
   }
 
   /** Whether a record is the value that the master had before a kept message was taken, which may arrive after it. */
   isOlder({ address, mapping, timestampMs }: OutgoingMessage<P>): boolean {
-    const takenMs = this.#keptTakenMs.get(address);
-    if (takenMs === undefined || !hasTwoValues(mapping)) return false;
-    this.#keptTakenMs.delete(address);
-    if (this.#world.clock.nowMs() - takenMs > REPLAY_MS) return false;
-    return timestampMs === undefined || timestampMs < takenMs;
+    const taken = this.#keptTaken.get(address);
+    if (taken === undefined || !hasTwoValues(mapping)) return false;
+    this.#keptTaken.delete(address);
+    if (this.#world.clock.nowMs() - taken.atMs > REPLAY_MS) return false;
+    return timestampMs === undefined ? !taken.isPublished : timestampMs < taken.atMs;
   }
 
   #sendKept(message: OutgoingMessage<P>): Sent {
