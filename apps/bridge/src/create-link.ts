@@ -110,7 +110,9 @@ function oscLink(setup: LinkSetup): RunningLink {
 
 function rosbridgeLink(setup: LinkSetup): RunningLink {
   const { url } = setup.target;
-  const system = createRosbridgeSystem({ url, ca: setup.ca, clock: systemClock });
+  const system = createRosbridgeSystem({
+    ...{ url, ...setup.credentials, ca: setup.ca, clock: systemClock },
+  });
   return followFile(
     setup,
     createBridgeLink({

@@ -31,6 +31,8 @@ export async function startRosbridge(port = 0) {
   const subscriptions = new Set<Subscription>();
   const types = new Map<string, string>();
   const operations: Operation[] = [];
+  /** `Authorization` of each connection that has one. */
+  const logins: string[] = [];
   /** Look again whether what they wait for has happened. */
   const watchers = new Set<() => void>();
   const tellWatchers = (): void => {
@@ -79,7 +81,8 @@ export async function startRosbridge(port = 0) {
         );
     }
   };
-  server.on('connection', (socket) => {
+  server.on('connection', (socket, { headers }) => {
+    if (headers.authorization !== undefined) logins.push(headers.authorization);
     socket.on('error', () => undefined);
     socket.on('message', (data) => {
       handle(socket, JSON.parse(String(data)) as Operation);
@@ -92,7 +95,7 @@ export async function startRosbridge(port = 0) {
   });
   const { port: bound } = server.address() as AddressInfo;
   return {
-    ...{ port: bound, url: `ws://127.0.0.1:${bound}`, operations },
+    ...{ port: bound, url: `ws://127.0.0.1:${bound}`, operations, logins },
     /** Resolves when somebody has subscribed to the topic, or only one client is left. */
     untilSubscribed: (topic: string): Promise<void> =>
       new Promise((resolve) => {

@@ -338,6 +338,42 @@ describe('rosbridge', () => {
     expect(await refused.next()).toContain('already established with type std_msgs/Float64');
   });
 
+  it('advertises 1000 topics at once, and gives the oldest back [BR-71]', async () => {
+    const { server, system } = await open();
+    const mapping = mappingOf('out', '/many/{1}', '/many/*', { rosType: FLOAT, maxTopics: 10_000 });
+    const send = (index: number) =>
+      system.send({ address: `/many/t${index}`, mapping, payload: { data: 1 } });
+    for (let index = 0; index <= 1_000; index++) send(index);
+    send(1_000);
+    send(0);
+    const count = (wanted: string) => server.operations.filter(({ op }) => op === wanted).length;
+    await expect.poll(() => count('publish')).toBe(1_003);
+    const given = server.operations.filter(({ op }) => op === 'unadvertise');
+    expect(given.map(({ topic }) => topic)).toEqual(['/many/t0', '/many/t1']);
+    expect(count('advertise')).toBe(1_002);
+  });
+
+  it('shows user and password to what is in front of rosbridge, and to nobody else [BR-43]', async () => {
+    const server = await startRosbridge();
+    const system = createRosbridgeSystem({
+      ...{ url: server.url, ca: undefined, clock: systemClock, random: () => 0 },
+      ...{ user: 'ada', password: 'secret' },
+    });
+    const connected = new Promise<void>((resolve) => {
+      system.open({
+        ...{ handleMessage: () => undefined, handleRefused: () => undefined },
+        ...{ handleDropped: () => undefined, handleSettled: () => undefined },
+        handleState: ({ status }) => status === 'connected' && resolve(),
+      });
+    });
+    onTestFinished(async () => {
+      await system.close();
+      await server.close();
+    });
+    await connected;
+    expect(server.logins).toEqual([`Basic ${btoa('ada:secret')}`]);
+  });
+
   it('refuses what is no message, and other kinds of messages [BR-30]', async () => {
     const { server, refused, messages } = await open();
     for (const [frame, reason] of [

@@ -20,6 +20,8 @@ const OPEN_TIMEOUT_MS = 10_000;
 const MAX_FRAME_BYTES = Math.ceil((BRIDGE_LIMITS.messageBytes * 4) / 3) + 64 * 1024;
 /** Messages that the publisher of rosbridge queues. */
 const QUEUE_SIZE = 10;
+/** Topics that are advertised at once: rosbridge holds a publisher for each. */
+const MAX_ADVERTISED = 1_000;
 const NAME = /^[/~A-Za-z][\w/]*$/;
 
 /** Arguments of `createRosbridgeSystem`. */
@@ -27,6 +29,9 @@ export interface RosbridgeSettings {
   /** `ws://host:9090` or `wss://host:9090` */
   readonly url: string;
   readonly ca: Buffer | undefined;
+  /** For a proxy before rosbridge, which has no users itself (HTTP Basic). [BR-43] */
+  readonly user?: string | undefined;
+  readonly password?: string | undefined;
   readonly clock: Clock;
   readonly random?: () => number;
 }
@@ -111,10 +116,11 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
   }
 
   #connect(): void {
-    const { url, ca } = this.#settings;
+    const { url, ca, user, password = '' } = this.#settings;
     const socket = new WebSocket(url, {
       ...{ maxPayload: MAX_FRAME_BYTES, handshakeTimeout: OPEN_TIMEOUT_MS },
       ...(ca !== undefined && { ca }),
+      ...(user !== undefined && { auth: `${user}:${password}` }),
     });
     this.#socket = socket;
     socket.on('open', () => this.#handleOpen());
@@ -189,11 +195,21 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     }
     if (this.#advertised.get(address) !== mapping.rosType) {
       const { rosType: type, retained: latch } = mapping;
+      this.#makeRoom(address);
       this.#advertised.set(address, type);
       this.#tell({ op: 'advertise', topic: address, type, latch, queue_size: QUEUE_SIZE });
     }
     this.#tell({ op: 'publish', topic: address, msg: payload });
     return { kind: 'sent' };
+  }
+
+  /** Of too many topics, the one that was advertised first is given back. */
+  #makeRoom(address: string): void {
+    if (this.#advertised.has(address) || this.#advertised.size < MAX_ADVERTISED) return;
+    const [oldest] = this.#advertised.keys();
+    if (oldest === undefined) return;
+    this.#advertised.delete(oldest);
+    this.#tell({ op: 'unadvertise', topic: oldest });
   }
 
   #tell(message: object): void {
