@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { ConfigError } from '@ubii/program';
 import type { Environment } from '@ubii/program';
+import type { Protocol } from './core/mapping/mapping.ts';
 
 /** User and password at the other system. */
 export interface Credentials {
@@ -27,6 +28,14 @@ export function readCredentials(file: string | undefined, env: Environment): Cre
     );
   }
   return { user, password: password === '' ? undefined : password };
+}
+
+/** @throws ConfigError when a system without users gets some: who gives a password believes that it protects. [BR-43] */
+export function checkCredentials(protocol: Protocol, { user, password }: Credentials): void {
+  if (protocol !== 'osc' || (user === undefined && password === undefined)) return;
+  throw new ConfigError(
+    'OSC has no users and no passwords. Leave out --credentials-file, UBII_BRIDGE_USER and UBII_BRIDGE_PASSWORD.',
+  );
 }
 
 /** @throws ConfigError when the file cannot be read or has no certificate */

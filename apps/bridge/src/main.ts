@@ -1,7 +1,7 @@
 import { createLog, discoverMaster, readTokenFile } from '@ubii/client-program';
 import type { Log } from '@ubii/client-program';
 import { readVersion, runProgram, shutDownOnRequest } from '@ubii/program';
-import { readAuthority, readCredentials } from './credentials.ts';
+import { checkCredentials, readAuthority, readCredentials } from './credentials.ts';
 import { BRIDGE_PROGRAM, parseTarget } from './options.ts';
 import type { Config } from './options.ts';
 import { startBridge } from './start-bridge.ts';
@@ -18,6 +18,7 @@ async function run(words: readonly string[], options: Config): Promise<void> {
   const log = createLog(options.logLevel, (line) => process.stderr.write(`${line}\n`));
   const target = parseTarget(words, options.protocol);
   const credentials = readCredentials(options.credentialsFile, process.env);
+  checkCredentials(target.protocol, credentials);
   const ca = readAuthority(options.ca);
   const join = options.tokenFile === undefined ? options.join : readTokenFile(options.tokenFile);
   const found = options.discover ? { master: await discoverMaster(log) } : {};

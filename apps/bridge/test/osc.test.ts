@@ -1,12 +1,17 @@
 import { createSocket } from 'node:dgram';
 import type { Socket } from 'node:dgram';
 import { systemClock } from '@ubii/timing/system';
+import { FakeClock } from '@ubii/timing/testing';
 import OSC from 'osc-js';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { oscCodec } from '../src/adapters/osc/osc-codec.ts';
 import type { OscContent } from '../src/adapters/osc/osc-codec.ts';
 import { createOscSystem } from '../src/adapters/osc/osc-system.ts';
-import type { ForeignMessage } from '../src/core/ports/foreign-system.ts';
+import type {
+  ForeignEvents,
+  ForeignMessage,
+  ForeignState,
+} from '../src/core/ports/foreign-system.ts';
 import { foreignSystemSuite } from '../src/testing/foreign-system-suite.ts';
 import { Inbox } from '../src/testing/inbox.ts';
 import { mappingOf } from '../src/testing/mapping-of.ts';
@@ -50,6 +55,14 @@ interface OscJsMessage {
 
 function sendTo(socket: Socket, port: number, bytes: Uint8Array): void {
   socket.send(bytes, port, '127.0.0.1');
+}
+
+function eventsOf(states: Inbox<ForeignState>): ForeignEvents<OscContent> {
+  return {
+    ...{ handleMessage: () => undefined, handleRefused: () => undefined },
+    ...{ handleDropped: () => undefined, handleSettled: () => undefined },
+    handleState: (state) => states.add(state),
+  };
 }
 
 const message = (address: string, ...args: (number | string | boolean)[]) =>
@@ -170,6 +183,68 @@ describe('OSC', () => {
       });
     expect(send('/a b').kind).toBe('refused');
     expect(send('/a', 70_000).kind).toBe('refused');
+  });
+
+  it('leaves no socket of a port that it cannot open, and tries again [BR-40]', async () => {
+    const taken = await openPeer();
+    const clock = new FakeClock();
+    const states = new Inbox<ForeignState>();
+    const sockets = () =>
+      process.getActiveResourcesInfo().filter((name) => name === 'UDPWRAP').length;
+    const before = sockets();
+    const system = createOscSystem({
+      ...{ host: '127.0.0.1', port: 9, listen: taken.port, clock, random: () => 0 },
+    });
+    system.open(eventsOf(states));
+    for (let attempt = 0; attempt < 3; attempt++) {
+      const state = await states.next(({ status }) => status === 'waiting');
+      expect(state).toHaveProperty('reason', expect.stringMatching(/EADDRINUSE/));
+      clock.advanceSync(60_000);
+    }
+    await states.next(({ status }) => status === 'waiting');
+    // Closed sockets go with the next turn of the loop.
+    await new Promise(setImmediate);
+    expect(sockets()).toBe(before);
+    await new Promise<void>((resolve) => taken.socket.close(() => resolve()));
+    clock.advanceSync(60_000);
+    await states.next(({ status }) => status === 'connected');
+    await system.close();
+  });
+
+  it('follows a computer that gets another address [BR-61]', async () => {
+    const peer = await openPeer();
+    const clock = new FakeClock();
+    const states = new Inbox<ForeignState>();
+    const messages = new Inbox<ForeignMessage<OscContent>>();
+    const addresses = ['127.0.0.2', '127.0.0.2', '127.0.0.1'];
+    const system = createOscSystem({
+      ...{ host: 'controller.local', port: peer.port, listen: undefined, clock },
+      lookUp: async () => ({ address: addresses.shift() ?? '127.0.0.1', family: 4 }),
+    });
+    onTestFinished(async () => {
+      await system.close();
+      peer.socket.close();
+    });
+    system.open({ ...eventsOf(states), handleMessage: (one) => messages.add(one) });
+    await states.next(({ status }) => status === 'connected');
+    // Once it is as before, once it is another one.
+    clock.advanceSync(60_000);
+    clock.advanceSync(60_000);
+    const away = await states.next(({ status }) => status === 'waiting');
+    expect(away).toHaveProperty('reason', 'controller.local is now at 127.0.0.1');
+    await states.next(({ status }) => status === 'connected');
+    sendTo(peer.socket, system.port, message('/a', 1).pack());
+    expect((await messages.next()).address).toBe('/a');
+    expect(addresses).toEqual([]);
+  });
+
+  it('is told no password, because OSC has none [BR-43]', async () => {
+    const file = mappingFile({ mappings: [] });
+    const bridge = startBridge(['osc://127.0.0.1:9'], 'http://127.0.0.1:9', file, {
+      UBII_BRIDGE_USER: 'ada',
+    });
+    expect(await bridge.ended()).toBe(1);
+    expect(bridge.stderr).toContain('OSC has no users and no passwords.');
   });
 
   it('passes values of a running program into topics and back [BR-2]', async () => {

@@ -1,6 +1,7 @@
 import { createSocket } from 'node:dgram';
-import type { RemoteInfo, Socket } from 'node:dgram';
+import type { RemoteInfo, Socket, SocketType } from 'node:dgram';
 import { lookup } from 'node:dns/promises';
+import { isIP } from 'node:net';
 import type { Clock } from '@ubii/timing';
 import { BackOff } from '../../core/back-off.ts';
 import type { Mapping } from '../../core/mapping/mapping.ts';
@@ -13,6 +14,9 @@ import type {
 import type { OscContent } from './osc-codec.ts';
 import { addressProblem, decodeOsc, encodeOsc, MAX_DATAGRAM_BYTES } from './osc-messages.ts';
 
+/** How often the address of a computer that has a name is looked up again, milliseconds. [BR-61] */
+const LOOK_UP_MS = 60_000;
+
 /** Arguments of `createOscSystem`. */
 export interface OscSettings {
   /** Where messages are sent, and the only computer from which they are taken. [BR-61] */
@@ -22,6 +26,10 @@ export interface OscSettings {
   readonly listen: number | undefined;
   readonly clock: Clock;
   readonly random?: () => number;
+  /** @default that of the system */
+  readonly lookUp?: (
+    host: string,
+  ) => Promise<{ readonly address: string; readonly family: number }>;
 }
 
 /** A program that speaks OSC 1.0 over UDP. */
@@ -90,22 +98,50 @@ export class OscSystem implements ForeignSystem<OscContent> {
   async #begin(): Promise<void> {
     const { host, listen = 0, clock } = this.#settings;
     try {
-      const { address, family } = await lookup(host);
-      this.#peer = address;
-      const socket = createSocket(family === 6 ? 'udp6' : 'udp4');
-      await bind(socket, listen, loopbackOf(address));
+      const { address, family } = await this.#lookUp(host);
+      const socket = await openSocket(family === 6 ? 'udp6' : 'udp4', listen, loopbackOf(address));
       if (this.#events === undefined) return void socket.close();
+      this.#peer = address;
       this.#socket = socket;
+      this.#cancelRetry = isIP(host) > 0 ? undefined : this.#followName(address);
       socket.on('message', (bytes, from) => this.#handleDatagram(bytes, from));
       socket.on('error', (error) => this.#events?.handleRefused(error.message));
       this.#backOff.handleConnected();
       this.#events.handleState({ status: 'connected' });
       this.#events.handleSettled();
     } catch (error) {
-      this.#events?.handleState({ status: 'waiting', reason: (error as Error).message });
       if (this.#events === undefined) return;
+      this.#events.handleState({ status: 'waiting', reason: (error as Error).message });
       this.#cancelRetry = clock.after(this.#backOff.nextMs(), () => void this.#begin());
     }
+  }
+
+  get #lookUp(): (host: string) => Promise<{ readonly address: string; readonly family: number }> {
+    return this.#settings.lookUp ?? lookup;
+  }
+
+  /** A computer may get another address while the bridge runs: then it begins again there. */
+  #followName(address: string): () => void {
+    const { host, clock } = this.#settings;
+    return clock.every(LOOK_UP_MS, () => {
+      this.#lookUp(host).then(
+        (found) => {
+          if (found.address !== address && this.#peer === address) this.#beginAgain(found.address);
+        },
+        // The name may be known again later; until then, the address stays.
+        () => undefined,
+      );
+    });
+  }
+
+  #beginAgain(address: string): void {
+    const { host } = this.#settings;
+    this.#cancelRetry?.();
+    this.#socket?.close();
+    this.#socket = undefined;
+    if (this.#events === undefined) return;
+    this.#events.handleState({ status: 'waiting', reason: `${host} is now at ${address}` });
+    void this.#begin();
   }
 
   #handleDatagram(bytes: Buffer, from: RemoteInfo): void {
@@ -131,12 +167,18 @@ function loopbackOf(address: string): string | undefined {
   return /^(127\.|::1$)/.test(address) ? address : undefined;
 }
 
-function bind(socket: Socket, port: number, address: string | undefined): Promise<void> {
+/** Opens a UDP port. One that cannot be opened leaves no socket. */
+function openSocket(type: SocketType, port: number, address: string | undefined): Promise<Socket> {
+  const socket = createSocket(type);
   return new Promise((resolve, reject) => {
-    socket.once('error', reject);
+    const fail = (error: Error): void => {
+      socket.close();
+      reject(error);
+    };
+    socket.once('error', fail);
     socket.bind({ port, ...(address !== undefined && { address }) }, () => {
-      socket.off('error', reject);
-      resolve();
+      socket.off('error', fail);
+      resolve(socket);
     });
   });
 }
