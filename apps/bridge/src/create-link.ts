@@ -66,7 +66,7 @@ function mqttLink(setup: LinkSetup): RunningLink {
   const homeAssistant =
     settings &&
     new HomeAssistant({
-      ...{ settings, availability },
+      ...{ settings, availability, clock: systemClock },
       ownId: () => client.id,
       send: (message) => void system.send(message),
       onChange: () => refresh(),

@@ -1,3 +1,4 @@
+import { Socket } from 'node:net';
 import { connectAsync } from 'mqtt';
 import type { MqttClient } from 'mqtt';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
@@ -146,6 +147,24 @@ describe('the broker and the bridge', () => {
     expect([message.address, message.isOurs]).toEqual(['loop/y', false]);
   });
 
+  it('sends small messages at once', async () => {
+    const noDelay = vi.spyOn(Socket.prototype, 'setNoDelay');
+    onTestFinished(() => noDelay.mockRestore());
+    await open(openSystem()).states.next(isConnected);
+    expect(noDelay).toHaveBeenCalledWith(true);
+  });
+
+  it('says when the broker has forgotten what it kept [BR-15]', async () => {
+    const own = await startBroker();
+    onTestFinished(() => own.close());
+    const { states } = open(openSystem({ url: own.url }));
+    expect(await states.next(isConnected)).toHaveProperty('hasForgotten', false);
+    await own.stop();
+    await states.next(({ status }) => status === 'waiting');
+    await own.start();
+    expect(await states.next(isConnected)).toHaveProperty('hasForgotten', true);
+  });
+
   it('says whether it is there, also when it is lost [BR-41]', async () => {
     const peer = await openPeer();
     const words = new Inbox<string>();
@@ -202,6 +221,7 @@ describe('the broker and the bridge', () => {
     const peer = await openPeer();
     await peer.publishAsync('session/x', '5', { qos: 1 });
     expect(text((await messages.next()).payload)).toBe('5');
+    expect(await states.next(isConnected)).toHaveProperty('hasForgotten', false);
     await thief.endAsync(true);
   });
 

@@ -182,8 +182,7 @@ describe('values and messages of ROS [BR-70]', () => {
     ['std_msgs/Int64', 'double', { data: -(2 ** 53) + 1 }, -(2 ** 53) + 1],
   ] as const)(
     'reads the numbers of %s as %s at their ends: %o [BR-72]',
-    (rosType, format, ...rest) => {
-      const [message, value] = rest;
+    (rosType, format, message, value) => {
       const mapping = mappingOf('in', '/a', '/a', { rosType, format });
       const expected = Array.isArray(value) ? { elements: value } : value;
       expect(rosCodec.read(message, mapping).value).toEqual(expected);
@@ -206,8 +205,7 @@ describe('values and messages of ROS [BR-70]', () => {
     ['std_msgs/Int64', 'double', { data: -(2n ** 53n) }, 'below 2^53'],
   ] as const)(
     'refuses numbers that %s as %s does not carry: %o [BR-72]',
-    (rosType, format, ...rest) => {
-      const [message, reason] = rest;
+    (rosType, format, message, reason) => {
       const mapping = mappingOf('in', '/a', '/a', { rosType, format });
       expect(() => rosCodec.read(message, mapping)).toThrow(reason);
     },

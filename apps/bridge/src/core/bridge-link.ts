@@ -51,7 +51,7 @@ export function createBridgeLink<P>(
       send: (message) => system.send(message),
       setMappings: (mappings) =>
         system.setMappings(
-          homeAssistant === undefined ? mappings : [...mappings, homeAssistant.subscription],
+          homeAssistant === undefined ? mappings : [...mappings, ...homeAssistant.subscriptions],
         ),
     },
   });
@@ -67,6 +67,7 @@ export function createBridgeLink<P>(
         handleDropped: (mapping, reason) => engine.handleDropped(mapping, reason),
         handleState(next) {
           state = next;
+          if (next.status === 'connected' && next.hasForgotten) homeAssistant?.announceAgain();
           engine.handleState(next);
           options.onState(next);
         },

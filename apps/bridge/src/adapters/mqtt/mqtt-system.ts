@@ -1,5 +1,6 @@
+import { Socket } from 'node:net';
 import { connect } from 'mqtt';
-import type { IClientOptions, IPublishPacket, MqttClient } from 'mqtt';
+import type { IClientOptions, IConnackPacket, IPublishPacket, MqttClient } from 'mqtt';
 import { BackOff } from '../../core/back-off.ts';
 import { WaitingMessages } from '../../core/engine/waiting-messages.ts';
 import { BRIDGE_LIMITS } from '../../core/limits.ts';
@@ -36,6 +37,8 @@ export interface MqttSettings {
   readonly availability: string;
   /** Id of the master, which stays the same while it runs. */
   masterId(): string;
+  /** Whether an id is that of another master of its cluster, at which a bridge to this broker is, or was. [BR-21] */
+  isMasterOfCluster?(id: string): boolean;
   readonly random?: () => number;
 }
 
@@ -74,7 +77,7 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     events.handleState({ status: 'connecting' });
     const client = connect(this.#settings.url, this.#options());
     this.#client = client;
-    client.on('connect', () => this.#handleConnect(client));
+    client.on('connect', (packet) => this.#handleConnect(client, packet));
     client.on('message', (address, payload, packet) =>
       this.#handleMessage(address, payload, packet),
     );
@@ -151,16 +154,19 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     };
   }
 
-  #handleConnect(client: MqttClient): void {
+  #handleConnect(client: MqttClient, { sessionPresent }: IConnackPacket): void {
     client.options.clean = false;
     this.#connection++;
+    // A small message does not wait for the acknowledgement of the one before it.
+    if (client.stream instanceof Socket) client.stream.setNoDelay(true);
+    const hasForgotten = this.#connection > 1 && !sessionPresent;
     this.#backOff.handleConnected();
     this.#failure = '';
     this.#tellAvailability(client);
     // Connected is who gets what it asked for.
     this.#subscribe(client, [...this.#wanted], () => {
       if (!client.connected) return;
-      this.#events?.handleState({ status: 'connected' });
+      this.#events?.handleState({ status: 'connected', hasForgotten });
       this.#settle(client);
     });
     for (const message of this.#waiting.takeAll()) {
@@ -197,8 +203,13 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     this.#events?.handleMessage({
       ...{ address, payload, sizeBytes: payload.byteLength },
       ...{ isEmpty: payload.byteLength === 0, isKept: retain },
-      isOurs: origin !== undefined && origin === this.#settings.masterId(),
+      isOurs: typeof origin === 'string' && this.#isOurs(origin),
     });
+  }
+
+  #isOurs(origin: string): boolean {
+    const { masterId, isMasterOfCluster } = this.#settings;
+    return origin === masterId() || isMasterOfCluster?.(origin) === true;
   }
 
   #subscribe(

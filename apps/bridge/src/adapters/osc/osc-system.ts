@@ -107,7 +107,7 @@ export class OscSystem implements ForeignSystem<OscContent> {
       socket.on('message', (bytes, from) => this.#handleDatagram(bytes, from));
       socket.on('error', (error) => this.#events?.handleRefused(error.message));
       this.#backOff.handleConnected();
-      this.#events.handleState({ status: 'connected' });
+      this.#events.handleState({ status: 'connected', hasForgotten: false });
       this.#events.handleSettled();
     } catch (error) {
       if (this.#events === undefined) return;

@@ -52,6 +52,7 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
   /** Topics that are advertised on this connection, with their types. */
   readonly #advertised = new Map<string, string>();
   #isClosed = false;
+  #wasConnected = false;
   #isAlive = true;
   #failure = '';
   #timers: (() => void)[] = [];
@@ -140,7 +141,9 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     this.#advertised.clear();
     this.#timers = [clock.every(HEARTBEAT_MS, () => this.#beat())];
     for (const subscription of this.#wanted.values()) this.#tell(subscription);
-    this.#events?.handleState({ status: 'connected' });
+    // A publisher that latches ends with its connection, and its messages with it.
+    this.#events?.handleState({ status: 'connected', hasForgotten: this.#wasConnected });
+    this.#wasConnected = true;
     // It does not tell latched messages from others.
     this.#events?.handleSettled();
     for (const message of this.#waiting.takeAll()) {

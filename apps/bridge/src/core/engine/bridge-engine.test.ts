@@ -258,6 +258,21 @@ describe('a bridge between a master and another system', () => {
     expect(bench.sent).toHaveLength(3);
   });
 
+  it('asks again for what a system is to keep that has lost it [BR-15]', () => {
+    const bench = createEngineBench();
+    bench.engine.setMappings([outMapping, both]);
+    const [moment, kept] = bench.subscriptions();
+    bench.engine.handleState({ status: 'connected', hasForgotten: false });
+    expect(bench.subscriptions()).toEqual([moment, kept]);
+    bench.engine.handleState({ status: 'connected', hasForgotten: true });
+    const [same, again, ...rest] = bench.subscriptions();
+    expect([same === moment, again === kept, rest]).toEqual([true, false, []]);
+    bench.record('/home/lamp', 1);
+    expect(bench.sent).toEqual([['home/lamp', '1']]);
+    bench.engine.setMappings([]);
+    expect(bench.subscriptions()).toEqual([]);
+  });
+
   it('goes on counting when the mappings change, and ends what they do not say any more [BR-4]', () => {
     const bench = createEngineBench();
     bench.engine.setMappings([inMapping, outMapping]);

@@ -52,6 +52,8 @@ interface Lanes<P> {
   readonly mapping: Mapping;
   readonly in?: InLane<P>;
   readonly out?: OutLane<P>;
+  /** Asks the master again for the values that the other system is to keep. [BR-15] */
+  repeat(): void;
   /** Ends what the lanes began. */
   end(): void;
 }
@@ -114,8 +116,9 @@ export class BridgeEngine<P> {
     this.#gate.open();
   }
 
-  handleState({ status }: ForeignState): void {
-    if (status !== 'connected') this.#gate.close(true);
+  handleState(state: ForeignState): void {
+    if (state.status !== 'connected') this.#gate.close(true);
+    else if (state.hasForgotten) for (const lanes of this.#lanes) lanes.repeat();
   }
 
   handleRefused(reason: string): void {
@@ -158,11 +161,16 @@ export class BridgeEngine<P> {
       inLane.onTaken = ({ address }) => out.handleNewer(address);
       out.onTaken = (topic) => inLane.handleNewer(topic);
     }
-    const unsubscribe = out && this.#subscribe(mapping, out);
+    let unsubscribe = out && this.#subscribe(mapping, out);
     return {
       mapping,
       ...(inLane && { in: inLane }),
       ...(out && { out }),
+      repeat: () => {
+        if (out === undefined || !mapping.retained) return;
+        unsubscribe?.();
+        unsubscribe = this.#subscribe(mapping, out);
+      },
       end() {
         unsubscribe?.();
         inLane?.close();

@@ -58,6 +58,17 @@ export class Discovery {
     for (const entity of entities) this.#announce(entity);
   }
 
+  /** Sends all of it again: who kept it may have lost it. */
+  announceAgain(): void {
+    for (const [topic, text] of this.#sent) this.#tell(topic, text);
+  }
+
+  /** Another bridge announces the devices from now on. What it says of them takes the place of what this one has said. */
+  handOver(): void {
+    this.#sent.clear();
+    this.#states.clear();
+  }
+
   /** The bridge ends: nobody answers for the devices any more. */
   removeAll(): void {
     for (const topic of [...this.#sent.keys()]) this.#remove(topic);
@@ -68,8 +79,11 @@ export class Discovery {
     if (this.#sent.get(configTopic) === text) return;
     this.#sent.set(configTopic, text);
     if (mapping.retained) this.#states.set(configTopic, mapping.foreign.text);
-    const payload = new TextEncoder().encode(text);
-    this.#send({ address: configTopic, payload, mapping: CONFIG_MAPPING });
+    this.#tell(configTopic, text);
+  }
+
+  #tell(address: string, text: string): void {
+    this.#send({ address, payload: new TextEncoder().encode(text), mapping: CONFIG_MAPPING });
   }
 
   #remove(topic: string): void {

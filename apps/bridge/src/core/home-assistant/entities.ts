@@ -123,7 +123,12 @@ function entityOf(device: Device, component: Component, world: EntityWorld): Ent
       ...{ format, payload: kind.payload, field: [], ...OTHER_PROTOCOLS },
       // The newest state is there for a Home Assistant that starts later; commands and events are of their moment.
       retained: !isSubscriber && kind.payload !== 'event',
-      ...{ qos: 1, maxRateHz: kind.payload === 'event' ? 0 : 5, maxTopics: 1 },
+      // An event that waited would come too late.
+      ...{
+        qos: kind.payload === 'event' ? 0 : 1,
+        maxRateHz: kind.payload === 'event' ? 0 : 5,
+        maxTopics: 1,
+      },
       maxBytes: Math.min(64 * 1024, BRIDGE_LIMITS.messageBytes),
     },
   };

@@ -1,6 +1,7 @@
 import { ComponentIOType } from '@ubii/proto';
 import type { Component, Device } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { FakeClock } from '@ubii/timing/testing';
 import { HomeAssistant } from './home-assistant.ts';
 
 const settings = { prefix: 'homeassistant', topics: 'ubii' };
@@ -16,9 +17,10 @@ function device(id: string, components: Component[], clientId = 'ada'): Device {
 }
 
 function createBench() {
+  const clock = new FakeClock();
   const sent = new Map<string, string | undefined>();
   const homeAssistant = new HomeAssistant({
-    ...{ settings, availability: 'bridge/status' },
+    ...{ settings, availability: 'bridge/status', clock },
     ownId: () => 'bridge',
     send: ({ address, payload }) =>
       void sent.set(address, payload && new TextDecoder().decode(payload)),
@@ -26,17 +28,17 @@ function createBench() {
   });
   const config = (topic: string) =>
     JSON.parse(sent.get(topic) ?? 'null') as Record<string, unknown> | null;
-  const find = (topic: string, content: string) => {
+  const find = (topic: string, content: string, isKept = true) => {
     const payload = new TextEncoder().encode(content);
     const sizes = {
       sizeBytes: payload.length,
       isEmpty: payload.length === 0,
       isOurs: true,
-      isKept: true,
+      isKept,
     };
     return homeAssistant.handleMessage({ address: topic, payload, ...sizes });
   };
-  return { homeAssistant, sent, config, find };
+  return { homeAssistant, sent, config, find, clock };
 }
 
 describe('discovery of Home Assistant [BR-50]', () => {
@@ -58,7 +60,8 @@ describe('discovery of Home Assistant [BR-50]', () => {
     });
     const [mapping] = homeAssistant.mappings;
     expect(mapping).toMatchObject({
-      ...{ direction: isSubscriber ? 'in' : 'out', topic: { text: '/ada/lamp/v' }, qos: 1 },
+      ...{ direction: isSubscriber ? 'in' : 'out', topic: { text: '/ada/lamp/v' } },
+      qos: kind === 'event' ? 0 : 1,
       retained: !isSubscriber && kind !== 'event',
     });
   });
@@ -85,6 +88,42 @@ describe('discovery of Home Assistant [BR-50]', () => {
     expect(sent.get(topic('b'))).toContain('"name":"v"');
     homeAssistant.close();
     expect(sent.get(topic('b'))).toBeUndefined();
+  });
+
+  it('is announced again when Home Assistant starts, and not more often than each 5 s [BR-52]', () => {
+    const { homeAssistant, sent, find, clock } = createBench();
+    const topic = 'homeassistant/sensor/ubii_a/v/config';
+    homeAssistant.handleDevices([device('a', [component('v', 'double')])]);
+    const announced = sent.get(topic);
+    sent.clear();
+    expect(find('homeassistant/status', 'offline', false)).toBe(false);
+    find('homeassistant/status', 'online');
+    expect([...sent.keys()]).toEqual([]);
+    expect(find('homeassistant/status', 'online', false)).toBe(true);
+    expect([...sent]).toEqual([[topic, announced]]);
+    sent.clear();
+    for (let time = 0; time < 100; time++) find('homeassistant/status', 'online', false);
+    expect(sent.size).toBe(0);
+    clock.advanceSync(5_000);
+    expect([...sent.keys()]).toEqual([topic]);
+    homeAssistant.close();
+    expect(clock.timerCount).toBe(0);
+  });
+
+  it('leaves the devices to another bridge, and takes them over from it [BR-22]', () => {
+    const { homeAssistant, sent } = createBench();
+    const topic = 'homeassistant/sensor/ubii_a/v/config';
+    homeAssistant.setActive(false);
+    homeAssistant.handleDevices([device('a', [component('v', 'double')])]);
+    expect([sent.size, homeAssistant.mappings, homeAssistant.subscriptions]).toEqual([0, [], []]);
+    homeAssistant.setActive(true);
+    expect(sent.get(topic)).toContain('"name":"v"');
+    expect(homeAssistant.mappings).toHaveLength(1);
+    sent.clear();
+    homeAssistant.setActive(false);
+    homeAssistant.close();
+    // What the other one announces stays.
+    expect(sent.size).toBe(0);
   });
 
   it('removes what an earlier run left, and nothing of others [BR-51]', () => {

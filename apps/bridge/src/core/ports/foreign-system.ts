@@ -33,7 +33,9 @@ export type Sent =
 
 /** How the connection to the other system is. */
 export type ForeignState =
-  | { readonly status: 'connecting' | 'connected' | 'closed' }
+  | { readonly status: 'connecting' | 'closed' }
+  /** `hasForgotten`: it is not the first connection, and what the system kept of this bridge is lost. */
+  | { readonly status: 'connected'; readonly hasForgotten: boolean }
   | { readonly status: 'waiting'; readonly reason: string };
 
 /** What happens at the other system. */
