@@ -12,7 +12,7 @@ const FRONTEND = [
   ['ui', 'locations'],
   ['page', 'message-form', 'tab-node', 'install', 'asset-sets'],
   ['topics', 'sessions'],
-  ['clients', 'devices', 'modules', 'publish', 'calls', 'performance'],
+  ['clients', 'bridges', 'devices', 'modules', 'publish', 'calls', 'performance'],
   ['graph', 'joining'],
   ['session-pages', 'recordings', 'learn', 'settings', 'out-of-reach'],
   ['examples', 'party', 'studies'],

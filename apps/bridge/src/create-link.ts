@@ -12,6 +12,7 @@ import { createBridgeLink } from './core/bridge-link.ts';
 import type { BridgeLink, LinkOptions } from './core/bridge-link.ts';
 import { HomeAssistant } from './core/home-assistant/home-assistant.ts';
 import type { OtherBridges } from './core/loop/other-bridges.ts';
+import type { SeenAddresses } from './core/mapping/seen-addresses.ts';
 import type { MappingFile } from './core/mapping/read-mapping-file.ts';
 import { bytesCodec } from './core/payload/bytes-codec.ts';
 import type { Credentials } from './credentials.ts';
@@ -28,6 +29,8 @@ export interface LinkSetup {
   readonly listen: number | undefined;
   /** The file as it is now. */
   file(): MappingFile;
+  /** Is told of the addresses at which messages come. */
+  readonly seen: SeenAddresses;
   masterId(): string;
   readonly onState: LinkOptions<unknown>['onState'];
   onError(error: unknown): void;
@@ -72,7 +75,12 @@ function mqttLink(setup: LinkSetup): RunningLink {
       onChange: () => refresh(),
     });
   const link = createBridgeLink(
-    { ...sharedOptions(setup), system, codec: bytesCodec, returnsMessages: false },
+    {
+      ...sharedOptions(setup),
+      system: setup.seen.watch(system),
+      codec: bytesCodec,
+      returnsMessages: false,
+    },
     homeAssistant,
   );
   const refresh = (): void => link.setMappings(setup.file().mappings);
@@ -103,7 +111,12 @@ function oscLink(setup: LinkSetup): RunningLink {
   return followFile(
     setup,
     createBridgeLink({
-      ...{ ...sharedOptions(setup), system, codec: oscCodec, returnsMessages: true },
+      ...{
+        ...sharedOptions(setup),
+        system: setup.seen.watch(system),
+        codec: oscCodec,
+        returnsMessages: true,
+      },
     }),
   );
 }
@@ -116,7 +129,12 @@ function rosbridgeLink(setup: LinkSetup): RunningLink {
   return followFile(
     setup,
     createBridgeLink({
-      ...{ ...sharedOptions(setup), system, codec: rosCodec, returnsMessages: true },
+      ...{
+        ...sharedOptions(setup),
+        system: setup.seen.watch(system),
+        codec: rosCodec,
+        returnsMessages: true,
+      },
     }),
   );
 }

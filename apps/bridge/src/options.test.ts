@@ -5,7 +5,7 @@ import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it } from 'vitest';
 import { readAuthority, readCredentials } from './credentials.ts';
 import { BRIDGE_PROGRAM, OPTIONS, parseTarget } from './options.ts';
-import { loadMappingFile } from './watch-mapping-file.ts';
+import { openMappingStore } from './open-mapping-store.ts';
 
 describe('the configuration of a bridge', () => {
   it('takes the address as a word, and flags before the environment', () => {
@@ -65,12 +65,12 @@ describe('the configuration of a bridge', () => {
   });
 
   it('shows an example when there is no mapping file, and the file when it is wrong [BR-1]', () => {
-    expect(() => loadMappingFile('/nowhere.json', 'mqtt')).toThrow(
+    expect(() => openMappingStore('/nowhere.json', 'mqtt')).toThrow(
       /does not exist. Create it[^]*"version": 1/,
     );
     const file = join(temporaryFolder(), 'bridge.json');
     writeFileSync(file, '{"version":1}');
-    expect(() => loadMappingFile(file, 'mqtt')).toThrow(`${file}: mappings is missing.`);
+    expect(() => openMappingStore(file, 'mqtt')).toThrow(`${file}: mappings is missing.`);
   });
 
   it('lists every option in the help', () => {

@@ -1,5 +1,4 @@
 import { hostname } from 'node:os';
-import { resolve } from 'node:path';
 import { checkJoining, identityOption, JOINING_OPTIONS } from '@ubii/client-program';
 import {
   ConfigError,
@@ -17,13 +16,11 @@ import type { Protocol } from './core/mapping/mapping.ts';
 /** Every option. */
 export const OPTIONS = {
   ...JOINING_OPTIONS,
-  mapping: option({
-    placeholder: '<file>',
-    fallback: 'bridge.json',
-    description:
-      'File with the mappings, as JSON (docs/guides/a-bridge.md). Changes apply at once.',
-    parse: (text: string, baseDir: string) => parsePathOf(text, baseDir),
-  }),
+  mapping: pathOption(
+    '<file>',
+    'bridge.json',
+    'File with the mappings, as JSON (docs/guides/a-bridge.md). Changes apply at once. Without this option, the page Bridges creates it.',
+  ),
   protocol: option<Protocol | undefined>({
     placeholder: 'mqtt|osc|rosbridge',
     fallback: undefined,
@@ -85,11 +82,6 @@ Each option is a flag and an environment variable. When both are set, the flag a
 `,
   check: checkJoining,
 };
-
-function parsePathOf(text: string, baseDir: string): string {
-  if (text === '') throw new Error('a path');
-  return resolve(baseDir, text);
-}
 
 /** Where the other system is. */
 export interface Target {

@@ -5,7 +5,12 @@ import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { within } from '@ubii/timing';
 import { systemClock } from '@ubii/timing/system';
 import { counted } from '@ubii/words';
+import { answerOrders } from './adapters/master/answer-orders.ts';
+import { cachedTopics } from './adapters/master/cached-topics.ts';
 import { watchBridges } from './adapters/master/client-topic-master.ts';
+import { answerMappingOrder } from './core/mapping/answer-mapping-order.ts';
+import type { MappingStore } from './core/mapping/mapping-store.ts';
+import { SeenAddresses } from './core/mapping/seen-addresses.ts';
 import type { ForeignState } from './core/ports/foreign-system.ts';
 import { bridgeTag, OtherBridges } from './core/loop/other-bridges.ts';
 import type { MappingFile } from './core/mapping/read-mapping-file.ts';
@@ -14,7 +19,7 @@ import type { RunningLink } from './create-link.ts';
 import type { Credentials } from './credentials.ts';
 import type { Config, Target } from './options.ts';
 import { startReports } from './start-reports.ts';
-import { loadMappingFile, watchMappingFile } from './watch-mapping-file.ts';
+import { openMappingStore, watchMappingFile } from './open-mapping-store.ts';
 
 /** Time for each step of the shutdown, milliseconds. */
 const STOP_TIMEOUT_MS = 800;
@@ -45,8 +50,9 @@ export interface RunningBridge {
  */
 export function startBridge(setup: BridgeSetup): RunningBridge {
   const { config, target, log } = setup;
-  let file = loadMappingFile(config.mapping, target.protocol);
-  const system = file.system ?? target.system;
+  const store = openMappingStore(config.mapping, target.protocol);
+  const system = store.file.system ?? target.system;
+  const seen = new SeenAddresses();
   const client = createBridgeClient(setup, system);
   let link: RunningLink | undefined;
   let reports: (() => void) | undefined;
@@ -63,7 +69,8 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
     const { credentials, ca } = setup;
     const opened = createLink({
       ...{ client, target, bridges, credentials, ca, listen: config.listen },
-      file: () => file,
+      file: () => store.file,
+      seen,
       masterId: () => masterId,
       onState: createSystemLog(log, target),
       onError,
@@ -74,7 +81,7 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
     opened.setAvailable(client.state.status === 'connected');
     opened.open();
     reports = startReports(client, systemClock, () => ({
-      ...{ protocol: target.protocol, system, file: config.mapping },
+      ...{ protocol: target.protocol, system, file: store.path, revision: store.revision },
       ...opened.report(),
     }));
   };
@@ -90,21 +97,37 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
   client.connect().catch((error: unknown) => {
     log('error', `The bridge no longer tries to connect: ${messageOf(error)}`);
   });
-  log('info', `${describeFile(file)} in ${config.mapping}`);
-  const unwatch = watchMappingFile(config.mapping, target.protocol, {
-    onChange(next) {
-      warnOfRestart(file, next, log);
-      file = next;
-      link?.refresh();
-      log('info', `${describeFile(file)} in ${config.mapping}, which has changed`);
-    },
-    onError: (message) => log('error', `${message} The mappings stay as they are.`),
+  log('info', describeStore(store));
+  let applied = store.file;
+  const apply = (by: string): void => {
+    warnOfRestart(applied, store.file, log);
+    applied = store.file;
+    link?.refresh();
+    log('info', `${describeStore(store)}, changed ${by}`);
+  };
+  const unwatch = watchMappingFile(store, () => {
+    const { path, fileProblem, file } = store;
+    if (fileProblem !== '') {
+      log('error', `${path}: ${fileProblem} The mappings stay as they are.`);
+    } else if (file !== applied) apply('in the file');
   });
+  const topics = cachedTopics(client, systemClock);
+  const unanswer = answerOrders(client, (order) =>
+    answerMappingOrder(
+      {
+        store,
+        present: async () => ({ topics: await topics(), addresses: seen.list() }),
+        onSaved: (author) => apply(`by ${author === '' ? 'an admin' : author}`),
+      },
+      order,
+    ),
+  );
 
   return {
     client,
     async close() {
       unwatch();
+      unanswer();
       reports?.();
       const ignore = (): void => undefined;
       await within(systemClock, STOP_TIMEOUT_MS, link?.close().catch(ignore) ?? Promise.resolve());
@@ -119,7 +142,7 @@ function createBridgeClient({ config, log }: BridgeSetup, system: string): UbiiC
     description: `Connects topics with ${system}`,
     tags: ['bridge', bridgeTag(system)],
     // As a node, it is told which topics end [TD-42]; it runs no modules.
-    node: { acceptsWork: false },
+    node: { acceptsWork: false, isBridge: true },
     onError: (error, source) => log('error', `Error in ${source}: ${messageOf(error)}`),
     ...(config.join === undefined ? {} : { joinToken: config.join }),
     identity: identityOf(config),
@@ -131,9 +154,12 @@ function identityOf({ identity, master, name }: Config): IdentityStorage {
   return createIdentityFile(identity ?? defaultIdentityFile('bridges', master, name));
 }
 
-function describeFile({ mappings, homeAssistant }: MappingFile): string {
-  const discovery = homeAssistant === undefined ? '' : ' and discovery of Home Assistant';
-  return `${counted(mappings.length, 'mapping')}${discovery}`;
+function describeStore({ file, path, fileExists }: MappingStore): string {
+  if (!fileExists) {
+    return `No mappings yet: ${path} does not exist. The page Bridges of the master creates it`;
+  }
+  const discovery = file.homeAssistant === undefined ? '' : ' and discovery of Home Assistant';
+  return `${counted(file.mappings.length, 'mapping')}${discovery} in ${path}`;
 }
 
 function warnOfRestart(before: MappingFile, next: MappingFile, log: Log): void {

@@ -1,4 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
+import { bridgesRoutes } from './bridges/routes.ts';
 import { callsRoutes } from './calls/routes.ts';
 import { clientsRoutes } from './clients/routes.ts';
 import { devicesRoutes } from './devices/routes.ts';
@@ -53,6 +54,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...publishRoutes,
   ...callsRoutes,
   ...clientsRoutes,
+  ...bridgesRoutes,
   ...performanceRoutes,
   ...recordingsRoutes,
   ...studiesRoutes,

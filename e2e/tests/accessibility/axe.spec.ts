@@ -17,6 +17,7 @@ const PAGES = [
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
   { name: 'clients', path: '/clients' },
+  { name: 'bridges', path: '/bridges' },
   { name: 'recordings', path: '/recordings' },
   { name: 'studies', path: '/studies' },
   { name: 'panels', path: '/panels' },

@@ -2,6 +2,7 @@ import {
   Activity,
   Blocks,
   BookOpen,
+  Cable,
   CircleDot,
   ConciergeBell,
   House,
@@ -42,6 +43,7 @@ export const PAGES: readonly NavigationPage[] = [
     shortcut: 'G C',
     isBehindMore: true,
   },
+  { title: 'Bridges', to: '/bridges', icon: Cable, shortcut: 'G I', isBehindMore: true },
   {
     title: 'Recordings',
     to: '/recordings',

@@ -614,6 +614,166 @@ export function decodeVector8(r: Reader, into?: T.Vector8): T.Vector8 {
   return m;
 }
 
+export function encodeBridgeAnswer(m: Init<T.BridgeAnswer>, w: Writer): void {
+  if (m.number != null) w.int32(8, m.number);
+  if (m.mappings != null) { const at = w.open(18); encodeBridgeMappings(m.mappings, w); w.close(at); }
+  if (m.error != null) { const at = w.open(26); encodeErrorMessage(m.error, w); w.close(at); }
+}
+
+export function decodeBridgeAnswer(r: Reader, into?: T.BridgeAnswer): T.BridgeAnswer {
+  const m: T.BridgeAnswer = into ?? { number: 0, mappings: undefined, error: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.number = r.int32(); break;
+      case 18: { const end = r.enter(); m.mappings = decodeBridgeMappings(r, m.mappings); r.end = end; break; }
+      case 26: { const end = r.enter(); m.error = decodeErrorMessage(r, m.error); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeBridgeMappingProblem(m: Init<T.BridgeMappingProblem>, w: Writer): void {
+  if (m.index != null) w.int32(8, m.index);
+  if (m.member != null) w.string(18, m.member);
+  if (m.message != null) w.string(26, m.message);
+}
+
+export function decodeBridgeMappingProblem(r: Reader, into?: T.BridgeMappingProblem): T.BridgeMappingProblem {
+  const m: T.BridgeMappingProblem = into ?? { index: 0, member: '', message: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.index = r.int32(); break;
+      case 18: m.member = r.string(); break;
+      case 26: m.message = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeBridgeMappings(m: Init<T.BridgeMappings>, w: Writer): void {
+  if (m.protocol != null) w.string(10, m.protocol);
+  if (m.mappingsJson != null) w.string(18, m.mappingsJson);
+  if (m.revision != null) w.string(26, m.revision);
+  if (m.file != null) w.string(34, m.file);
+  if (m.fileExists != null) w.bool(40, m.fileExists);
+  if (m.fileProblem != null) w.string(50, m.fileProblem);
+  if (m.outcome != null) w.int32(56, m.outcome);
+  if (m.problems != null) for (const e of m.problems) { const at = w.open(66); encodeBridgeMappingProblem(e, w); w.close(at); }
+  if (m.matches != null) for (const e of m.matches) { const at = w.open(74); encodeBridgeMatch(e, w); w.close(at); }
+  if (m.moreMatches != null) w.int32(80, m.moreMatches);
+}
+
+export function decodeBridgeMappings(r: Reader, into?: T.BridgeMappings): T.BridgeMappings {
+  const m: T.BridgeMappings = into ?? { protocol: '', mappingsJson: '', revision: '', file: '', fileExists: false, fileProblem: '', outcome: 0, problems: [], matches: [], moreMatches: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.protocol = r.string(); break;
+      case 18: m.mappingsJson = r.string(); break;
+      case 26: m.revision = r.string(); break;
+      case 34: m.file = r.string(); break;
+      case 40: m.fileExists = r.bool(); break;
+      case 50: m.fileProblem = r.string(); break;
+      case 56: m.outcome = r.int32() as T.BridgeOutcome; break;
+      case 66: { const end = r.enter(); m.problems.push(decodeBridgeMappingProblem(r)); r.end = end; break; }
+      case 74: { const end = r.enter(); m.matches.push(decodeBridgeMatch(r)); r.end = end; break; }
+      case 80: m.moreMatches = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeBridgeMappingsChange(m: Init<T.BridgeMappingsChange>, w: Writer): void {
+  if (m.targetId != null) w.string(10, m.targetId);
+  if (m.mappingsJson != null) w.string(18, m.mappingsJson);
+  if (m.revision != null) w.string(26, m.revision);
+  if (m.previewIndex != null) w.int32(32, m.previewIndex);
+  if (m.clientId != null) w.string(42, m.clientId);
+}
+
+export function decodeBridgeMappingsChange(r: Reader, into?: T.BridgeMappingsChange): T.BridgeMappingsChange {
+  const m: T.BridgeMappingsChange = into ?? { targetId: '', mappingsJson: '', revision: '', previewIndex: 0, clientId: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.targetId = r.string(); break;
+      case 18: m.mappingsJson = r.string(); break;
+      case 26: m.revision = r.string(); break;
+      case 32: m.previewIndex = r.int32(); break;
+      case 42: m.clientId = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeBridgeMappingsRequest(m: Init<T.BridgeMappingsRequest>, w: Writer): void {
+  if (m.targetId != null) w.string(10, m.targetId);
+}
+
+export function decodeBridgeMappingsRequest(r: Reader, into?: T.BridgeMappingsRequest): T.BridgeMappingsRequest {
+  const m: T.BridgeMappingsRequest = into ?? { targetId: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.targetId = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeBridgeMatch(m: Init<T.BridgeMatch>, w: Writer): void {
+  if (m.inward != null) w.bool(8, m.inward);
+  if (m.source != null) w.string(18, m.source);
+  if (m.target != null) w.string(26, m.target);
+}
+
+export function decodeBridgeMatch(r: Reader, into?: T.BridgeMatch): T.BridgeMatch {
+  const m: T.BridgeMatch = into ?? { inward: false, source: '', target: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.inward = r.bool(); break;
+      case 18: m.source = r.string(); break;
+      case 26: m.target = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeBridgeOrder(m: Init<T.BridgeOrder>, w: Writer): void {
+  if (m.number != null) w.int32(8, m.number);
+  if (m.get != null) { const at = w.open(18); encodeBridgeMappingsRequest(m.get, w); w.close(at); }
+  if (m.check != null) { const at = w.open(26); encodeBridgeMappingsChange(m.check, w); w.close(at); }
+  if (m.set != null) { const at = w.open(34); encodeBridgeMappingsChange(m.set, w); w.close(at); }
+  if (m.author != null) w.string(42, m.author);
+}
+
+const BridgeOrder_type = ['get', 'check', 'set'] as const;
+export function decodeBridgeOrder(r: Reader, into?: T.BridgeOrder): T.BridgeOrder {
+  const m: T.BridgeOrder = into ?? { number: 0, author: '' };
+  let type = into && setMember(into, BridgeOrder_type);
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.number = r.int32(); break;
+      case 18: type = only(m, type, 'get'); { const end = r.enter(); m.get = decodeBridgeMappingsRequest(r, m.get); r.end = end; break; }
+      case 26: type = only(m, type, 'check'); { const end = r.enter(); m.check = decodeBridgeMappingsChange(r, m.check); r.end = end; break; }
+      case 34: type = only(m, type, 'set'); { const end = r.enter(); m.set = decodeBridgeMappingsChange(r, m.set); r.end = end; break; }
+      case 42: m.author = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeClientClock(m: Init<T.ClientClock>, w: Writer): void {
   if (m.offsetMs != null) w.double(9, m.offsetMs);
   if (m.errorMs != null) w.double(17, m.errorMs);
@@ -676,9 +836,11 @@ export function encodeNodeMessage(m: Init<T.NodeMessage>, w: Writer): void {
   if (m.recorderOrder != null) { const at = w.open(42); encodeNodeRecorderOrder(m.recorderOrder, w); w.close(at); }
   if (m.recorderAnswer != null) { const at = w.open(50); encodeNodeRecorderAnswer(m.recorderAnswer, w); w.close(at); }
   if (m.recorderReport != null) { const at = w.open(58); encodeNodeRecorderReport(m.recorderReport, w); w.close(at); }
+  if (m.bridgeOrder != null) { const at = w.open(66); encodeBridgeOrder(m.bridgeOrder, w); w.close(at); }
+  if (m.bridgeAnswer != null) { const at = w.open(74); encodeBridgeAnswer(m.bridgeAnswer, w); w.close(at); }
 }
 
-const NodeMessage_type = ['lockstepRequest', 'lockstepReply', 'moduleReports', 'endedTopics', 'recorderOrder', 'recorderAnswer', 'recorderReport'] as const;
+const NodeMessage_type = ['lockstepRequest', 'lockstepReply', 'moduleReports', 'endedTopics', 'recorderOrder', 'recorderAnswer', 'recorderReport', 'bridgeOrder', 'bridgeAnswer'] as const;
 export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessage {
   const m: T.NodeMessage = into ?? {};
   let type = into && setMember(into, NodeMessage_type);
@@ -692,6 +854,8 @@ export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessag
       case 42: type = only(m, type, 'recorderOrder'); { const end = r.enter(); m.recorderOrder = decodeNodeRecorderOrder(r, m.recorderOrder); r.end = end; break; }
       case 50: type = only(m, type, 'recorderAnswer'); { const end = r.enter(); m.recorderAnswer = decodeNodeRecorderAnswer(r, m.recorderAnswer); r.end = end; break; }
       case 58: type = only(m, type, 'recorderReport'); { const end = r.enter(); m.recorderReport = decodeNodeRecorderReport(r, m.recorderReport); r.end = end; break; }
+      case 66: type = only(m, type, 'bridgeOrder'); { const end = r.enter(); m.bridgeOrder = decodeBridgeOrder(r, m.bridgeOrder); r.end = end; break; }
+      case 74: type = only(m, type, 'bridgeAnswer'); { const end = r.enter(); m.bridgeAnswer = decodeBridgeAnswer(r, m.bridgeAnswer); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1695,6 +1859,13 @@ export const GENERATED_CODECS = {
   'ubii.dataStructure.Vector4': { encode: encodeVector4, decode: decodeVector4 },
   'ubii.dataStructure.Vector4List': { encode: encodeVector4List, decode: decodeVector4List },
   'ubii.dataStructure.Vector8': { encode: encodeVector8, decode: decodeVector8 },
+  'ubii.extension.BridgeAnswer': { encode: encodeBridgeAnswer, decode: decodeBridgeAnswer },
+  'ubii.extension.BridgeMappingProblem': { encode: encodeBridgeMappingProblem, decode: decodeBridgeMappingProblem },
+  'ubii.extension.BridgeMappings': { encode: encodeBridgeMappings, decode: decodeBridgeMappings },
+  'ubii.extension.BridgeMappingsChange': { encode: encodeBridgeMappingsChange, decode: decodeBridgeMappingsChange },
+  'ubii.extension.BridgeMappingsRequest': { encode: encodeBridgeMappingsRequest, decode: decodeBridgeMappingsRequest },
+  'ubii.extension.BridgeMatch': { encode: encodeBridgeMatch, decode: decodeBridgeMatch },
+  'ubii.extension.BridgeOrder': { encode: encodeBridgeOrder, decode: decodeBridgeOrder },
   'ubii.extension.ClientClock': { encode: encodeClientClock, decode: decodeClientClock },
   'ubii.extension.EndedTopics': { encode: encodeEndedTopics, decode: decodeEndedTopics },
   'ubii.extension.JoinRefusal': { encode: encodeJoinRefusal, decode: decodeJoinRefusal },

@@ -157,6 +157,23 @@ export const AuditEntryWay = {
 export type AuditEntryWay = (typeof AuditEntryWay)[keyof typeof AuditEntryWay];
 
 /**
+ * What became of mappings that a bridge was asked about. Rule BR-82.
+ *
+ * `ubii.extension.BridgeOutcome`
+ */
+export const BridgeOutcome = {
+  /** Nothing was to be saved. */
+  BRIDGE_OUTCOME_UNSPECIFIED: 0,
+  /** They are saved, and apply. */
+  BRIDGE_OUTCOME_SAVED: 1,
+  /** They have problems, and nothing was saved. */
+  BRIDGE_OUTCOME_REFUSED: 2,
+  /** The mappings had changed since that revision, and nothing was saved. */
+  BRIDGE_OUTCOME_CONFLICT: 3,
+} as const;
+export type BridgeOutcome = (typeof BridgeOutcome)[keyof typeof BridgeOutcome];
+
+/**
  * How near the other end of the client's socket is.
  *
  * `ubii.extension.ClientActivity.AddressKind`
@@ -1590,6 +1607,122 @@ export interface AuditLogRequest {
 }
 
 /**
+ * What a bridge answers to an order. Rule BR-80.
+ *
+ * `ubii.extension.BridgeAnswer`
+ */
+export interface BridgeAnswer {
+  /** Number of the order. */
+  number: number;
+  /** The mappings. */
+  mappings: BridgeMappings | undefined;
+  /** Why it was refused; absent when it was not. */
+  error: ErrorMessage | undefined;
+}
+
+/**
+ * What is wrong with a mapping.
+ *
+ * `ubii.extension.BridgeMappingProblem`
+ */
+export interface BridgeMappingProblem {
+  /** Index of the mapping; negative for the list as a whole. */
+  index: number;
+  /** Member of the mapping; empty for the mapping as a whole. */
+  member: string;
+  /** What is wrong, one sentence. */
+  message: string;
+}
+
+/**
+ * The mappings of a bridge. Rules BR-80 to BR-83.
+ *
+ * `ubii.extension.BridgeMappings`
+ */
+export interface BridgeMappings {
+  /** Kind of the other system: mqtt, osc or rosbridge. */
+  protocol: string;
+  /** The mappings that apply now: the list of the mapping file, as JSON. Empty in the reply to a check. */
+  mappingsJson: string;
+  /** Changes with each change of the mapping file. */
+  revision: string;
+  /** Path of the mapping file on the computer of the bridge. */
+  file: string;
+  /** False: the file is created when mappings are saved for the first time. */
+  fileExists: boolean;
+  /** Why the file as it is now does not apply, as after an edit by hand; empty when it does. */
+  fileProblem: string;
+  /** What became of the request. */
+  outcome: BridgeOutcome;
+  /** What is wrong with the mappings of the request. */
+  problems: BridgeMappingProblem[];
+  /** What the previewed mapping selects of what there is. */
+  matches: BridgeMatch[];
+  /** Further matches, which are not listed. */
+  moreMatches: number;
+}
+
+/**
+ * Mappings that a bridge is to check or to save. Rules BR-81 and BR-82.
+ *
+ * `ubii.extension.BridgeMappingsChange`
+ */
+export interface BridgeMappingsChange {
+  /** Id of the client that is the bridge. */
+  targetId: string;
+  /** All its mappings: the list of a mapping file, as JSON. */
+  mappingsJson: string;
+  /** Revision of the mappings that were changed. Checks do not need it. */
+  revision: string;
+  /** Of checks: which mapping is tried on what there is, by its index; a negative one for none. */
+  previewIndex: number;
+  /** Id of the client that asks; empty for a program that is none. */
+  clientId: string;
+}
+
+/**
+ * Asks for the mappings of a bridge. Rule BR-80.
+ *
+ * `ubii.extension.BridgeMappingsRequest`
+ */
+export interface BridgeMappingsRequest {
+  /** Id of the client that is the bridge. */
+  targetId: string;
+}
+
+/**
+ * A topic or an address that a mapping selects.
+ *
+ * `ubii.extension.BridgeMatch`
+ */
+export interface BridgeMatch {
+  /** True: from an address of the other system to a topic. */
+  inward: boolean;
+  /** What is selected. */
+  source: string;
+  /** What the mapping makes of it. */
+  target: string;
+}
+
+/**
+ * Something that the master asks a bridge, after it has checked who asks. Rule BR-80.
+ *
+ * `ubii.extension.BridgeOrder`
+ */
+export interface BridgeOrder {
+  /** Number of the order, which the answer has, too. */
+  number: number;
+  /** Tell the mappings. */
+  get?: BridgeMappingsRequest | undefined;
+  /** Check mappings. */
+  check?: BridgeMappingsChange | undefined;
+  /** Save mappings. */
+  set?: BridgeMappingsChange | undefined;
+  /** Name of the client that asks. */
+  author: string;
+}
+
+/**
  * What one client does. Counts are totals since it registered; rates are those of the last measurement.
  *
  * `ubii.extension.ClientActivity`
@@ -2640,6 +2773,8 @@ export interface NodeExtension {
   loadsAssets: boolean;
   /** True: it makes recordings for the master. Rule RC-60. */
   records: boolean;
+  /** True: it is a bridge to another system, and answers requests about its mappings. Rule BR-80. */
+  isBridge: boolean;
 }
 
 /**
@@ -2696,6 +2831,10 @@ export interface NodeMessage {
   recorderAnswer?: NodeRecorderAnswer | undefined;
   /** Node to master: the recordings that are there. Rule RC-62. */
   recorderReport?: NodeRecorderReport | undefined;
+  /** Master to a node that is a bridge: something that is asked about its mappings. Rule BR-80. */
+  bridgeOrder?: BridgeOrder | undefined;
+  /** Bridge to master: what it answers. Rule BR-80. */
+  bridgeAnswer?: BridgeAnswer | undefined;
 }
 
 /**
@@ -4489,6 +4628,8 @@ export interface ServiceReply {
   studyDeletion?: StudyDeletion | undefined;
   /** Proof that the master is of the cluster. */
   masterProof?: MasterProof | undefined;
+  /** The mappings of a bridge. Rule BR-80. */
+  bridgeMappings?: BridgeMappings | undefined;
 }
 
 /**
@@ -4599,6 +4740,10 @@ export interface ServiceRequest {
   studyParticipantRequest?: StudyParticipantRequest | undefined;
   /** Asks a master to prove that it is of the cluster. */
   masterProofRequest?: MasterProofRequest | undefined;
+  /** The bridge whose mappings are wanted. Rule BR-80. */
+  bridgeMappingsRequest?: BridgeMappingsRequest | undefined;
+  /** Mappings that a bridge is to check or to save. Rules BR-81 and BR-82. */
+  bridgeMappingsChange?: BridgeMappingsChange | undefined;
 }
 
 /**
@@ -4976,6 +5121,13 @@ export interface MessageTypes {
   'ubii.extension.AuditEntry': AuditEntry;
   'ubii.extension.AuditLog': AuditLog;
   'ubii.extension.AuditLogRequest': AuditLogRequest;
+  'ubii.extension.BridgeAnswer': BridgeAnswer;
+  'ubii.extension.BridgeMappingProblem': BridgeMappingProblem;
+  'ubii.extension.BridgeMappings': BridgeMappings;
+  'ubii.extension.BridgeMappingsChange': BridgeMappingsChange;
+  'ubii.extension.BridgeMappingsRequest': BridgeMappingsRequest;
+  'ubii.extension.BridgeMatch': BridgeMatch;
+  'ubii.extension.BridgeOrder': BridgeOrder;
   'ubii.extension.ClientActivity': ClientActivity;
   'ubii.extension.ClientClock': ClientClock;
   'ubii.extension.ClientDisconnectRequest': ClientDisconnectRequest;

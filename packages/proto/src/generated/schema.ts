@@ -49,6 +49,11 @@ enum ubii.extension.AuditEntry.Way
 0 GRANT
 1 LOCAL
 2 NETWORK
+enum ubii.extension.BridgeOutcome
+0 BRIDGE_OUTCOME_UNSPECIFIED
+1 BRIDGE_OUTCOME_SAVED
+2 BRIDGE_OUTCOME_REFUSED
+3 BRIDGE_OUTCOME_CONFLICT
 enum ubii.extension.ClientActivity.AddressKind
 0 UNKNOWN
 1 LOOPBACK
@@ -495,6 +500,43 @@ message ubii.extension.AuditLogRequest
 4 grant_id string
 5 service string
 6 text string
+message ubii.extension.BridgeAnswer
+1 number int32
+2 mappings ubii.extension.BridgeMappings
+3 error ubii.general.Error
+message ubii.extension.BridgeMappingProblem
+1 index int32
+2 member string
+3 message string
+message ubii.extension.BridgeMappings
+1 protocol string
+2 mappings_json string
+3 revision string
+4 file string
+5 file_exists bool
+6 file_problem string
+7 outcome ubii.extension.BridgeOutcome
+8 problems ubii.extension.BridgeMappingProblem *
+9 matches ubii.extension.BridgeMatch *
+10 more_matches int32
+message ubii.extension.BridgeMappingsChange
+1 target_id string
+2 mappings_json string
+3 revision string
+4 preview_index int32
+5 client_id string
+message ubii.extension.BridgeMappingsRequest
+1 target_id string
+message ubii.extension.BridgeMatch
+1 inward bool
+2 source string
+3 target string
+message ubii.extension.BridgeOrder
+1 number int32
+2 get ubii.extension.BridgeMappingsRequest type
+3 check ubii.extension.BridgeMappingsChange type
+4 set ubii.extension.BridgeMappingsChange type
+5 author string
 message ubii.extension.ClientActivity
 1 client_id string
 2 first_seen_ms double
@@ -852,6 +894,7 @@ message ubii.extension.NodeExtension
 6 memory_bytes double
 7 loads_assets bool
 8 records bool
+9 is_bridge bool
 message ubii.extension.NodeInfo
 1 client_id string
 2 name string
@@ -871,6 +914,8 @@ message ubii.extension.NodeMessage
 5 recorder_order ubii.extension.NodeRecorderOrder type
 6 recorder_answer ubii.extension.NodeRecorderAnswer type
 7 recorder_report ubii.extension.NodeRecorderReport type
+8 bridge_order ubii.extension.BridgeOrder type
+9 bridge_answer ubii.extension.BridgeAnswer type
 message ubii.extension.NodeRecorderAnswer
 1 number int32
 2 recording ubii.extension.Recording
@@ -1472,6 +1517,7 @@ message ubii.services.ServiceReply
 1090 study_participant_list ubii.extension.StudyParticipantList type
 1091 study_deletion ubii.extension.StudyDeletion type
 1095 master_proof ubii.extension.MasterProof type
+1110 bridge_mappings ubii.extension.BridgeMappings type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -1524,6 +1570,8 @@ message ubii.services.ServiceRequest
 1090 study_run_list_request ubii.extension.StudyRunListRequest type
 1091 study_participant_request ubii.extension.StudyParticipantRequest type
 1095 master_proof_request ubii.extension.MasterProofRequest type
+1110 bridge_mappings_request ubii.extension.BridgeMappingsRequest type
+1111 bridge_mappings_change ubii.extension.BridgeMappingsChange type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *

@@ -1,5 +1,6 @@
 import type { ServiceReply, ServiceRequest } from '../generated/messages.ts';
 import { ACCESS_SERVICES } from './access-services.ts';
+import { BRIDGE_SERVICES } from './bridge-services.ts';
 import { withoutPayload, withOptionalPayload, withPayload } from './define-service.ts';
 import { OPERATION_SERVICES } from './operation-services.ts';
 import { PROCESSING_MODULE_SERVICES } from './processing-module-services.ts';
@@ -165,6 +166,7 @@ export const SERVICES = {
   ...RECORDING_SERVICES,
   ...REPLAY_SERVICES,
   ...STUDY_SERVICES,
+  ...BRIDGE_SERVICES,
   ...SESSION_SERVICES,
   ...TOPIC_MAPPING_SERVICES,
 } as const;

@@ -78,6 +78,8 @@ describe('node messages with encoded records', () => {
     expect(tag(message, 'lockstepRequest')).toBe(tags.LOCKSTEP_REQUEST_TAG);
     expect(tag(message, 'lockstepReply')).toBe(tags.LOCKSTEP_REPLY_TAG);
     expect(tag(message, 'moduleReports')).toBe(tags.MODULE_REPORTS_TAG);
+    expect(tag(message, 'bridgeOrder')).toBe(tags.BRIDGE_ORDER_TAG);
+    expect(tag(message, 'bridgeAnswer')).toBe(tags.BRIDGE_ANSWER_TAG);
     for (const side of ['Request', 'Reply']) {
       expect(tag(`ubii.processing.LockstepProcessing${side}`, 'records')).toBe(
         tags.LOCKSTEP_RECORD_TAG,

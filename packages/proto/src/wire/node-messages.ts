@@ -4,6 +4,8 @@ import { varintSize, writeVarint } from '../binary/varint.ts';
 import { decode, encode } from '../codec.ts';
 import { DecodeError } from '../decode-error.ts';
 import type {
+  BridgeAnswer,
+  BridgeOrder,
   EndedTopics,
   LockstepProcessingReply,
   LockstepProcessingRequest,
@@ -14,6 +16,8 @@ import type {
 } from '../generated/messages.ts';
 import type { Init } from '../init.ts';
 import {
+  BRIDGE_ANSWER_TAG,
+  BRIDGE_ORDER_TAG,
   ENDED_TOPICS_TAG,
   LOCKSTEP_RECORD_TAG,
   LOCKSTEP_REPLY_TAG,
@@ -42,6 +46,8 @@ export interface EncodedNodeMessage {
   readonly recorderOrder?: NodeRecorderOrder;
   readonly recorderAnswer?: NodeRecorderAnswer;
   readonly recorderReport?: NodeRecorderReport;
+  readonly bridgeOrder?: BridgeOrder;
+  readonly bridgeAnswer?: BridgeAnswer;
 }
 
 const NODE_MESSAGE = 'ubii.extension.NodeMessage';
@@ -63,6 +69,8 @@ const DECODED: { readonly [tag: number]: (bytes: Uint8Array) => EncodedNodeMessa
   [RECORDER_REPORT_TAG]: (bytes) => ({
     recorderReport: decode('ubii.extension.NodeRecorderReport', bytes),
   }),
+  [BRIDGE_ORDER_TAG]: (bytes) => ({ bridgeOrder: decode('ubii.extension.BridgeOrder', bytes) }),
+  [BRIDGE_ANSWER_TAG]: (bytes) => ({ bridgeAnswer: decode('ubii.extension.BridgeAnswer', bytes) }),
 };
 
 /** A frame that asks a node for its share of a lockstep pass. [SE-40] */

@@ -36,5 +36,9 @@ export const RECORDER_ORDER_TAG = 42;
 export const RECORDER_ANSWER_TAG = 50;
 /** `NodeMessage.recorder_report` */
 export const RECORDER_REPORT_TAG = 58;
+/** `NodeMessage.bridge_order` */
+export const BRIDGE_ORDER_TAG = 66;
+/** `NodeMessage.bridge_answer` */
+export const BRIDGE_ANSWER_TAG = 74;
 /** `LockstepProcessingRequest.records` and `LockstepProcessingReply.records` */
 export const LOCKSTEP_RECORD_TAG = 18;

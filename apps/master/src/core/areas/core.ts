@@ -1,4 +1,5 @@
 import { createAccess, type AccessArea } from './access.ts';
+import { createBridges, type BridgeArea } from './bridges.ts';
 import { createCluster, type ClusterArea } from './cluster.ts';
 import { createClients, type ClientArea } from './clients.ts';
 import { createFoundation, type Foundation } from './foundation.ts';
@@ -32,6 +33,7 @@ export interface Core
     RecordingArea,
     ReplayArea,
     StudyArea,
+    BridgeArea,
     ClusterArea,
     MonitoringArea {}
 
@@ -47,6 +49,7 @@ export function createCore(ports: MasterPorts, settings: MasterSettings): Core {
   const recordings = { ...access, ...createRecordings(access) };
   const replays = { ...recordings, ...createReplays(recordings) };
   const studies = { ...replays, ...createStudies(replays) };
-  const cluster = { ...studies, ...createCluster(studies) };
+  const bridges = { ...studies, ...createBridges(studies) };
+  const cluster = { ...bridges, ...createCluster(bridges) };
   return { ...cluster, ...createMonitoring(cluster) };
 }

@@ -111,10 +111,13 @@ export function masterExtension(
     memoryBytes,
     loadsAssets,
     records: false,
+    isBridge: false,
   };
 }
 
 function isNode({ node, spec }: Client): boolean {
+  // A bridge hears and answers as nodes do, and runs no modules. [BR-40]
+  if (node?.isBridge === true) return false;
   return node !== undefined || spec.isDedicatedProcessingNode || spec.processingModules.length > 0;
 }
 

@@ -12,6 +12,7 @@ const ours = {
   memoryBytes: 0,
   loadsAssets: true,
   records: false,
+  isBridge: false,
 };
 
 function moduleOf(init: Init<ProcessingModule>): ProcessingModule {

@@ -2,8 +2,8 @@ import { RecordingState, ServiceError, type Recording } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
+import { isAway } from '../nodes/node-requests.ts';
 import { quote } from '../texts/quote.ts';
-import { isAway } from './node-orders.ts';
 import type { NodeSources } from './node-sources.ts';
 
 /** A recording that a node makes, or has and has not uploaded yet. */

@@ -15,8 +15,9 @@ import { makerOfAccess, type Caller } from '../access/caller.ts';
 import type { Client } from '../clients/client.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Hook } from '../hooks/hook.ts';
+import { isAway } from '../nodes/node-requests.ts';
 import { quote } from '../texts/quote.ts';
-import { isAway, NodeOrders } from './node-orders.ts';
+import { createNodeOrders, type NodeOrder, type NodeOrders } from './node-orders.ts';
 import { isRunning, NodeRecordingTable } from './node-recording-table.ts';
 import { NodeReports } from './node-reports.ts';
 import { NodeSources, type NodeSourcesContext } from './node-sources.ts';
@@ -42,7 +43,7 @@ export class NodeRecordings {
 
   constructor(context: NodeRecordingsContext) {
     this.#context = context;
-    this.#orders = new NodeOrders(context);
+    this.#orders = createNodeOrders(context);
     this.#table = new NodeRecordingTable(context);
     this.#reports = new NodeReports({ ...context, orders: this.#orders, table: this.#table });
     context.clients.onPresence.add((client) => this.#handlePresence(client));
@@ -180,7 +181,7 @@ export class NodeRecordings {
     this.#orders.close();
   }
 
-  async #change(id: string, order: Parameters<NodeOrders['ask']>[1]): Promise<Recording> {
+  async #change(id: string, order: NodeOrder): Promise<Recording> {
     const entry = this.#table.require(id);
     const node = this.#table.presentNode(entry);
     const answer = await this.#orders.ask(node.id, order);

@@ -3,8 +3,8 @@ import type { Caller } from '../access/caller.ts';
 import { PARTICIPANTS } from '../access/roles.ts';
 import type { Client } from '../clients/client.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
+import { isAway } from '../nodes/node-requests.ts';
 import { quote } from '../texts/quote.ts';
-import { isAway } from './node-orders.ts';
 
 /** Only who may upload recordings can make them. [RC-60] */
 export function mayRecord({ node, access }: Pick<Client, 'node' | 'access'>): boolean {

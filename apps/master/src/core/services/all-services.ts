@@ -1,5 +1,6 @@
 import { ACCESS_SERVICES } from './access.ts';
 import { ASSET_SET_SERVICES } from './asset-sets.ts';
+import { BRIDGE_SERVICES } from './bridges.ts';
 import { CLIENT_CONTROL_SERVICES } from './client-control.ts';
 import { CLIENT_SERVICES } from './clients.ts';
 import type { Service } from './define-service.ts';
@@ -34,6 +35,7 @@ export const ALL_SERVICES: readonly Service[] = [
   ...REPLAY_SERVICES,
   ...PERSONAL_DATA_SERVICES,
   ...STUDY_SERVICES,
+  ...BRIDGE_SERVICES,
 ];
 
 const BY_TOPIC: ReadonlyMap<string, Service> = new Map(

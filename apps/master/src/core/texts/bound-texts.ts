@@ -18,7 +18,8 @@ type Root =
   | 'ubii.services.ServiceRequest'
   | 'ubii.extension.ModuleStatistics'
   | 'ubii.extension.ModuleEvent'
-  | 'ubii.extension.Recording';
+  | 'ubii.extension.Recording'
+  | 'ubii.extension.BridgeMappings';
 
 /** Limits and state of checking the texts of a message. */
 export interface TextContext {
@@ -158,6 +159,7 @@ function plansOf(): { readonly [R in Root]: Plan } {
     'ubii.extension.ModuleStatistics': planOf('ubii.extension.ModuleStatistics'),
     'ubii.extension.ModuleEvent': planOf('ubii.extension.ModuleEvent'),
     'ubii.extension.Recording': planOf('ubii.extension.Recording'),
+    'ubii.extension.BridgeMappings': planOf('ubii.extension.BridgeMappings'),
   };
 }
 

@@ -1,0 +1,108 @@
+import { findMappingProblems } from './find-mapping-problems.ts';
+import type { MappingProblem } from './find-mapping-problems.ts';
+import type { Protocol } from './mapping.ts';
+import { EMPTY_FILE, readDocument, withMappings } from './mapping-document.ts';
+import type { MappingDocument } from './mapping-document.ts';
+import type { MappingFile } from './read-mapping-file.ts';
+
+/** The place of a mapping file. */
+export interface MappingStorage {
+  readonly path: string;
+  /** Returns its text; `undefined` when there is no file. @throws Error when it cannot be read */
+  read(): string | undefined;
+  /** Writes it as a whole or not at all. @throws Error when that fails */
+  write(text: string): void;
+}
+
+/** Arguments of a `MappingStore`. */
+export interface MappingStoreOptions {
+  readonly protocol: Protocol;
+  readonly storage: MappingStorage;
+  /** A short text that is another one for another text. */
+  digest(text: string): string;
+}
+
+/** What became of mappings that were to be saved. */
+export type Saved =
+  | { readonly outcome: 'saved' | 'conflict' }
+  | { readonly outcome: 'refused'; readonly problems: readonly MappingProblem[] };
+
+/** The mappings of a bridge and their file, which people and pages change. [BR-4] [BR-82] [BR-83] */
+export class MappingStore {
+  readonly protocol: Protocol;
+  readonly #storage: MappingStorage;
+  readonly #digest: (text: string) => string;
+  /** What applies. */
+  #document: MappingDocument;
+  /** What stands in the file, also when it is wrong; `undefined`: there is none. */
+  #text: string | undefined;
+  #problem = '';
+
+  /** @throws Error when the file cannot be read, or is wrong */
+  constructor({ protocol, storage, digest }: MappingStoreOptions) {
+    this.protocol = protocol;
+    this.#storage = storage;
+    this.#digest = digest;
+    this.#text = storage.read();
+    this.#document = readDocument(this.#text ?? EMPTY_FILE, protocol);
+  }
+
+  get path(): string {
+    return this.#storage.path;
+  }
+
+  /** What applies. */
+  get file(): MappingFile {
+    return this.#document.file;
+  }
+
+  /** The mappings that apply, as they are written. */
+  get written(): readonly unknown[] {
+    return this.#document.written;
+  }
+
+  /** Another one for each content of the file. */
+  get revision(): string {
+    return this.#digest(this.#text ?? '');
+  }
+
+  get fileExists(): boolean {
+    return this.#text !== undefined;
+  }
+
+  /** Why the file does not apply as it is; empty when it does. */
+  get fileProblem(): string {
+    return this.#problem;
+  }
+
+  /** Reads the file again. One that is wrong or gone changes nothing that applies. [BR-4] */
+  refresh(): void {
+    try {
+      this.#text = this.#storage.read();
+      if (this.#text !== undefined && this.#text !== this.#document.text) {
+        this.#document = readDocument(this.#text, this.protocol);
+      }
+      this.#problem = '';
+    } catch (error) {
+      this.#problem = (error as Error).message;
+    }
+  }
+
+  /**
+   * Replaces the mappings, in the file as well, if it is still the one of that revision. [BR-82]
+   *
+   * @throws Error when the file cannot be written: then nothing has changed
+   */
+  save(mappings: readonly unknown[], revision: string): Saved {
+    this.refresh();
+    if (revision !== this.revision || this.#problem !== '') return { outcome: 'conflict' };
+    const { problems } = findMappingProblems(mappings, this.protocol);
+    if (problems.length > 0) return { outcome: 'refused', problems };
+    const text = withMappings(this.#document.text, mappings);
+    const document = readDocument(text, this.protocol);
+    this.#storage.write(text);
+    this.#document = document;
+    this.#text = text;
+    return { outcome: 'saved' };
+  }
+}
