@@ -1,4 +1,5 @@
 import {
+  AccessRole,
   decodeTopicData,
   NodeExtensionKind,
   type BridgeOrder,
@@ -9,6 +10,7 @@ import {
 import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import { describe, expect, it } from 'vitest';
 import { TestMaster, type TestClient } from '../src/testing/index.ts';
+import { codeOf, joinAs } from './access-world.ts';
 import { SERVICES } from './recording-world.ts';
 
 type Answer = Omit<Init<NonNullable<NodeMessage['bridgeAnswer']>>, 'number'>;
@@ -60,6 +62,28 @@ describe('mappings of a bridge', () => {
     expect(set).toMatchObject({ mappingsJson: '[]', revision: 'r1' });
     say(bridge, number, { mappings: { mappingsJson: '[]', revision: 'r2' } });
     expect((await asking).bridgeMappings).toMatchObject({ revision: 'r2' });
+  });
+
+  it('are shown to viewers and participants, and are changed and checked by admins only [BR-80] [BR-81] [BR-82]', async () => {
+    const master = new TestMaster();
+    const bridge = await joinBridge(master);
+    const bridgeMappingsChange = { targetId: bridge.id, mappingsJson: '[]' };
+    const { ACCESS_ROLE_VIEWER, ACCESS_ROLE_PARTICIPANT, ACCESS_ROLE_PLAYER } = AccessRole;
+    for (const role of [ACCESS_ROLE_VIEWER, ACCESS_ROLE_PARTICIPANT, ACCESS_ROLE_PLAYER]) {
+      const guest = await joinAs(master, role);
+      for (const service of ['check', 'set']) {
+        const topic = `${SERVICES}bridge_mappings_${service}`;
+        expect(await codeOf(guest, { topic, bridgeMappingsChange })).toBe('permission_denied');
+      }
+      const topic = `${SERVICES}bridge_mappings_get`;
+      const asking = codeOf(guest, { topic, bridgeMappingsRequest: { targetId: bridge.id } });
+      if (role !== ACCESS_ROLE_PLAYER) {
+        const { number } = await orderOf(bridge);
+        say(bridge, number, { mappings: { revision: 'r1' } });
+      }
+      expect(await asking).toBe(role === ACCESS_ROLE_PLAYER ? 'permission_denied' : '');
+    }
+    expect(takeOrders(bridge)).toEqual([]);
   });
 
   it('are answered by no other client, and not for ever [BR-80]', async () => {

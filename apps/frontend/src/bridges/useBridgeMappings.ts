@@ -104,7 +104,7 @@ export function useBridgeMappings(
     // Replies to earlier requests are of older mappings.
     turn += 1;
     const reply = await client.call('bridgeMappingsSet', {
-      ...{ targetId, mappingsJson, revision: before.revision },
+      ...{ targetId, mappingsJson, revision: before.revision, clientId: client.id },
     });
     take(reply);
     if (reply.outcome === BridgeOutcome.BRIDGE_OUTCOME_SAVED) {
@@ -141,7 +141,8 @@ export function useBridgeMappings(
       if (changed === undefined) return undefined;
       try {
         const reply = await client.call('bridgeMappingsCheck', {
-          ...{ targetId, mappingsJson: JSON.stringify(changed.list), previewIndex: changed.index },
+          ...{ targetId, clientId: client.id, previewIndex: changed.index },
+          mappingsJson: JSON.stringify(changed.list),
         });
         const problems = reply.problems.filter(({ index }) => index === changed.index);
         return { problems, matches: reply.matches, moreMatches: reply.moreMatches };

@@ -57,8 +57,15 @@ function readSides({ foreign, topic, direction }: WrittenMapping) {
     const { message } = error as Error;
     // Its sentences name the side that is wrong; one about both does not.
     const [, side = ''] = /`(foreign|topic)`/.exec(message) ?? [];
-    throw new MappingFault(side, message, `: ${message}`);
+    throw new MappingFault(side, side === '' ? message : withoutSides(message), `: ${message}`);
   }
+}
+
+/** The same sentence for those who see which side it stands at. */
+function withoutSides(message: string): string {
+  return message
+    .replace(/^`(foreign|topic)` | of `(foreign|topic)`/g, '')
+    .replace(/`(foreign|topic)`/, 'the other pattern');
 }
 
 function readField(text: string): Mapping['field'] {

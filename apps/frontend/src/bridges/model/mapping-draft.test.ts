@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { draftOf, isUnchanged, mappingOf } from './mapping-draft.ts';
-import { carriageOf, lastErrorOf, lossesOf } from './mapping-words.ts';
+import { carriageOf, lastErrorOf, lossesOf, passedOf } from './mapping-words.ts';
 
 const heat = { direction: 'in', foreign: 'heat/+', topic: '/heat/{1}', format: 'double', qos: 1 };
 
@@ -53,11 +53,25 @@ describe('words for a mapping', () => {
     const error = (message: string, atMs: number) => ({ message, atMs, address: 'a' });
     const report = {
       name: 'heat',
-      in: { ...lane, refused: 2, lastError: error('no number', 5), lastValue: undefined },
-      out: { ...lane, refused: 1, dropped: 3, lastError: error('full', 9), lastValue: undefined },
+      in: {
+        ...lane,
+        passed: 2,
+        refused: 2,
+        lastError: error('no number', 5),
+        lastValue: undefined,
+      },
+      out: {
+        ...lane,
+        passed: 4,
+        refused: 1,
+        dropped: 3,
+        lastError: error('full', 9),
+        lastValue: undefined,
+      },
     };
     expect(lossesOf(report)).toBe('3 refused, 3 dropped');
     expect(lastErrorOf(report)?.message).toBe('full');
     expect(lossesOf(undefined)).toBe('');
+    expect(passedOf(report)).toBe(6);
   });
 });

@@ -45,6 +45,11 @@ export const lastValueOf = (report: MappingReport | undefined) =>
 export const lastErrorOf = (report: MappingReport | undefined) =>
   newest(report, ({ lastError }) => lastError);
 
+/** How many messages and records passed, in both directions. */
+export function passedOf(report: MappingReport | undefined): number {
+  return (report?.in?.passed ?? 0) + (report?.out?.passed ?? 0);
+}
+
 /** How many messages were refused and dropped, in words; empty for none. */
 export function lossesOf(report: MappingReport | undefined): string {
   const sum = (member: 'refused' | 'dropped'): number =>
