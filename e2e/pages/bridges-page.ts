@@ -24,9 +24,10 @@ export class BridgesPage {
     return this.page.getByRole('article', { name: `Bridge ${name}` });
   }
 
-  /** The button that opens a mapping. */
-  mapping(name: string): Locator {
-    return this.mappings.getByRole('button', { name: `Edit ${name}` });
+  /** The button that opens a mapping. @param topic its pattern */
+  mapping(topic: string): Locator {
+    const row = this.mappings.getByRole('listitem').filter({ hasText: topic });
+    return row.getByRole('button').first();
   }
 
   field(label: string): Locator {

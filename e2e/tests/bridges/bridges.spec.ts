@@ -68,7 +68,7 @@ test('an admin edits what a bridge passes; the file follows, and may be edited a
   });
 
   await test.step('what the file says meanwhile is not overwritten unasked', async () => {
-    await bridges.mapping(name).click();
+    await bridges.mapping('/faders/*').click();
     await bridges.field('Topic').fill('/mine/*');
     const theirs = { ...out, maxRateHz: 5 };
     writeFileSync(file, JSON.stringify({ version: 1, mappings: [theirs] }));
@@ -82,11 +82,11 @@ test('an admin edits what a bridge passes; the file follows, and may be edited a
   });
 
   await test.step('a mapping is removed by a key, and comes back', async () => {
-    await bridges.mapping('/fader/{1} out /mine/*').focus();
+    await bridges.mapping('/mine/*').focus();
     await page.keyboard.press('Delete');
     await expect(bridges.bridge('Stage')).toContainText('This bridge passes nothing yet.');
     await bridges.undo();
-    await expect(bridges.mapping('/fader/{1} out /mine/*')).toBeVisible();
+    await expect(bridges.mapping('/mine/*')).toBeVisible();
     await expectAccessible(page);
   });
   mixer.close();
