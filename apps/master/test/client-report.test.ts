@@ -44,6 +44,11 @@ describe('the client report', () => {
     expect(bens.bytesOut).toBe(adas.bytesIn);
     master.clock.advanceSync(1_000);
     expect(await of(ada)).toMatchObject({ recordsIn: 10, recordsInPerSecond: 0, workShare: 0 });
+    // Who did nothing for a while is measured since the last second, and not since it did something.
+    ada.publish('/a', 'double', 10);
+    master.clock.advanceSync(1_000);
+    expect(await of(ada)).toMatchObject({ recordsIn: 11, recordsInPerSecond: 1 });
+    expect(await of(ben)).toMatchObject({ recordsOut: 11, recordsOutPerSecond: 1 });
   });
 
   it('has what a client said of its clock [TS-10]', async () => {
