@@ -66,7 +66,7 @@ test('a phone goes on at another master when its own is killed, and so does the 
     });
 
     await test.step('it opens its page there, as who it is, and can be loaded again [CU-97]', async () => {
-      await page.getByRole('button', { name: 'Open it there' }).tap();
+      await page.getByRole('button', { name: 'Open at new address' }).tap();
       await expect(page).toHaveURL(`${south.url}/devices/smart-device`);
       for (const _ of ['opened', 'loaded again']) {
         const there = await TouchedPhone.of(phone);

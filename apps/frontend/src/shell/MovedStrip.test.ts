@@ -32,7 +32,7 @@ it('[CU-92] says where the page went on, until it is dismissed, for each place o
   await move(location.origin);
   expect(wrapper.text()).toBe('');
   await move('http://10.0.0.6:8080');
-  expect(wrapper.text()).toContain('The master was lost. Moved to 10.0.0.6:8080.');
+  expect(wrapper.text()).toContain('The master was lost. This page moved to 10.0.0.6:8080.');
   await wrapper.get('[aria-label="Dismiss the message"]').trigger('click');
   expect(wrapper.text()).toBe('');
   await move('http://10.0.0.6:8080');
