@@ -1,12 +1,13 @@
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { AccessRole, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
 import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
 
 import { MasterProcess, type MasterStart } from '../master/master-process.ts';
+import { mib } from '../master/process-figures.ts';
 import { CrowdHandle } from './crowd/crowd-handle.ts';
 import type { Ground } from './ground/ground.ts';
+import { makeRunFolder } from './leftovers.ts';
 
 /** Room for the clients of all masters, which come from one address each. */
 const LIMITS =
@@ -47,9 +48,9 @@ export class TestCluster {
     count: number,
     { program, canOpenMore }: { program: string; canOpenMore: boolean },
   ): Promise<TestCluster> {
-    const nats = await startNats({ jetstream: true, host: ground.natsHost });
+    const folder = makeRunFolder();
+    const nats = await startNats({ jetstream: true, host: ground.natsHost, parentFolder: folder });
     await ground.openWays(nats.port);
-    const folder = mkdtempSync(join(tmpdir(), 'ubii-cluster-'));
     const cluster = new TestCluster(ground, nats, folder, count);
     try {
       for (let index = 0; index < count; index += 1) {
@@ -82,9 +83,20 @@ export class TestCluster {
     );
   }
 
-  /** Process ids of the masters. */
-  get pids(): readonly number[] {
-    return this.#masters.map(({ pid }) => pid);
+  /** Masters that do not run, with how they ended, in words. */
+  ended(): string[] {
+    return this.#masters.flatMap(({ ending }, index) =>
+      ending === undefined ? [] : [`master ${index + 1} ${ending}`],
+    );
+  }
+
+  /** Memory and time of processors of each master, in words. */
+  figures(): string[] {
+    return this.#masters.map((master, index) => {
+      const { residentBytes, peakBytes, cpuMs } = master.figures();
+      const cpu = cpuMs === undefined ? '?' : (cpuMs / 1000).toFixed(1);
+      return `master ${index + 1}: ${mib(residentBytes)}, ${mib(peakBytes)} at most, ${cpu} s of processors since its start`;
+    });
   }
 
   /** URL of a master for its clients. */

@@ -14,6 +14,9 @@ export interface PartFacts {
 /** What became of the records of one part of a run. */
 export interface Judgement {
   readonly received: number;
+  /** Records that came twice to a client that kept its connection. */
+  readonly again: number;
+  readonly disorder: number;
   /** Records that are missing, by the reason why they may be. */
   readonly missing: Readonly<Record<string, number>>;
   /** Against the specification, in words. */
@@ -28,9 +31,11 @@ export function judge(facts: PartFacts): Judgement {
   const publishers = new Map(facts.publishers.map((row) => [row.topic, row]));
   const missing: Record<string, number> = {};
   const violations: string[] = [];
-  let received = 0;
+  let [received, again, disorder] = [0, 0, 0];
   for (const row of facts.receptions) {
     received += row.received;
+    disorder += row.disorder;
+    if (!row.moved) again += row.again;
     const place = `${row.topic}, received at ${row.home}`;
     if (row.disorder > 0) violations.push(`${row.disorder} records out of order: ${place}`);
     // The record that stands comes again when a client subscribes again. [CL-40]
@@ -42,7 +47,7 @@ export function judge(facts: PartFacts): Judgement {
     if (reason === undefined) violations.push(`${row.missing} records missing: ${place}`);
     else missing[reason] = (missing[reason] ?? 0) + row.missing;
   }
-  return { received, missing, violations };
+  return { received, again, disorder, missing, violations };
 }
 
 function reasonFor(

@@ -6,11 +6,14 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 
 import { BUILT_MASTER } from '../master/built-master.ts';
+import { describeEnd } from '../master/describe-end.ts';
 import { FAULTS } from './faults/index.ts';
 import { ClusterNetwork, NetworkGround } from './ground/cluster-network.ts';
 import type { Ground } from './ground/ground.ts';
 import { LoopbackGround } from './ground/loopback-ground.ts';
+import { removeLeftovers } from './leftovers.ts';
 import { MASTER_COUNT, runFaults } from './run.ts';
+import { sayWhyItEnds } from './say-why.ts';
 
 const HELP = `Takes away masters, NATS and the network of a cluster of ${MASTER_COUNT} masters, and looks what was lost.
 
@@ -54,6 +57,7 @@ else if (values.network !== undefined) {
 } else await chooseGround();
 
 async function chooseGround(): Promise<void> {
+  for (const what of removeLeftovers()) console.log(`removed what an earlier run left: ${what}`);
   const reason = values.loopback ? 'as wanted' : ClusterNetwork.reasonAgainst();
   if (reason === undefined) return runInNetwork();
   console.warn(`No network namespaces: ${reason}.`);
@@ -68,15 +72,20 @@ async function runInNetwork(): Promise<void> {
   const node = [process.execPath, '--import', import.meta.resolve('tsx')];
   const own = [fileURLToPath(import.meta.url), ...process.argv.slice(2)];
   const command = ['netns', 'exec', network.hub, ...node, ...own, '--network', String(process.pid)];
-  const child = spawn('ip', command, { stdio: 'inherit' });
-  for (const signal of ['SIGINT', 'SIGTERM'] as const) process.on(signal, () => child.kill(signal));
+  // The channel tells the run when this process is gone.
+  const child = spawn('ip', command, { stdio: ['inherit', 'inherit', 'inherit', 'ipc'] });
+  for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) {
+    process.on(signal, () => child.kill(signal));
+  }
   process.exitCode = await new Promise<number>((done) =>
-    child.once('exit', (code) => done(code ?? 1)),
+    child.once('exit', (code, signal) => {
+      if (code === null) console.error(`The run ${describeEnd(code, signal)}.`);
+      done(code ?? 1);
+    }),
   );
 }
 
 async function run(ground: Ground): Promise<void> {
-  for (const signal of ['SIGINT', 'SIGTERM'] as const) process.once(signal, () => process.exit(1));
   const wanted = values.only?.split(',') ?? FAULTS.map(({ name }) => name);
   const faults = FAULTS.filter(({ name }) => wanted.includes(name));
   if (faults.length !== new Set(wanted).size) {
@@ -84,6 +93,7 @@ async function run(ground: Ground): Promise<void> {
     process.exitCode = 2;
     return;
   }
+  const ending = sayWhyItEnds();
   const seed = values.seed === undefined ? randomInt(2 ** 32) : Number(values.seed);
   console.log(`seed ${seed}, ${ground.about}`);
   const reports = await runFaults({
@@ -97,6 +107,7 @@ async function run(ground: Ground): Promise<void> {
   });
   const broken = reports.reduce((sum, { violations }) => sum + violations.length, 0);
   console.log(broken === 0 ? 'nothing is broken' : `${broken} broken`);
+  ending.done();
   process.exit(broken === 0 ? 0 : 1);
 }
 

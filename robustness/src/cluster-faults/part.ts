@@ -4,7 +4,8 @@ import { pause } from '../pause.ts';
 import type { Random } from '../random.ts';
 import { findDisagreement, findValueDisagreement } from './agreement.ts';
 import type { TestCluster } from './cluster.ts';
-import type { ReceptionRow } from './crowd/reception.ts';
+import { ConnectionWatch } from './connection-watch.ts';
+import type { PublisherRow, ReceptionRow } from './crowd/reception.ts';
 import type { Fault } from './faults/fault.ts';
 import { judge } from './judge.ts';
 import { settle } from './settle.ts';
@@ -69,42 +70,74 @@ export async function runPart(
   await each(cluster, (crowd) => crowd.do('begin'));
   for (let turns = 0; turns < TURNS_BEFORE; turns += 1) await host.scribe.turn();
   const stopWork = host.work();
+  const watch = new ConnectionWatch(cluster);
   try {
     await fault.run(cluster, say);
   } finally {
     await stopWork();
   }
-  const back = await settle(() => findAbsent(cluster), PATIENCE_MS);
-  // A record of each topic after all are back: it shows what is missing before it.
-  await pause(2_000);
-  const publishers = (await each(cluster, (crowd) => crowd.do('stop'))).flat();
-  const lasts = Object.fromEntries(publishers.map(({ topic, last }) => [topic, last]));
-  const arrived = await settle(() => findBehind(cluster, lasts), PATIENCE_MS);
-  const topics = new RegExp(CROWD_TOPICS);
-  const agreed = await settle(() => findDisagreement(cluster, topics), PATIENCE_MS);
-  const values = await settle(
-    () => findValueDisagreement(cluster, CROWD_TOPICS, lasts),
-    PATIENCE_MS / 10,
-  );
-  const kept = await settle(() => findLosses(cluster, host.ledger), PATIENCE_MS / 3);
+  const waited = await waitForAll(cluster, host, watch, say);
   const receptions = (await each(cluster, (crowd) => crowd.do('rows'))).flat();
   const gapsAfter = await gapsOf(cluster);
   const noticed = new Set(
     [...gapsAfter.keys()].filter((index) => gapsAfter[index]! > (gapsBefore[index] ?? 0)),
   );
   const indexOf = (url: string): number => cluster.indexOf(url);
+  const { publishers } = waited;
   const judged = judge({ publishers, receptions, indexOf, mayLose: fault.mayLose, noticed });
-  const problems = [back, arrived, agreed, values, kept].flatMap(({ problems: found }) => found);
-  const violations = [...judged.violations, ...problems];
+  const { scribe } = host;
   return {
     name: fault.name,
     about: fault.about,
     figures: [
-      `all clients back after ${seconds(back.tookMs)}, newest records after ${seconds(arrived.tookMs)}, masters agree after ${seconds(agreed.tookMs)}`,
-      `${judged.received} records received, ${movedOf(receptions)}; ${host.scribe.acknowledged} requests acknowledged, ${host.scribe.refused} not`,
+      ...waited.figures,
+      `${judged.received} records received, ${movedOf(receptions)}; ${judged.again} twice, ${judged.disorder} out of order`,
       ...Object.entries(judged.missing).map(([reason, count]) => `${count} missing: ${reason}`),
+      `${scribe.acknowledged} requests acknowledged since the first part, ${scribe.refused} not; ${waited.lost} of what was acknowledged is lost`,
+      ...cluster.figures(),
     ],
-    violations: violations.slice(0, MOST_VIOLATIONS),
+    violations: [...judged.violations, ...waited.problems].slice(0, MOST_VIOLATIONS),
+  };
+}
+
+/** What was seen while all was waited for that has to come back. */
+interface Waited {
+  readonly figures: readonly string[];
+  readonly problems: readonly string[];
+  readonly publishers: readonly PublisherRow[];
+  /** Number of losses of what was acknowledged, at all masters. */
+  readonly lost: number;
+}
+
+async function waitForAll(
+  cluster: TestCluster,
+  host: Host,
+  watch: ConnectionWatch,
+  say: (text: string) => void,
+): Promise<Waited> {
+  const back = await settle(() => findAbsent(cluster), PATIENCE_MS, say);
+  const connections = await watch.end();
+  // A record of each topic after all are back: it shows what is missing before it.
+  await pause(2_000);
+  const publishers = (await each(cluster, (crowd) => crowd.do('stop'))).flat();
+  const lasts = Object.fromEntries(publishers.map(({ topic, last }) => [topic, last]));
+  const arrived = await settle(() => findBehind(cluster, lasts), PATIENCE_MS, say);
+  const topics = new RegExp(CROWD_TOPICS);
+  const agreed = await settle(() => findDisagreement(cluster, topics), PATIENCE_MS, say);
+  const values = await settle(
+    () => findValueDisagreement(cluster, CROWD_TOPICS, lasts),
+    PATIENCE_MS / 10,
+    say,
+  );
+  const kept = await settle(() => findLosses(cluster, host.ledger), PATIENCE_MS / 3, say);
+  return {
+    figures: [
+      `all clients back after ${seconds(back.tookMs)}, newest records after ${seconds(arrived.tookMs)}, masters agree after ${seconds(agreed.tookMs)}`,
+      connections,
+    ],
+    problems: [back, arrived, agreed, values, kept].flatMap(({ problems }) => problems),
+    publishers,
+    lost: kept.problems.length,
   };
 }
 
@@ -119,16 +152,18 @@ export function each<T>(
 /** Clients that are not connected, or do not know the other masters, or became somebody else. */
 export async function findAbsent(cluster: TestCluster): Promise<string[]> {
   const states = await each(cluster, (crowd) => crowd.do('state', cluster.size - 1));
-  return states.flatMap((state, index) => {
+  const gone = cluster.ended();
+  const absent = states.flatMap((state, index) => {
     if (state === undefined) return [];
-    const { connected, ids, identityChanges, unaware } = state;
+    const { connected, members, identityChanges, unaware } = state;
     const whose = `of the clients of machine ${index + 1}`;
     return [
-      ...(connected < ids.length ? [`${ids.length - connected} ${whose} have no connection`] : []),
+      ...(connected < members ? [`${members - connected} ${whose} have no connection`] : []),
       ...(unaware > 0 ? [`${unaware} ${whose} do not know the other masters`] : []),
       ...(identityChanges > 0 ? [`${identityChanges} ${whose} became somebody else`] : []),
     ];
   });
+  return [...gone, ...absent];
 }
 
 async function findBehind(

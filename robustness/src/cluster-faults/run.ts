@@ -38,9 +38,11 @@ export async function runFaults(plan: RunPlan): Promise<readonly PartReport[]> {
   try {
     const tookMs = await joinAll(cluster, plan);
     say(`${MASTERS} × ${plan.clients} clients joined in ${(tookMs / 1000).toFixed(1)} s`);
+    for (const figure of cluster.figures()) say(`  ${figure}`);
     const host = new Host(cluster, new Random(plan.seed));
     const reports: PartReport[] = [];
     for (const fault of faults) {
+      say(`${fault.name} begins`);
       const report = await runPart(cluster, fault, host, say);
       reports.push(report);
       say(formatPart(report));
@@ -85,7 +87,7 @@ async function joinAll(cluster: TestCluster, plan: RunPlan): Promise<number> {
     ),
   );
   const tookMs = performance.now() - begunMs;
-  const { problems } = await settle(() => findAbsent(cluster), PATIENCE_MS);
+  const { problems } = await settle(() => findAbsent(cluster), PATIENCE_MS, plan.say);
   if (problems.length > 0) throw new Error(problems.join('\n'));
   return tookMs;
 }

@@ -6,6 +6,7 @@ import { createInterface } from 'node:readline';
 import { decode, encode, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
 
 import { hasFlag } from './built-master.ts';
+import { describeEnd } from './describe-end.ts';
 import { readProcess, type ProcessFigures } from './process-figures.ts';
 
 /** A start on a busy machine takes seconds; past this the master hangs. */
@@ -148,6 +149,11 @@ export class MasterProcess {
 
   get isRunning(): boolean {
     return this.#child.exitCode === null && this.#child.signalCode === null;
+  }
+
+  /** How it ended, in words; undefined while it runs. */
+  get ending(): string | undefined {
+    return this.isRunning ? undefined : describeEnd(this.#child.exitCode, this.#child.signalCode);
   }
 
   /** Everything on standard error so far. */

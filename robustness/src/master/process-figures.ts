@@ -1,5 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 
+/** What Linux counts time of processors in, for programs. */
+const TICK_MS = 10;
+
 /** Figures of a process from Linux. Each is undefined where there is no `/proc`. */
 export interface ProcessFigures {
   readonly residentBytes: number | undefined;
@@ -7,13 +10,17 @@ export interface ProcessFigures {
   readonly peakBytes: number | undefined;
   readonly descriptors: number | undefined;
   readonly threads: number | undefined;
+  /** Time of processors since its start, milliseconds. */
+  readonly cpuMs: number | undefined;
 }
 
 export function readProcess(pid: number): ProcessFigures {
   let status = '';
+  let stat = '';
   let descriptors: number | undefined;
   try {
     status = readFileSync(`/proc/${pid}/status`, 'utf8');
+    stat = readFileSync(`/proc/${pid}/stat`, 'utf8');
     descriptors = readdirSync(`/proc/${pid}/fd`).length;
   } catch {
     // The process has ended, or this is no Linux.
@@ -31,7 +38,15 @@ export function readProcess(pid: number): ProcessFigures {
     peakBytes: kib('VmHWM'),
     descriptors,
     threads: figure('Threads'),
+    cpuMs: cpuMsOf(stat),
   };
+}
+
+/** @param stat as `/proc/<pid>/stat` says it, where the name of the program may have spaces and parentheses */
+function cpuMsOf(stat: string): number | undefined {
+  if (stat === '') return undefined;
+  const fields = stat.slice(stat.lastIndexOf(')') + 2).split(' ');
+  return (Number(fields[11]) + Number(fields[12])) * TICK_MS;
 }
 
 /** Bytes as MiB, for tables. */

@@ -15,6 +15,8 @@ export interface NatsOptions {
   readonly jetstream?: boolean;
   /** Address to listen on. Default: 127.0.0.1 */
   readonly host?: string;
+  /** Where it makes the folder that it stores in. Default: that of temporary files */
+  readonly parentFolder?: string;
   /** Further arguments of the program, such as `--user`. */
   readonly args?: readonly string[];
   /** Folder in which it runs. Default: the current one */
@@ -46,12 +48,13 @@ export interface NatsServer {
 export async function startNats({
   jetstream = false,
   host = '127.0.0.1',
+  parentFolder = tmpdir(),
   args = [],
   cwd,
 }: NatsOptions = {}): Promise<NatsServer> {
   const program = findNats();
   const port = await freePort();
-  const folder = mkdtempSync(join(tmpdir(), 'ubii-nats-'));
+  const folder = mkdtempSync(join(parentFolder, 'ubii-nats-'));
   const allArgs = ['-a', host, '-p', String(port), ...args];
   if (jetstream) allArgs.push('-js', '-sd', folder);
   const start = (): Promise<ChildProcess> => startProgram(program, allArgs, cwd);
@@ -82,6 +85,16 @@ export async function startNats({
   };
 }
 
+/** Why no NATS server can be started here, with how to get one; undefined: one can. */
+export function reasonAgainstNats(): string | undefined {
+  try {
+    findNats();
+    return undefined;
+  } catch (error) {
+    return (error as Error).message;
+  }
+}
+
 /** Debian has the program where only the PATH of root looks. */
 function findNats(): string {
   const folders = [...(process.env.PATH ?? '').split(delimiter), '/usr/sbin', '/usr/local/sbin'];
@@ -97,6 +110,9 @@ async function startProgram(
   cwd: string | undefined,
 ): Promise<ChildProcess> {
   const child = spawn(program, args, { stdio: ['ignore', 'ignore', 'pipe'], cwd });
+  const killWithUs = (): void => void child.kill('SIGKILL');
+  process.once('exit', killWithUs);
+  child.once('exit', () => process.off('exit', killWithUs));
   await new Promise<void>((resolve, reject) => {
     let output = '';
     child.stderr.on('data', (chunk: Buffer) => {

@@ -2,6 +2,7 @@ import { spawn, type ChildProcess } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { decode, encode, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
 
+import { describeEnd } from '../../master/describe-end.ts';
 import type { CrowdCommands, CrowdReply, CrowdRequest } from './crowd-process.ts';
 
 const PROGRAM = fileURLToPath(new URL('./crowd-process.ts', import.meta.url));
@@ -18,6 +19,7 @@ export class CrowdHandle {
   readonly #child: ChildProcess;
   readonly #pending = new Map<number, Pending>();
   #number = 0;
+  #ending: string | undefined;
 
   /** @param within words of the command that it is started by */
   constructor(within: readonly string[]) {
@@ -30,10 +32,11 @@ export class CrowdHandle {
       if (error === undefined) pending?.resolve(value);
       else pending?.reject(new Error(error));
     });
-    this.#child.once('exit', (code) => {
-      for (const { reject } of this.#pending.values()) {
-        reject(new Error(`The clients of a master ended with ${code}.`));
-      }
+    // A message to a process that is about to end; its end is told below.
+    this.#child.on('error', () => undefined);
+    this.#child.once('exit', (code, signal) => {
+      this.#ending = `The process of the clients of a machine ${describeEnd(code, signal)}.`;
+      for (const { reject } of this.#pending.values()) reject(new Error(this.#ending));
       this.#pending.clear();
     });
   }
@@ -46,6 +49,7 @@ export class CrowdHandle {
     command: C,
     ...args: Parameters<CrowdCommands[C]>
   ): Promise<Result<C>> {
+    if (this.#ending !== undefined) return Promise.reject(new Error(this.#ending));
     this.#number += 1;
     const request: CrowdRequest = { number: this.#number, command, args };
     return new Promise<unknown>((resolve, reject) => {

@@ -14,6 +14,7 @@ const COMMANDS = {
     await crowd.join();
   },
   state: (others: number) => crowd?.state(others),
+  away: () => crowd?.away() ?? 0,
   begin: () => crowd?.begin(),
   stop: () => crowd?.stop() ?? [],
   behind: (lasts: Record<string, number>) => crowd?.behind(lasts) ?? 0,

@@ -27,7 +27,7 @@ export interface CrowdState {
   /** Members that know fewer than so many other masters. */
   readonly unaware: number;
   readonly identityChanges: number;
-  readonly ids: readonly string[];
+  readonly members: number;
 }
 
 /** Many clients in one process, which all count what they receive. */
@@ -62,6 +62,11 @@ export class Crowd {
     await Promise.all(Array.from({ length: JOIN_AT_ONCE }, joinOthers));
   }
 
+  /** Number of members that have no connection. */
+  away(): number {
+    return this.#members.filter(({ isConnected }) => !isConnected).length;
+  }
+
   /** @param others masters that a member should know besides its own */
   state(others: number): CrowdState {
     const members = this.#members;
@@ -70,7 +75,7 @@ export class Crowd {
       connected: connected.length,
       unaware: connected.filter(({ knownMasters }) => knownMasters < others).length,
       identityChanges: members.reduce((sum, { identityChanges }) => sum + identityChanges, 0),
-      ids: members.map(({ id }) => id),
+      members: members.length,
     };
   }
 

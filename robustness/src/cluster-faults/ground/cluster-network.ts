@@ -1,4 +1,5 @@
 import { execFileSync } from 'node:child_process';
+import { readdirSync } from 'node:fs';
 
 import type { Ground } from './ground.ts';
 
@@ -6,6 +7,10 @@ const PREFIX = '10.206.0.';
 const HUB_HOST = `${PREFIX}1`;
 /** Last number of the address of the first master. */
 const FIRST_HOST = 11;
+/** Where `ip` lists namespaces. */
+const NAMESPACES = '/run/netns';
+/** Names of namespaces of this program: the digits are the id of the process that made them. */
+const NAME = /^ubii-(?:hub|m\d+)-(\d+)p?$/;
 
 /**
  * A network namespace for each master and its clients, and one with a bridge that connects them, in which NATS and the
@@ -38,6 +43,38 @@ export class ClusterNetwork {
     }
   }
 
+  /** All networks of this program, also those of other runs. */
+  static all(): readonly { readonly name: string; readonly owner: number }[] {
+    if (process.platform !== 'linux') return [];
+    try {
+      return readdirSync(NAMESPACES).flatMap((name) => {
+        const owner = NAME.exec(name)?.[1];
+        return owner === undefined ? [] : [{ name, owner: Number(owner) }];
+      });
+    } catch {
+      // There never was a namespace.
+      return [];
+    }
+  }
+
+  /** Removes a namespace, and kills what still runs in it. */
+  static remove(name: string): void {
+    try {
+      const pids = execFileSync('ip', ['netns', 'pids', name], {
+        encoding: 'utf8',
+        stdio: 'pipe',
+      });
+      for (const pid of pids.split('\n').filter(Boolean)) process.kill(Number(pid), 'SIGKILL');
+    } catch {
+      // It has no network any more, or a process of it has just ended.
+    }
+    try {
+      ip('netns', 'del', name);
+    } catch {
+      // It was not made.
+    }
+  }
+
   nameOf(index: number): string {
     return `ubii-m${index + 1}-${this.#tag}`;
   }
@@ -53,13 +90,7 @@ export class ClusterNetwork {
 
   close(): void {
     const names = Array.from({ length: this.#count }, (_, index) => this.nameOf(index));
-    for (const name of [...names, this.hub]) {
-      try {
-        ip('netns', 'del', name);
-      } catch {
-        // It was not made.
-      }
-    }
+    for (const name of [...names, this.hub]) ClusterNetwork.remove(name);
   }
 
   #connect(index: number): void {

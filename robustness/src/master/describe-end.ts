@@ -1,0 +1,8 @@
+/** How a process ended, in words. */
+export function describeEnd(code: number | null, signal: NodeJS.Signals | null): string {
+  if (signal === 'SIGKILL') {
+    return 'ended by SIGKILL: somebody killed it, or the system, which had no memory left (dmesg tells)';
+  }
+  if (signal === 'SIGABRT') return 'ended by SIGABRT: its heap was full, or it gave itself up';
+  return signal === null ? `ended with ${code}` : `ended by ${signal}`;
+}
