@@ -20,7 +20,7 @@ function chances(): () => number {
 }
 
 /** Scouts of many clients that lost the same master, which does not come back. */
-function setup({ clients = 1, isProven = true } = {}) {
+function setup({ clients = 1, isProven = true, answerMs = 0 } = {}) {
   const clock = new FakeClock();
   const random = chances();
   const asked: { readonly url: string; readonly ms: number }[] = [];
@@ -28,7 +28,12 @@ function setup({ clients = 1, isProven = true } = {}) {
   const startMs = clock.monotonicMs();
   const ask = (url: string) => {
     asked.push({ url, ms: clock.monotonicMs() - startMs });
-    return { isProven: Promise.resolve(isProven), cancel: () => undefined };
+    if (answerMs === 0) return { isProven: Promise.resolve(isProven), cancel: () => undefined };
+    let cancel = (): void => undefined;
+    const answer = new Promise<boolean>((resolve) => {
+      cancel = clock.after(answerMs, () => resolve(isProven));
+    });
+    return { isProven: answer, cancel };
   };
   const ways = {
     services: { send: () => expect.unreachable() as never },
@@ -91,6 +96,13 @@ describe('looking for another master', () => {
     expect(Math.max(...gaps.slice(0, 2))).toBeLessThan(500);
     expect(Math.min(...gaps.slice(-3))).toBeGreaterThan(1_250);
     expect(Math.max(...gaps)).toBeLessThanOrEqual(5_000);
+  });
+
+  it('[CU-81] waits longer each time: masters to which many come answer late', async () => {
+    const { clock, asked, visits } = setup({ answerMs: 7_000 });
+    await clock.advance(60_000);
+    expect(visits).toHaveLength(1);
+    expect(asked).toHaveLength(3);
   });
 
   it('[CU-82] ends when the own master is there again', async () => {

@@ -10,8 +10,12 @@ import { reconnectDelayMs, type ReconnectPolicy } from './reconnect-policy.ts';
 const PATIENCE_MS = 2_000;
 /** Chance adds up to this, so that the clients of one master do not come to the others in one instant, milliseconds. */
 const SPREAD_MS = 1_000;
-/** Time in which another master has to answer, milliseconds. */
-const ANSWER_MS = 2_000;
+/**
+ * Time in which another master has to answer, milliseconds. Doubled each time that none did: a master to which many come at
+ * once is slow, and those who ask again before it answered make it slower. [CU-81]
+ */
+const FIRST_ANSWER_MS = 2_000;
+const LONGEST_ANSWER_MS = 16_000;
 
 /** Dependencies of a scout. */
 export interface ScoutOptions {
@@ -37,6 +41,7 @@ export class Scout {
   #round: string[] = [];
   #rounds = 0;
   #hasVisited = false;
+  #answerMs = FIRST_ANSWER_MS;
   #answering: { readonly url: string; readonly sinceMs: number } | undefined;
   #cancel: Cancel | undefined;
 
@@ -65,6 +70,7 @@ export class Scout {
     this.#round = [];
     this.#rounds = 0;
     this.#hasVisited = false;
+    this.#answerMs = FIRST_ANSWER_MS;
   }
 
   #start({ sinceMs }: Outage): void {
@@ -93,7 +99,8 @@ export class Scout {
       if (isProven) this.#handleAnswer(url);
       else this.#askAfter(this.#pauseMs());
     };
-    const cancelTimer = clock.after(ANSWER_MS, () => {
+    const cancelTimer = clock.after(this.#answerMs, () => {
+      this.#answerMs = Math.min(2 * this.#answerMs, LONGEST_ANSWER_MS);
       asked.cancel();
       finish(false);
     });
