@@ -31,6 +31,13 @@ export {
   type EncodedNodeMessage,
   type LockstepMessage,
 } from './node-messages.ts';
+export {
+  encodeRecordPart,
+  prepareRecordsForMasters,
+  readRecordPart,
+  type RecordPart,
+  type RecordsForMasters,
+} from './record-parts.ts';
 export { readRecordHead, type RecordHead } from './record-head.ts';
 export { readRecordTimestamp } from './record-timestamp.ts';
 export { recordValueField, scanTopicData, type TopicDataSink } from './scan-topic-data.ts';

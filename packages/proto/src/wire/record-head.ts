@@ -1,3 +1,4 @@
+import { readText } from '../binary/read-text.ts';
 import { Reader } from '../binary/reader.ts';
 import { skipField } from '../binary/skip-field.ts';
 import type { TextCache } from '../binary/text-cache.ts';
@@ -28,6 +29,7 @@ export interface RecordHead {
 
 type LifeOfValue = Pick<RecordHead, 'keepSeconds' | 'expiryMs'>;
 
+const NO_LIFE: LifeOfValue = { keepSeconds: 0, expiryMs: 0 };
 const RECORD = messageCheck('ubii.topicData.TopicDataRecord');
 
 /**
@@ -42,7 +44,7 @@ export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHea
   let topic = '';
   let valueField = 0;
   let clientId = '';
-  let life: LifeOfValue = { keepSeconds: 0, expiryMs: 0 };
+  let life = NO_LIFE;
   try {
     while (reader.pos < reader.end) {
       const tag = reader.tag();
@@ -58,7 +60,9 @@ export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHea
   } catch (cause) {
     throw DecodeError.wrap(RECORD.name, record.length, cause);
   }
-  return { topic, valueField, clientId, ...life };
+  // A spread would cost more than all of the above.
+  const { keepSeconds, expiryMs } = life;
+  return { topic, valueField, clientId, keepSeconds, expiryMs };
 }
 
 /** @param before what an earlier occurrence of the member said, which this one is merged into */
@@ -73,12 +77,4 @@ function readLife(reader: Reader, before: LifeOfValue): LifeOfValue {
   }
   reader.end = outerEnd;
   return { keepSeconds, expiryMs };
-}
-
-function readText(reader: Reader, texts: TextCache | undefined): string {
-  if (texts === undefined) return reader.string();
-  const length = reader.length();
-  const start = reader.pos;
-  reader.pos = start + length;
-  return texts.read(reader.input, start, reader.pos);
 }

@@ -42,3 +42,19 @@ export const BRIDGE_ORDER_TAG = 66;
 export const BRIDGE_ANSWER_TAG = 74;
 /** `LockstepProcessingRequest.records` and `LockstepProcessingReply.records` */
 export const LOCKSTEP_RECORD_TAG = 18;
+/** `ClusterMessage.part` */
+export const PART_TAG = 34;
+/** `ClusterPart.stream` */
+export const PART_STREAM_TAG = 8;
+/** `ClusterPart.number` */
+export const PART_NUMBER_TAG = 16;
+/** `ClusterPart.records` */
+export const PART_RECORDS_TAG = 66;
+/** `ClusterRecords.records` */
+export const TOLD_RECORD_TAG = 10;
+/** `ClusterRecords.stamps` */
+export const TOLD_STAMPS_TAG = 18;
+/** `ClusterRecords.publishers` */
+export const TOLD_PUBLISHERS_TAG = 26;
+/** `ClusterRecords.publisher_ids` */
+export const TOLD_PUBLISHER_ID_TAG = 34;

@@ -9,6 +9,7 @@ import {
   type ServiceRequest,
   type TopicStatistics,
 } from '@ubii/proto';
+import { readRecordPart, TextCache } from '@ubii/proto/wire';
 import type { Cancel } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
@@ -66,6 +67,7 @@ export class Cluster implements BusListener {
   readonly heardAddresses = new HeardAddresses();
   readonly #context: ClusterContext;
   readonly #bus: MeteredBus;
+  readonly #texts = new TextCache();
   readonly #clientNews: ClientNews;
   readonly #directory: Directory;
   readonly #interest: OwnInterest;
@@ -197,7 +199,9 @@ export class Cluster implements BusListener {
   handleMessage(from: string, bytes: Uint8Array): void {
     if (this.#isClosed || from === this.#context.id) return;
     try {
-      this.#handle(from, decode('ubii.extension.ClusterMessage', bytes));
+      const records = readRecordPart(bytes, this.#texts);
+      if (records === undefined) this.#handle(from, decode('ubii.extension.ClusterMessage', bytes));
+      else this.#handleSign(from)?.handleRecords(records);
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
       this.#context.counters.protocolErrors++;
@@ -255,17 +259,22 @@ export class Cluster implements BusListener {
     const { hello, goodbye, listen, part, call, reply } = message;
     if (goodbye !== undefined) return this.members.handleGoodbye(from);
     if (hello !== undefined) this.members.handleHello(from, hello);
-    else this.members.handleSign(from);
-    if (this.members.get(from) === undefined) {
+    const peer = this.#handleSign(from);
+    if (peer === undefined) {
       // It was heard before it said who it is: it says so within a second, and is listened to then.
       if (listen !== undefined) this.members.sayHello();
       return;
     }
-    const peer = this.#peers.get(from) ?? this.#join(from);
     if (listen !== undefined) peer.handleListen(listen.stream);
     if (part !== undefined) peer.handlePart(part);
     if (reply !== undefined) this.#calls.handleReply(from, reply);
     if (call !== undefined) this.#calls.handleCall(from, call, (...asked) => this.answer(...asked));
+  }
+
+  /** @returns undefined for one that has not said who it is */
+  #handleSign(from: string): Peer | undefined {
+    if (!this.members.handleSign(from)) return undefined;
+    return this.#peers.get(from) ?? this.#join(from);
   }
 
   #join(id: string): Peer {

@@ -1,4 +1,4 @@
-import type { ClusterRecords, Init } from '@ubii/proto';
+import type { ClusterRecords } from '@ubii/proto';
 
 /** A record with its place among those of its topic, and who published it. */
 export interface DescribedRecord {
@@ -8,7 +8,7 @@ export interface DescribedRecord {
 }
 
 /** Records as they are sent to other masters: each publisher is named once. */
-export function describeRecords(described: readonly DescribedRecord[]): Init<ClusterRecords> {
+export function describeRecords(described: readonly DescribedRecord[]): ClusterRecords {
   const places = new Map<string, number>();
   const records: Uint8Array[] = [];
   const stamps: number[] = [];

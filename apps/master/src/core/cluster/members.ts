@@ -95,10 +95,11 @@ export class Members {
     if (before === undefined || !isSame(before.member, member)) this.onJoined.emit(member);
   }
 
-  /** A master sent something. */
-  handleSign(id: string): void {
+  /** A master sent something. @returns whether it has said who it is */
+  handleSign(id: string): boolean {
     const heard = this.#members.get(id);
     if (heard !== undefined) heard.heardMs = this.#context.clock.monotonicMs();
+    return heard !== undefined;
   }
 
   handleGoodbye(id: string): void {

@@ -1,4 +1,5 @@
-import { ServiceError, type ClusterInterest, type ClusterRecords, type Init } from '@ubii/proto';
+import { ServiceError, type ClusterInterest, type ClusterRecords } from '@ubii/proto';
+import { prepareRecordsForMasters, type RecordsForMasters } from '@ubii/proto/wire';
 import type { Cancel, Clock, EndOfTurn, TurnTask } from '@ubii/timing';
 import type { Counters } from '../counters/counters.ts';
 import type { BatchEncoder, RecordBatch } from '../ports/record-batch.ts';
@@ -150,7 +151,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
 
   send(batch: RecordBatch): void {
     this.#context.counters.recordsToMasters += batch.count;
-    this.#stream.send({ records: batch.memo(DESCRIBED) });
+    this.#stream.sendRecords(batch.memo(PREPARED));
   }
 
   handleEndOfTurn(): void {
@@ -209,15 +210,17 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
 /** [CU-16] */
 const OTHERS_TOPICS: ReadRights = { mayRead: crosses };
 
-/** The records of a batch, made once for all masters that get them. */
-const DESCRIBED: BatchEncoder<Init<ClusterRecords>> = {
+/** The records of a batch, prepared once for all masters that get them. */
+const PREPARED: BatchEncoder<RecordsForMasters> = {
   encode(batch) {
     // All batches of outboxes are chains of nodes.
     const nodes = (batch as BatchNode).nodes();
-    return describeRecords(nodes as (BatchNode & { record: Uint8Array })[]);
+    return prepareRecordsForMasters(
+      describeRecords(nodes as (BatchNode & { record: Uint8Array })[]),
+    );
   },
 };
 
-function valuesOf(entries: readonly TopicEntry[]): Init<ClusterRecords> {
+function valuesOf(entries: readonly TopicEntry[]): ClusterRecords {
   return describeRecords(entries as (TopicEntry & { record: Uint8Array })[]);
 }

@@ -3,9 +3,11 @@ import type {
   ClusterInterest,
   ClusterMaster,
   ClusterPart,
+  ClusterRecords,
   ClusterSessionNews,
   Init,
 } from '@ubii/proto';
+import type { RecordPart } from '@ubii/proto/wire';
 import type { EndOfTurn } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import { RESOURCE } from '../shares/resources.ts';
@@ -149,14 +151,14 @@ export class Peer {
 
   /** It tells something. @throws DecodeError when a record cannot be read */
   handlePart(part: ClusterPart): void {
-    const place = this.#incoming.place(part);
-    if (place === 'next') {
-      this.#silentLooks = 0;
-      this.#hasTold = true;
-      this.#roundTrip.handleTimes(part, this.#parts.clock.monotonicMs());
-      this.#apply(part);
-    } else if (place === 'gap') this.#listenAgain();
-    else if (this.#looksSinceListen < OLD_PARTS_LOOKS) this.#silentLooks = 0;
+    if (!this.#isNext(part)) return;
+    this.#roundTrip.handleTimes(part, this.#parts.clock.monotonicMs());
+    this.#apply(part);
+  }
+
+  /** It tells records and nothing else. The hot path between masters. @throws DecodeError as above */
+  handleRecords(part: RecordPart): void {
+    if (this.#isNext(part)) this.#publish(part.records);
   }
 
   tellClients(clients: readonly Client[], goneClients: readonly string[]): void {
@@ -234,11 +236,22 @@ export class Peer {
     for (const interest of part.unwanted) this.#endWant(interestKey(interest));
     const topics = this.#toldTopics;
     if (part.values !== undefined) told.publish(this.id, part.values, true, topics);
-    if (part.records !== undefined) {
-      this.#recordsFrom += part.records.records.length;
-      told.publish(this.id, part.records, false, topics);
-    }
+    if (part.records !== undefined) this.#publish(part.records);
     if (part.complete && first !== undefined) this.#endOthers(first);
+  }
+
+  #publish(records: ClusterRecords): void {
+    this.#recordsFrom += records.records.length;
+    this.#parts.told.publish(this.id, records, false, this.#toldTopics);
+  }
+
+  /** Counts a part. @returns whether it is to be read */
+  #isNext(part: Pick<ClusterPart, 'stream' | 'number'>): boolean {
+    const place = this.#incoming.place(part);
+    if (place === 'gap') this.#listenAgain();
+    else if (place === 'next' || this.#looksSinceListen < OLD_PARTS_LOOKS) this.#silentLooks = 0;
+    if (place === 'next') this.#hasTold = true;
+    return place === 'next';
   }
 
   #totals(): PeerTotals {

@@ -1,4 +1,5 @@
 import { encode, type ClusterMessage, type ClusterPart, type Init } from '@ubii/proto';
+import { encodeRecordPart, type RecordsForMasters } from '@ubii/proto/wire';
 import type { ClusterBus } from '../ports/cluster-bus.ts';
 
 /** Content of one message of a stream. */
@@ -31,6 +32,12 @@ export class OutgoingStream {
     if (!this.isOpen) return;
     const part = { ...content, stream: this.#stream, number: this.#next++ };
     sendTo(this.#bus, this.#peerId, { part });
+  }
+
+  /** Sends records that were just published. The hot path between masters. */
+  sendRecords(records: RecordsForMasters): void {
+    if (!this.isOpen) return;
+    this.#bus.send(this.#peerId, encodeRecordPart(this.#stream, this.#next++, records));
   }
 }
 
