@@ -6,7 +6,7 @@ import { reasonOf } from './explain-nats-error.ts';
 import { formatPart, parsePart, PartJoiner } from './message-parts.ts';
 import type { NatsLink } from './nats-link.ts';
 import { queuedBytesOf } from './queued-bytes.ts';
-import { BusSubjects, isMasterId, senderOf } from './subjects.ts';
+import { BusSubjects, isMasterId } from './subjects.ts';
 
 /** Header of a message that is a part of a larger one. [CU-52] */
 const PART_HEADER = 'Ubii-Part';
@@ -122,10 +122,11 @@ export class NatsBus implements ClusterBus {
   }
 
   #take(msg: Msg): void {
-    const sender = senderOf(msg.subject);
-    if (this.#joined === undefined || sender === undefined) return;
+    const joined = this.#joined;
+    const sender = joined?.subjects.senderOf(msg.subject);
+    if (joined === undefined || sender === undefined) return;
     const message = this.#wholeOf(sender, msg);
-    if (message !== undefined) this.#joined.listener.handleMessage(sender, message);
+    if (message !== undefined) joined.listener.handleMessage(sender, message);
   }
 
   #wholeOf(sender: string, msg: Msg): Uint8Array | undefined {

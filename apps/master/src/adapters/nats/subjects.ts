@@ -1,7 +1,7 @@
 /** Ids of masters are UUIDs; nothing else becomes a part of a subject. */
 const UUID = /^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$/;
 
-/** Receivers whose subject is kept. */
+/** Masters whose subjects are kept. */
 const MAX_KNOWN = 1_000;
 
 export function isMasterId(text: string): boolean {
@@ -13,6 +13,8 @@ export class BusSubjects {
   readonly #cluster: string;
   readonly #own: string;
   readonly #to = new Map<string, string>();
+  /** Senders by the subject of what they sent. */
+  readonly #senders = new Map<string, string>();
   /** What others send to this master. */
   readonly forOwn: string;
   /** What others send to every master. */
@@ -38,10 +40,15 @@ export class BusSubjects {
     this.#to.set(receiver, subject);
     return subject;
   }
-}
 
-/** @returns the id of the master that sent to this subject; undefined when no master did */
-export function senderOf(subject: string): string | undefined {
-  const sender = subject.slice(subject.lastIndexOf('.') + 1);
-  return isMasterId(sender) ? sender : undefined;
+  /** @returns the id of the master that sent to this subject; undefined when no master did */
+  senderOf(subject: string): string | undefined {
+    const known = this.#senders.get(subject);
+    if (known !== undefined) return known;
+    const sender = subject.slice(subject.lastIndexOf('.') + 1);
+    if (!isMasterId(sender)) return undefined;
+    if (this.#senders.size >= MAX_KNOWN) this.#senders.clear();
+    this.#senders.set(subject, sender);
+    return sender;
+  }
 }

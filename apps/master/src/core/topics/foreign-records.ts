@@ -45,7 +45,10 @@ export function publishForeign(
 ): void {
   const { topics, replayed } = context;
   const { topic, valueField } = publication;
-  if (!crosses(topic) || topicFault(topic, context.limits.topicBytes) !== undefined) return;
+  if (!crosses(topic)) return;
+  // Existing topics were checked when they were created.
+  const isNew = topics.get(topic) === undefined;
+  if (isNew && topicFault(topic, context.limits.topicBytes) !== undefined) return;
   if (valueField === 0) return endForeign(topics, topics.get(topic), origin.masterId); // [CU-14]
   if (replayed.has(topic)) return; // [CU-15]
   const entry = topics.getOrCreate(topic);
