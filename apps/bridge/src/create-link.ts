@@ -31,6 +31,8 @@ export interface LinkSetup {
   file(): MappingFile;
   /** Is told of the addresses at which messages come. */
   readonly seen: SeenAddresses;
+  /** Whether this bridge passes the mappings. [BR-24] */
+  isActive(): boolean;
   masterId(): string;
   readonly onState: LinkOptions<unknown>['onState'];
   onError(error: unknown): void;
@@ -65,6 +67,7 @@ function mqttLink(setup: LinkSetup): RunningLink {
     ...{ url: target.url, ...credentials, ca, availability },
     clientId: `ubii-${createHash('sha256').update(client.id).digest('hex').slice(0, 16)}`,
     masterId: setup.masterId,
+    isMasterOfCluster: (id) => setup.bridges.isMaster(id),
   });
   const homeAssistant =
     settings &&
@@ -83,7 +86,10 @@ function mqttLink(setup: LinkSetup): RunningLink {
     },
     homeAssistant,
   );
-  const refresh = (): void => link.setMappings(setup.file().mappings);
+  const refresh = (): void => {
+    homeAssistant?.setActive(setup.isActive());
+    link.setMappings(mappingsOf(setup));
+  };
   let unwatch: (() => void) | undefined;
   return {
     ...link,
@@ -139,9 +145,14 @@ function rosbridgeLink(setup: LinkSetup): RunningLink {
   );
 }
 
+/** What this bridge passes: nothing while another one does. [BR-24] */
+function mappingsOf({ file, isActive }: LinkSetup): MappingFile['mappings'] {
+  return isActive() ? file().mappings : [];
+}
+
 /** A link whose mappings are those of the file. */
 function followFile(setup: LinkSetup, link: BridgeLink): RunningLink {
-  const refresh = (): void => link.setMappings(setup.file().mappings);
+  const refresh = (): void => link.setMappings(mappingsOf(setup));
   return {
     ...link,
     refresh,

@@ -7,7 +7,6 @@ import { systemClock } from '@ubii/timing/system';
 import { counted } from '@ubii/words';
 import { answerOrders } from './adapters/master/answer-orders.ts';
 import { cachedTopics } from './adapters/master/cached-topics.ts';
-import { watchBridges } from './adapters/master/client-topic-master.ts';
 import { answerMappingOrder } from './core/mapping/answer-mapping-order.ts';
 import type { MappingStore } from './core/mapping/mapping-store.ts';
 import { SeenAddresses } from './core/mapping/seen-addresses.ts';
@@ -18,13 +17,15 @@ import { createLink } from './create-link.ts';
 import type { RunningLink } from './create-link.ts';
 import type { Credentials } from './credentials.ts';
 import type { Config, Target } from './options.ts';
+import { createStandBy } from './stand-by.ts';
 import { startReports } from './start-reports.ts';
 import { openMappingStore, watchMappingFile } from './open-mapping-store.ts';
 
 /** Time for each step of the shutdown, milliseconds. */
 const STOP_TIMEOUT_MS = 800;
-/** A master that announces no clients has no other bridges either. */
-const BRIDGES_TIMEOUT_MS = 3_000;
+
+const PASSES = 'Passes its mappings';
+const STANDS_BY = 'Stands by: another bridge with the same mappings passes them';
 
 /** Arguments of `startBridge`. */
 export interface BridgeSetup {
@@ -59,29 +60,39 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
   let masterId = '';
   let isOpening = false;
   const onError = (error: unknown): void => log('warn', messageOf(error));
+  const bridges = new OtherBridges(system);
+  const standBy = createStandBy({
+    ...{ client, bridges, clock: systemClock, file: () => store.file },
+    onChange(isActive) {
+      log('info', isActive ? PASSES : STANDS_BY);
+      link?.refresh();
+      if (isActive) link?.setAvailable(client.state.status === 'connected');
+    },
+  });
 
   const openLink = async (): Promise<void> => {
     ({ id: masterId } = await client.call('serverConfiguration'));
     link?.setAvailable(true);
-    if (isOpening) return;
+    if (isOpening) return standBy.handleConnected();
     isOpening = true;
-    const bridges = new OtherBridges(system);
     const { credentials, ca } = setup;
     const opened = createLink({
       ...{ client, target, bridges, credentials, ca, listen: config.listen },
       file: () => store.file,
       seen,
+      isActive: () => standBy.isActive,
       masterId: () => masterId,
       onState: createSystemLog(log, target),
       onError,
     });
-    link = opened;
     // Before anything is passed on: what other bridges publish came from the same system. [BR-22]
-    await within(systemClock, BRIDGES_TIMEOUT_MS, watchBridges(client, bridges));
+    await standBy.handleConnected();
+    link = opened;
     opened.setAvailable(client.state.status === 'connected');
     opened.open();
     reports = startReports(client, systemClock, () => ({
       ...{ protocol: target.protocol, system, file: store.path, revision: store.revision },
+      isStandingBy: !standBy.isActive,
       ...opened.report(),
     }));
   };
@@ -91,7 +102,10 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
   );
   client.onState(({ status }) => {
     if (status === 'connected') openLink().catch(onError);
-    else link?.setAvailable(false);
+    else {
+      link?.setAvailable(false);
+      standBy.handleLost();
+    }
   });
   client.onError(onError);
   client.connect().catch((error: unknown) => {
@@ -102,6 +116,7 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
   const apply = (by: string): void => {
     warnOfRestart(applied, store.file, log);
     applied = store.file;
+    standBy.update();
     link?.refresh();
     log('info', `${describeStore(store)}, changed ${by}`);
   };

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { temporaryFolder } from '@ubii/program/testing';
+import { startNats } from '@ubii/program/testing/brokers';
 import { connectAsync } from 'mqtt';
 import type { MqttClient } from 'mqtt';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
@@ -46,6 +47,65 @@ async function connected(bridge: ReturnType<typeof startBridge>): Promise<Printe
 const publish = (peer: MqttClient, topic: string, text: string, retain = false) =>
   peer.publishAsync(topic, text, { qos: 1, retain });
 
+/** Starts two bridges to the broker. */
+async function startTwo(root: string, masters: readonly string[], isOther = false) {
+  const bridges = [];
+  for (const [index, url] of masters.entries()) {
+    const file = mappingFile({
+      mappings: [
+        {
+          ...{ name: isOther ? `mapping ${index}` : 'mapping', direction: 'both', qos: 1 },
+          ...{ foreign: `${root}/+`, topic: `/${root}/{1}`, format: 'double' },
+        },
+      ],
+    });
+    const bridge = startBridge([broker.url, '--name', `bridge ${index}`], url, file);
+    await bridge.says(/Stands by|Passes its mappings/);
+    await connected(bridge);
+    bridges.push(bridge);
+  }
+  return bridges;
+}
+
+/**
+ * Returns what has come of the topics `in` and `out` with an index from the other side. What goes round would pass values that are sent later on
+ * the way: both sides have got them when they have come.
+ */
+async function passedBy(sides: {
+  readonly root: string;
+  readonly index: number;
+  readonly peer: MqttClient;
+  readonly client: UbiiClient;
+  readonly records: Inbox<string>;
+  readonly got: Inbox<string>;
+  readonly count: number;
+}): Promise<readonly string[]> {
+  const { root, index, peer, client, records, got, count } = sides;
+  const timesOf = (lines: readonly string[], line: string) =>
+    lines.filter((one) => one === line).length;
+  for (const value of [10 * index + 3, 10 * index + 4]) {
+    await publish(peer, `${root}/end`, `${value}`);
+    client.publish(`/${root}/last`, 'double', value);
+    await expect
+      .poll(() => timesOf(records.all, `/${root}/end ${value}`), POLL)
+      .toBeGreaterThanOrEqual(count);
+    await expect
+      .poll(() => timesOf(got.all, `${root}/last ${value}`), POLL)
+      .toBeGreaterThanOrEqual(count);
+  }
+  const own = [`/${root}/out${index} 2`, `${root}/in${index} 1`];
+  for (const [lines, line] of [
+    [records.all, own[0]!],
+    [got.all, own[1]!],
+  ] as const) {
+    // What each side has published itself is there once.
+    expect(timesOf(lines, line)).toBe(1);
+  }
+  return [...records.all, ...got.all].filter(
+    (line) => new RegExp(`/(in|out)${index} `).test(line) && !own.includes(line),
+  );
+}
+
 describe('the bridge as a process, with Mosquitto', () => {
   it('passes values both ways, and follows its file [BR-2] [BR-4] [BR-33]', async () => {
     const { url } = await startMaster();
@@ -83,37 +143,54 @@ describe('the bridge as a process, with Mosquitto', () => {
       .toBe(true);
   });
 
-  it('two bridges between the same master and broker do not amplify [BR-20] [BR-21] [BR-22]', async () => {
+  it('of two bridges with the same mappings, one passes them, and the other one takes over [BR-24]', async () => {
     const { url } = await startMaster();
     const client = await joinAs(url);
-    const mapping = {
-      mappings: [
-        { direction: 'both', foreign: 'two/+', topic: '/two/{1}', format: 'double', qos: 1 },
-      ],
-    };
-    for (const name of ['first', 'second']) {
-      await connected(startBridge([broker.url, '--name', name], url, mappingFile(mapping)));
-    }
+    const bridges = await startTwo('two', [url, url]);
     const { peer, got } = await openPeer('two/#');
     const records = await collect(client, '/two/**');
-    await publish(peer, 'two/in', '1');
-    client.publish('/two/out', 'double', 2);
+    await publish(peer, 'two/in0', '1');
+    client.publish('/two/out0', 'double', 2);
+    const passed = await passedBy({ root: 'two', index: 0, peer, client, records, got, count: 1 });
+    expect(passed).toEqual(['/two/in0 1', 'two/out0 2']);
+    const active = bridges.find(({ stderr }) => !stderr.includes('Stands by'));
+    const other = bridges.find((bridge) => bridge !== active);
+    await active!.kill();
     await expect
-      .poll(() => records.all.filter((line) => line === '/two/in 1').length, POLL)
-      .toBe(2);
-    await expect.poll(() => got.all.filter((line) => line === 'two/out 2').length, POLL).toBe(2);
-    // What goes round would pass these on the way: both sides answer after all that was sent before.
-    await publish(peer, 'two/end', '3');
-    client.publish('/two/last', 'double', 4);
-    await expect
-      .poll(() => records.all.filter((line) => line === '/two/end 3').length, POLL)
-      .toBe(2);
-    await expect.poll(() => got.all.filter((line) => line === 'two/last 4').length, POLL).toBe(2);
-    const counted = (lines: readonly string[], start: string): number =>
-      lines.filter((line) => line.startsWith(start)).length;
-    expect([counted(records.all, '/two/in'), counted(records.all, '/two/out')]).toEqual([2, 1]);
-    expect([counted(got.all, 'two/in'), counted(got.all, 'two/out')]).toEqual([1, 2]);
+      .poll(async () => {
+        await publish(peer, 'two/in', '5');
+        return records.all.includes('/two/in 5');
+      }, POLL)
+      .toBe(true);
+    expect(other!.stderr).toMatch(/Passes its mappings\s[^]*$/);
   });
+
+  it.each([
+    ['the same mappings pass each message once', 'same', 1],
+    ['other mappings pass each message once each, and none comes back', 'other', 2],
+  ])(
+    'two bridges at two masters of a cluster with %s [BR-21] [BR-22] [BR-24]',
+    async (_name, root, count) => {
+      const nats = await startNats({ jetstream: true });
+      onTestFinished(() => nats.stop());
+      const cluster = ['--trust-loopback', '--cluster', `nats://127.0.0.1:${nats.port}`];
+      const start = () => startMaster(0, undefined, cluster);
+      const masters = [await start(), await start()].map(({ url }) => url);
+      await startTwo(root, masters, count > 1);
+      for (const [index, url] of masters.entries()) {
+        const client = await joinAs(url);
+        const { peer, got } = await openPeer(`${root}/#`);
+        const records = await collect(client, `/${root}/**`);
+        await publish(peer, `${root}/in${index}`, '1');
+        client.publish(`/${root}/out${index}`, 'double', 2);
+        const passed = await passedBy({ root, index, peer, client, records, got, count });
+        const expected = [`/${root}/in${index} 1`, `${root}/out${index} 2`];
+        expect(passed).toEqual(expected.flatMap((line) => Array(count).fill(line)));
+        await peer.endAsync(true);
+        await client.close();
+      }
+    },
+  );
 
   it('a retained value is there on both sides, and ends on both [BR-12] [BR-13]', async () => {
     const { url } = await startMaster();
@@ -175,6 +252,39 @@ describe('the bridge as a process, with Mosquitto', () => {
     bridge.child.kill('SIGTERM');
     expect(await bridge.ended()).toBe(0);
     expect(await got.next((line) => line.startsWith('ha/bridge offline'))).toBeDefined();
+  });
+
+  it('tells a broker again what it has lost: announcements, states and values [BR-15] [BR-52]', async () => {
+    const own = await startBroker();
+    onTestFinished(() => own.close());
+    const { url } = await startMaster();
+    const client = await joinAs(url);
+    const device = await client.registerDevice({
+      ...{ name: 'lamp', components: [{ name: 'v', format: 'double' }] },
+    });
+    device.component('v').publish(0.5);
+    client.publish('/lost/x', 'double', 2);
+    const file = mappingFile({
+      homeAssistant: {},
+      mappings: [{ direction: 'out', foreign: 'lost/{1}', topic: '/lost/*', retained: true }],
+    });
+    startBridge([own.url], url, file);
+    const open = async () => {
+      const peer = await connectAsync(own.url, { protocolVersion: 5 });
+      onTestFinished(() => peer.endAsync(true));
+      peer.on('error', () => undefined);
+      const got = new Inbox<string>();
+      peer.on('message', (address, payload) => got.add(`${address} ${payload.toString()}`));
+      await peer.subscribeAsync(['homeassistant/#', 'ubii/+/v', 'lost/#'], { qos: 1 });
+      for (const start of ['homeassistant/sensor/ubii_', 'ubii/', 'lost/x 2']) {
+        await expect.poll(() => got.all.some((line) => line.startsWith(start)), POLL).toBe(true);
+      }
+      await peer.endAsync(true);
+    };
+    await open();
+    await own.stop();
+    await own.start();
+    await open();
   });
 
   it('removes what an earlier run announced and nobody has any more [BR-51]', async () => {

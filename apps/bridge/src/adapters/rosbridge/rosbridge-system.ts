@@ -2,6 +2,7 @@ import type { Clock } from '@ubii/timing';
 import WebSocket from 'ws';
 import { BackOff } from '../../core/back-off.ts';
 import { WaitingMessages } from '../../core/engine/waiting-messages.ts';
+import { forgetFirst } from '../../core/forget-first.ts';
 import { BRIDGE_LIMITS } from '../../core/limits.ts';
 import { takesIn } from '../../core/mapping/mapping.ts';
 import type { Mapping } from '../../core/mapping/mapping.ts';
@@ -198,21 +199,13 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     }
     if (this.#advertised.get(address) !== mapping.rosType) {
       const { rosType: type, retained: latch } = mapping;
-      this.#makeRoom(address);
       this.#advertised.set(address, type);
+      const oldest = forgetFirst(this.#advertised, MAX_ADVERTISED);
+      if (oldest !== undefined) this.#tell({ op: 'unadvertise', topic: oldest });
       this.#tell({ op: 'advertise', topic: address, type, latch, queue_size: QUEUE_SIZE });
     }
     this.#tell({ op: 'publish', topic: address, msg: payload });
     return { kind: 'sent' };
-  }
-
-  /** Of too many topics, the one that was advertised first is given back. */
-  #makeRoom(address: string): void {
-    if (this.#advertised.has(address) || this.#advertised.size < MAX_ADVERTISED) return;
-    const [oldest] = this.#advertised.keys();
-    if (oldest === undefined) return;
-    this.#advertised.delete(oldest);
-    this.#tell({ op: 'unadvertise', topic: oldest });
   }
 
   #tell(message: object): void {

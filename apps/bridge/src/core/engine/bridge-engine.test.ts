@@ -90,14 +90,18 @@ describe('a bridge between a master and another system', () => {
     const bench = createEngineBench();
     bench.engine.setMappings([both]);
     bench.record('/home/lamp', 1, 'bridge');
-    bench.bridges.handleClient({ id: 'other', tags: ['bridge to the broker'], isGone: false });
-    bench.bridges.handleClient({ id: 'third', tags: ['bridge to elsewhere'], isGone: false });
+    const add = (id: string, system: string, isGone = false) =>
+      bench.bridges.handleClient({
+        ...{ id, tags: [`bridge to ${system}`], isGone, isConnected: !isGone, masterId: '' },
+      });
+    add('other', 'the broker');
+    add('third', 'elsewhere');
     bench.record('/home/lamp', 2, 'other');
     bench.receive('home/lamp', '3', { isOurs: true });
     expect([bench.sent, bench.published]).toEqual([[], []]);
     expect([bench.lane(0, 'out').returned, bench.lane(0, 'in').returned]).toEqual([2, 1]);
     bench.record('/home/lamp', 4, 'third');
-    bench.bridges.handleClient({ id: 'other', tags: ['bridge to the broker'], isGone: true });
+    add('other', 'the broker', true);
     bench.record('/home/lamp', 5, 'other');
     expect(bench.sent.map(([, text]) => text)).toEqual(['4', '5']);
   });

@@ -1,4 +1,5 @@
 import type { Clock } from '@ubii/timing';
+import { forgetFirst } from '../forget-first.ts';
 import type { Mapping } from '../mapping/mapping.ts';
 import type {
   ForeignMessage,
@@ -78,10 +79,10 @@ export class SendGate<P> {
     this.#waiting.drop(address, 'The other side has a newer value.');
     this.#taken.delete(address);
     this.#taken.set(address, content);
-    forgetFirst(this.#taken);
+    forgetFirst(this.#taken, REMEMBERED_ADDRESSES);
     if (!isKept) return;
     this.#keptTaken.set(address, { atMs: this.#world.clock.nowMs(), isPublished: false });
-    forgetFirst(this.#keptTaken);
+    forgetFirst(this.#keptTaken, REMEMBERED_ADDRESSES);
   }
 
   /** The master has sent the bridge's own record for an address: what comes after it was published later. */
@@ -103,7 +104,7 @@ export class SendGate<P> {
     const { address } = message;
     this.#taken.delete(address);
     this.#left.add(address);
-    forgetFirst(this.#left);
+    forgetFirst(this.#left, REMEMBERED_ADDRESSES);
     return this.#send(message);
   }
 
@@ -119,12 +120,4 @@ export class SendGate<P> {
 /** Whether both sides of a mapping keep values, and take them from each other. */
 export function hasTwoValues({ direction, retained }: Mapping): boolean {
   return direction === 'both' && retained;
-}
-
-function forgetFirst(remembered: Set<string> | Map<string, unknown>): void {
-  if (remembered.size <= REMEMBERED_ADDRESSES) return;
-  for (const address of remembered.keys()) {
-    remembered.delete(address);
-    return;
-  }
 }

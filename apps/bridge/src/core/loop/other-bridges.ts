@@ -1,4 +1,8 @@
+import { forgetFirst } from '../forget-first.ts';
+
 const TAG = 'bridge to ';
+/** Bridges and masters that are remembered, far more than anybody has. */
+const REMEMBERED = 1_000;
 
 /** Tag of a bridge, by which others know which system it leads to. [BR-22] */
 export function bridgeTag(system: string): string {
@@ -10,23 +14,87 @@ export interface KnownClient {
   readonly id: string;
   readonly tags: readonly string[];
   readonly isGone: boolean;
+  readonly isConnected: boolean;
+  /** The master of the cluster that it is at; empty without a cluster. */
+  readonly masterId: string;
 }
 
-/** Clients of the master that are bridges to the same system. What they publish came from there. [BR-22] */
+/** Clients of the master, and of its cluster, that are bridges to the same system. What they publish came from there. [BR-22] */
 export class OtherBridges {
   readonly #tag: string;
-  readonly #ids = new Set<string>();
+  /** Whether each is connected. */
+  readonly #bridges = new Map<string, boolean>();
+  /** Masters at which they are, or were. */
+  readonly #masters = new Set<string>();
+  /** What each says of its mappings: a text that is the same where they are. */
+  readonly #mappings = new Map<string, string>();
+  readonly #waiting = new Set<() => void>();
+  /** Something has changed. */
+  onChange: () => void = () => undefined;
 
   constructor(system: string) {
     this.#tag = bridgeTag(system);
   }
 
-  handleClient({ id, tags, isGone }: KnownClient): void {
-    if (!isGone && tags.includes(this.#tag)) this.#ids.add(id);
-    else this.#ids.delete(id);
+  handleClient({ id, tags, isGone, isConnected, masterId }: KnownClient): void {
+    if (!isGone && tags.includes(this.#tag)) {
+      this.#bridges.set(id, isConnected);
+      forgetFirst(this.#bridges, REMEMBERED);
+      if (masterId !== '') this.#masters.add(masterId);
+      forgetFirst(this.#masters, REMEMBERED);
+    } else if (!this.#bridges.delete(id)) return;
+    else this.#mappings.delete(id);
+    this.#tell();
+  }
+
+  /** A bridge, perhaps one that is not announced yet, says what it passes. */
+  handleMappings(clientId: string, mappings: string): void {
+    if (this.#mappings.get(clientId) === mappings) return;
+    this.#mappings.set(clientId, mappings);
+    forgetFirst(this.#mappings, REMEMBERED);
+    if (this.#bridges.has(clientId)) this.#tell();
+  }
+
+  /** The master was lost: the next one says again who is connected. */
+  handleLost(): void {
+    for (const id of this.#bridges.keys()) this.#bridges.set(id, false);
   }
 
   has(clientId: string): boolean {
-    return this.#ids.has(clientId);
+    return this.#bridges.has(clientId);
+  }
+
+  /** Whether it is a master at which one of them is, or was: what they mark with its id is known there. [BR-21] */
+  isMaster(id: string): boolean {
+    return this.#masters.has(id);
+  }
+
+  /** Whether another one passes the same mappings: of those that are connected, the one with the least id. [BR-24] */
+  passesFor(ownId: string, mappings: string): boolean {
+    return this.#connected().some((id) => id < ownId && this.#mappings.get(id) === mappings);
+  }
+
+  /** Resolves when all that are there are known: the bridge itself was announced, with the others, and each has said what it passes. */
+  untilKnown(ownId: string): Promise<void> {
+    return new Promise((resolve) => {
+      const look = (): void => {
+        const connected = this.#connected();
+        const isKnown = connected.every((id) => id === ownId || this.#mappings.has(id));
+        if (!connected.includes(ownId) || !isKnown) return;
+        this.#waiting.delete(look);
+        resolve();
+      };
+      this.#waiting.add(look);
+      look();
+    });
+  }
+
+  #connected(): readonly string[] {
+    return [...this.#bridges].flatMap(([id, isConnected]) => (isConnected ? [id] : []));
+  }
+
+  #tell(): void {
+    for (const look of [...this.#waiting]) look();
+    this.onChange();
   }
 }
