@@ -106,6 +106,24 @@ async function passedBy(sides: {
   );
 }
 
+/** Resolves when a message comes from all bridges: what a client wants is known at other masters a moment after its subscription. */
+async function untilAllPass(
+  root: string,
+  peer: MqttClient,
+  records: Inbox<string>,
+  count: number,
+): Promise<void> {
+  let sent = 0;
+  await expect
+    .poll(async () => {
+      await publish(peer, `${root}/ready`, `${++sent}`);
+      const times = new Map<string, number>();
+      for (const line of records.all) times.set(line, (times.get(line) ?? 0) + 1);
+      return Math.max(0, ...times.values());
+    }, POLL)
+    .toBeGreaterThanOrEqual(count);
+}
+
 describe('the bridge as a process, with Mosquitto', () => {
   it('passes values both ways, and follows its file [BR-2] [BR-4] [BR-33]', async () => {
     const { url } = await startMaster();
@@ -181,6 +199,7 @@ describe('the bridge as a process, with Mosquitto', () => {
         const client = await joinAs(url);
         const { peer, got } = await openPeer(`${root}/#`);
         const records = await collect(client, `/${root}/**`);
+        await untilAllPass(root, peer, records, count);
         await publish(peer, `${root}/in${index}`, '1');
         client.publish(`/${root}/out${index}`, 'double', 2);
         const passed = await passedBy({ root, index, peer, client, records, got, count });
