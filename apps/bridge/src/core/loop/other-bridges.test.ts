@@ -1,5 +1,8 @@
+import { AccessRole } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { bridgeTag, OtherBridges } from './other-bridges.ts';
+
+const { ACCESS_ROLE_ADMIN, ACCESS_ROLE_PARTICIPANT, ACCESS_ROLE_PLAYER } = AccessRole;
 
 const tags = [bridgeTag('the broker')];
 
@@ -7,13 +10,16 @@ function createBridges() {
   const bridges = new OtherBridges('the broker');
   const add = (id: string, more: object = {}) =>
     bridges.handleClient({ id, tags, isGone: false, isConnected: true, masterId: '', ...more });
-  return { bridges, add };
+  const give = (role: AccessRole, ...ids: readonly string[]) =>
+    bridges.handleRoles(ids.map((clientId) => ({ clientId, role })));
+  return { bridges, add, give };
 }
 
 describe('bridges to the same system', () => {
   it('the one with the least id passes what several map alike, while it is connected [BR-24]', () => {
-    const { bridges, add } = createBridges();
+    const { bridges, add, give } = createBridges();
     for (const id of ['a', 'b', 'c']) add(id);
+    give(ACCESS_ROLE_PARTICIPANT, 'a', 'b', 'c');
     bridges.handleMappings('a', 'lamps');
     bridges.handleMappings('b', 'lamps');
     bridges.handleMappings('c', 'doors');
@@ -33,8 +39,23 @@ describe('bridges to the same system', () => {
     expect(bridges.has('b')).toBe(false);
   });
 
+  it('stand by for nobody who may do less, or of whom nothing is known [BR-24]', () => {
+    const { bridges, add, give } = createBridges();
+    for (const id of ['a', 'b', 'c', 'd']) {
+      add(id);
+      bridges.handleMappings(id, 'lamps');
+    }
+    give(ACCESS_ROLE_PARTICIPANT, 'b');
+    give(ACCESS_ROLE_PLAYER, 'a');
+    give(ACCESS_ROLE_ADMIN, 'd');
+    const passing = () => ['b', 'd'].filter((id) => !bridges.passesFor(id, 'lamps'));
+    expect(passing()).toEqual(['d']);
+    add('d', { isGone: true });
+    expect(passing()).toContain('b');
+  });
+
   it('are known when each has said what it passes, again after the master was lost', async () => {
-    const { bridges, add } = createBridges();
+    const { bridges, add, give } = createBridges();
     const changes: string[] = [];
     bridges.onChange = () => changes.push('change');
     const known = bridges.untilKnown('own').then(() => changes.push('known'));
@@ -42,8 +63,9 @@ describe('bridges to the same system', () => {
     add('own');
     bridges.handleMappings('other', 'lamps');
     bridges.handleMappings('other', 'lamps');
+    give(ACCESS_ROLE_PARTICIPANT, 'own', 'other');
     await known;
-    expect(changes).toEqual(['change', 'change', 'change', 'known']);
+    expect(changes).toEqual(['change', 'change', 'change', 'change', 'known']);
     bridges.handleLost();
     expect(bridges.passesFor('own', 'lamps')).toBe(false);
     const again = bridges.untilKnown('own');

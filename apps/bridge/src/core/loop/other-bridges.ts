@@ -1,3 +1,4 @@
+import { AccessRole } from '@ubii/proto';
 import { forgetFirst } from '../forget-first.ts';
 
 const TAG = 'bridge to ';
@@ -19,6 +20,12 @@ export interface KnownClient {
   readonly masterId: string;
 }
 
+/** What a client may do, as the master says. */
+export interface KnownRole {
+  readonly clientId: string;
+  readonly role: AccessRole;
+}
+
 /** Clients of the master, and of its cluster, that are bridges to the same system. What they publish came from there. [BR-22] */
 export class OtherBridges {
   readonly #tag: string;
@@ -28,6 +35,7 @@ export class OtherBridges {
   readonly #masters = new Set<string>();
   /** What each says of its mappings: a text that is the same where they are. */
   readonly #mappings = new Map<string, string>();
+  readonly #roles = new Map<string, AccessRole>();
   readonly #waiting = new Set<() => void>();
   /** Something has changed. */
   onChange: () => void = () => undefined;
@@ -43,7 +51,10 @@ export class OtherBridges {
       if (masterId !== '') this.#masters.add(masterId);
       forgetFirst(this.#masters, REMEMBERED);
     } else if (!this.#bridges.delete(id)) return;
-    else this.#mappings.delete(id);
+    else {
+      this.#mappings.delete(id);
+      this.#roles.delete(id);
+    }
     this.#tell();
   }
 
@@ -53,6 +64,19 @@ export class OtherBridges {
     this.#mappings.set(clientId, mappings);
     forgetFirst(this.#mappings, REMEMBERED);
     if (this.#bridges.has(clientId)) this.#tell();
+  }
+
+  /** What those of `ids` may do. */
+  handleRoles(roles: readonly KnownRole[]): void {
+    for (const { clientId, role } of roles) {
+      if (this.#bridges.has(clientId)) this.#roles.set(clientId, role);
+    }
+    this.#tell();
+  }
+
+  /** Ids of all that are here, connected or not. */
+  get ids(): readonly string[] {
+    return [...this.#bridges.keys()];
   }
 
   /** The master was lost: the next one says again who is connected. */
@@ -69,17 +93,30 @@ export class OtherBridges {
     return this.#masters.has(id);
   }
 
-  /** Whether another one passes the same mappings: of those that are connected, the one with the least id. [BR-24] */
+  /**
+   * Whether another one passes the same mappings: of those that are connected, one that may do more, or as much and has a
+   * lesser id. Any client can say that it is a bridge; who may do less silences nobody. [BR-24]
+   */
   passesFor(ownId: string, mappings: string): boolean {
-    return this.#connected().some((id) => id < ownId && this.#mappings.get(id) === mappings);
+    const own = rankOf(this.#roles.get(ownId));
+    return this.#connected().some((id) => {
+      if (id === ownId || this.#mappings.get(id) !== mappings) return false;
+      const rank = rankOf(this.#roles.get(id));
+      return rank > own || (rank === own && id < ownId);
+    });
   }
 
-  /** Resolves when all that are there are known: the bridge itself was announced, with the others, and each has said what it passes. */
+  /**
+   * Resolves when all that are there are known: the bridge itself was announced, with the others, what each may do is known,
+   * and each has said what it passes.
+   */
   untilKnown(ownId: string): Promise<void> {
     return new Promise((resolve) => {
       const look = (): void => {
         const connected = this.#connected();
-        const isKnown = connected.every((id) => id === ownId || this.#mappings.has(id));
+        const isKnown = connected.every(
+          (id) => this.#roles.has(id) && (id === ownId || this.#mappings.has(id)),
+        );
         if (!connected.includes(ownId) || !isKnown) return;
         this.#waiting.delete(look);
         resolve();
@@ -97,4 +134,10 @@ export class OtherBridges {
     for (const look of [...this.#waiting]) look();
     this.onChange();
   }
+}
+
+/** Greater for who may do more; who may not publish everywhere counts the same as who is not known. */
+function rankOf(role: AccessRole | undefined): number {
+  if (role === AccessRole.ACCESS_ROLE_ADMIN) return 2;
+  return role === AccessRole.ACCESS_ROLE_PARTICIPANT ? 1 : 0;
 }

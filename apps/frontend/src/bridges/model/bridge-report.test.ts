@@ -55,6 +55,7 @@ describe('state of a bridge', () => {
 
   it('is unknown before the first report, and left when the client is gone', () => {
     expect(bridgeState({ isHere: true, report: undefined }).word).toBe('Starting');
+    expect(stateOf({ isStandingBy: true }).word).toBe('Standing by');
     expect(bridgeState({ isHere: false, report: read() }).word).toBe('Left');
   });
 });

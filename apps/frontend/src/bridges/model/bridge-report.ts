@@ -40,6 +40,7 @@ const SCHEMA = v.object({
   revision: text,
   status: v.fallback(v.picklist(['connecting', 'connected', 'waiting', 'closed']), 'connecting'),
   reason: text,
+  isStandingBy: v.fallback(v.boolean(), false),
   overRate: number,
   refused: number,
   lastRefusal: text,

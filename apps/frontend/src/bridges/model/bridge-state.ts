@@ -28,7 +28,12 @@ export function bridgeState({
   }
   switch (report.status) {
     case 'connected':
-      return { mark: 'live', word: 'Connected', sentence: '' };
+      if (!report.isStandingBy) return { mark: 'live', word: 'Connected', sentence: '' };
+      return {
+        ...{ mark: 'away', word: 'Standing by' },
+        sentence:
+          'Another bridge with the same mappings passes them. This one takes over when it goes.',
+      };
     case 'waiting':
       return { mark: 'warning', word: 'Retrying', sentence: retrySentence(report) };
     case 'connecting':
