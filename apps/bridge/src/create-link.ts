@@ -12,7 +12,7 @@ import { createBridgeLink } from './core/bridge-link.ts';
 import type { BridgeLink, LinkOptions } from './core/bridge-link.ts';
 import { HomeAssistant } from './core/home-assistant/home-assistant.ts';
 import type { OtherBridges } from './core/loop/other-bridges.ts';
-import type { SeenAddresses } from './core/mapping/seen-addresses.ts';
+import type { SeenAddresses } from './core/engine/seen-addresses.ts';
 import type { MappingFile } from './core/mapping/read-mapping-file.ts';
 import { bytesCodec } from './core/payload/bytes-codec.ts';
 import type { Credentials } from './credentials.ts';

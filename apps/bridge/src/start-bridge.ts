@@ -9,7 +9,7 @@ import { answerOrders } from './adapters/master/answer-orders.ts';
 import { cachedTopics } from './adapters/master/cached-topics.ts';
 import { answerMappingOrder } from './core/mapping/answer-mapping-order.ts';
 import type { MappingStore } from './core/mapping/mapping-store.ts';
-import { SeenAddresses } from './core/mapping/seen-addresses.ts';
+import { SeenAddresses } from './core/engine/seen-addresses.ts';
 import type { ForeignState } from './core/ports/foreign-system.ts';
 import { bridgeTag, OtherBridges } from './core/loop/other-bridges.ts';
 import type { MappingFile } from './core/mapping/read-mapping-file.ts';
