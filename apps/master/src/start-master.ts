@@ -130,12 +130,10 @@ export async function startMaster({
     log,
   });
   const reachability = (): Reachability =>
-    describeReachability(
-      lan.host,
-      listeners.ports,
-      listNetworkAddresses(),
-      { isSecure: lan.https !== undefined, publicUrl: config.publicUrl },
-    );
+    describeReachability(lan.host, listeners.ports, listNetworkAddresses(), {
+      isSecure: lan.https !== undefined,
+      publicUrl: config.publicUrl,
+    });
 
   const assetSets = new StoredAssetSets({
     assets,

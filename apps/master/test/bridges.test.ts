@@ -86,7 +86,7 @@ describe('mappings of a bridge', () => {
     expect(takeOrders(bridge)).toEqual([]);
   });
 
-  it('are answered by no other client, and not for ever [BR-80]', async () => {
+  it('are answered by no other client, and not forever [BR-80]', async () => {
     const master = new TestMaster();
     const bridge = await joinBridge(master);
     const other = await joinBridge(master);

@@ -1,4 +1,4 @@
-/** Makes room in a table that is to have at most so many entries. @returns the entry that came first, when it had to go */
+/** Evicts the first entry of a table that has more than the maximum. @returns the evicted one */
 export function forgetFirst<K>(
   table: Pick<Map<K, unknown>, 'size' | 'keys' | 'delete'> | Set<K>,
   most: number,

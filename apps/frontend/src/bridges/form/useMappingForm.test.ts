@@ -95,7 +95,7 @@ describe('form for a mapping', () => {
     expect(saved).toMatchObject([{ kind: 'replace', before: theirs, mapping: { topic: '/mine' } }]);
   });
 
-  it('goes on with what others made of it', async () => {
+  it('continues with what others made of it', async () => {
     const { form, others } = open();
     form.draft.topic = '/mine';
     others([{ ...heat, topic: '/theirs' }]);

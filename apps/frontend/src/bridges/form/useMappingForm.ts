@@ -90,7 +90,7 @@ export function useMappingForm(options: MappingFormOptions) {
     conflict.value = undefined;
     void save();
   }
-  /** Goes on with what others made of it. */
+  /** Continues with what others made of it. */
   function takeTheirs(): void {
     base.value = conflict.value?.theirs;
     conflict.value = undefined;

@@ -186,7 +186,9 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
 
   'ubii.extension.MasterProofRequest.target_id': ID,
   'ubii.extension.MasterProofRequest.host': NOT_KEPT,
-  'ubii.extension.MasterProofRequest.nonce': unlimited('Refused unless it has 16 to 64 characters.'),
+  'ubii.extension.MasterProofRequest.nonce': unlimited(
+    'Refused unless it has 16 to 64 characters.',
+  ),
   'ubii.extension.JoinCheckRequest.token': SECRET,
   'ubii.extension.AccessGrantCreateRequest.client_id': ID,
   'ubii.extension.AccessGrantCreateRequest.label': refuse('nameCharacters'),
