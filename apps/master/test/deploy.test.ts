@@ -1,4 +1,4 @@
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -6,7 +6,7 @@ import { readOptions } from '@ubii/program';
 import { temporaryFolder } from '@ubii/program/testing';
 import { startNats } from '@ubii/program/testing/brokers';
 import { SystemClock } from '@ubii/timing/system';
-import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { afterAll, beforeAll, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { parse } from 'yaml';
 import { parseCluster } from '../src/adapters/config/cluster-address.ts';
 import { MASTER_PROGRAM } from '../src/adapters/config/config.ts';
@@ -31,14 +31,17 @@ const compose = parse(read('deploy/compose.yaml'), { merge: true }) as {
 };
 const { nats, ...masters } = compose.services as Record<string, Service> & { nats: Service };
 
+const hasOpenssl = spawnSync('openssl', ['version']).status === 0;
+
 /** A copy of `deploy` with secrets. */
 let folder: string;
 beforeAll(() => {
   folder = temporaryFolder((remove) => afterAll(remove));
   const isSource = (source: string): boolean => !source.endsWith('/secrets');
   cpSync(join(root, 'deploy'), folder, { recursive: true, filter: isSource });
-  makeSecrets();
+  if (hasOpenssl) makeSecrets();
 });
+beforeEach(({ skip }) => skip(!hasOpenssl, 'openssl is not installed'));
 
 function makeSecrets(...names: readonly string[]): void {
   execFileSync('sh', [join(folder, 'make-secrets.sh'), ...names], { stdio: 'pipe' });

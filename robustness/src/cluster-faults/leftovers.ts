@@ -1,5 +1,4 @@
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
@@ -54,13 +53,21 @@ function removeFolder(folder: string): void {
 
 /** Processes that were started with a path in this folder. */
 function usersOf(folder: string): number[] {
-  if (process.platform === 'win32') return [];
-  const lines = execFileSync('ps', ['-A', '-ww', '-o', 'pid=,args='], { encoding: 'utf8' });
-  return lines
-    .split('\n')
-    .filter((line) => line.includes(`${folder}/`))
-    .map((line) => Number.parseInt(line, 10))
-    .filter((pid) => pid > 1 && pid !== process.pid);
+  // Only Linux has namespaces to leave behind, and lists processes as files.
+  if (process.platform !== 'linux') return [];
+  return readdirSync('/proc')
+    .filter((name) => /^\d+$/.test(name))
+    .map(Number)
+    .filter((pid) => pid > 1 && pid !== process.pid && commandOf(pid).includes(`${folder}/`));
+}
+
+function commandOf(pid: number): string {
+  try {
+    return readFileSync(`/proc/${pid}/cmdline`, 'utf8');
+  } catch {
+    // It has ended.
+    return '';
+  }
 }
 
 function kill(pid: number): void {
