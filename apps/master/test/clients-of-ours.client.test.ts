@@ -192,6 +192,19 @@ describe('a client of ours whose link drops', () => {
     expect((await client.call('deviceGetList')).elements).toMatchObject([{ clientId: id }]);
   });
 
+  it('keeps its socket when an older attempt arrives after it [EX-51]', async () => {
+    const { world, ada } = await setupTwo();
+    const late = new RecordingConnection();
+    world.test.master.openConnection(
+      { clientId: ada.client.id, token: world.test.tokens.issue(ada.client.id), sentMs: 1 },
+      late,
+      TRUSTED_CALLER,
+    );
+    await world.pass(60_000);
+    expect(late.sent).toEqual([{ kind: 'close', reason: 'superseded' }]);
+    expect(ada.client.state).toMatchObject({ status: 'connected' });
+  });
+
   it('stops when another socket takes its identity [TD-7] [EX-5]', async () => {
     const { world, ada } = await setupTwo();
     world.test.master.openConnection(

@@ -53,11 +53,12 @@ export class MemoryMasterOf implements MemoryMaster {
   }
 
   openConnection(
-    query: { clientId: string; resumeToken: string | undefined },
+    query: { clientId: string; resumeToken: string | undefined; sentMs?: number | undefined },
     peer: MemoryPeer,
   ): MemoryConnection | undefined {
     if (this.isDown) return undefined;
-    const claim = { clientId: query.clientId, token: query.resumeToken };
+    const { clientId, resumeToken: token, sentMs } = query;
+    const claim = { clientId, token, sentMs };
     const dial = { claim, caller: this.#callerWith(undefined) };
     const channel = openMemoryChannel(this.#test().master, dial, peer);
     this.#clock.endTurnSync();

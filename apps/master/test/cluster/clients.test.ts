@@ -7,6 +7,9 @@ async function namesAt(master: TestMaster): Promise<string[]> {
   return (clientList?.elements ?? []).map(({ name }) => name).sort();
 }
 
+/** After what the clock of these stories shows. */
+const LATER_MS = 1e15;
+
 describe('clients of a cluster', () => {
   it('[CU-20] are in the lists of every master, with their devices and their state', async () => {
     const [world, a, b, c] = await clusterOf(3);
@@ -147,6 +150,41 @@ describe('clients of a cluster', () => {
     expect(phone.closed?.reason).toBe('superseded');
     expect(back.closed).toBeUndefined();
     for (const master of [a!, b!]) expect(await namesAt(master)).toEqual(['phone']);
+  });
+
+  it('[CU-22] [EX-51] stay where they went when an older registration arrives after it', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const phone = await a!.extension('phone');
+    await world.pass();
+    const as = (sentMs: number) => ({
+      ...{ name: 'phone', id: phone.id },
+      extension: { resumeToken: phone.token!, sentMs },
+    });
+    await a!.register(as(LATER_MS));
+    world.hub.cut(a!.master.id, b!.master.id);
+    await world.pass(5_000);
+    const moved = await b!.register(as(LATER_MS + 2_000));
+    moved.open();
+    await world.pass(1_000);
+    // The network delivers what the client sent to its master before it gave up.
+    await a!.register(as(LATER_MS + 1_000));
+    world.hub.heal();
+    await world.pass(5_000);
+    await expect(a!.register(as(LATER_MS + 1_500))).rejects.toThrow(/older than the one/);
+    await world.pass(1_000);
+    expect(moved.closed).toBeUndefined();
+    for (const master of [a!, b!]) expect(await namesAt(master)).toEqual(['phone']);
+  });
+
+  it('[CU-21] [EX-51] of a lost master come back also with a clock that was set back', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const phone = await a!.extension('phone');
+    await world.pass();
+    world.hub.setReachable(a!.master.id, false);
+    await world.pass(5_000);
+    const extension = { resumeToken: phone.token!, sentMs: 1 };
+    const back = await b!.register({ name: 'phone', id: phone.id, extension });
+    expect(back.id).toBe(phone.id);
   });
 
   it('[CU-22] that went there and back again stay where they are', async () => {

@@ -30,7 +30,11 @@ export interface TopicDataTransportWorld {
   close(): Promise<void>;
 }
 
-const ADA: TopicDataQuery = { clientId: 'ada-1', resumeToken: 'a+b/c=&d' };
+const ADA: TopicDataQuery = {
+  clientId: 'ada-1',
+  resumeToken: 'a+b/c=&d',
+  sentMs: 1_700_000_000_123,
+};
 
 /**
  * Acceptance tests of topic-data transports. An adapter's test passes a function that sets up the adapter and a master
@@ -73,7 +77,7 @@ export function describeTopicDataTransport(
       return { ...all, serverSocket: serverSocket! };
     }
 
-    it('sends the client id of the socket [EX-4]', async () => {
+    it('sends the client id of the socket [EX-4] [EX-51]', async () => {
       const { serverSocket } = await openBoth();
       expect(serverSocket.query).toEqual(ADA);
     });

@@ -19,6 +19,7 @@ describeTopicDataTransport('WebSocket', async (events) => {
       query: {
         clientId: query.get('clientID') ?? '',
         resumeToken: query.get('token') ?? undefined,
+        ...(query.has('sent') && { sentMs: Number(query.get('sent')) }),
       },
       sendBinary: (bytes) => socket.send(bytes),
       sendText: (text) => socket.send(text),
@@ -41,15 +42,15 @@ describeTopicDataTransport('WebSocket', async (events) => {
 
 describe('createWebSocketTopicData()', () => {
   it.each([
-    ['ws://m/topicdata', 'ws://m/topicdata?token=t%3D&clientID=a'],
-    ['ws://m/?room=1', 'ws://m/?room=1&token=t%3D&clientID=a'],
-  ])('adds to %s the token, then the id [EX-4]', (url, expected) => {
+    ['ws://m/topicdata', 'ws://m/topicdata?token=t%3D&sent=5&clientID=a'],
+    ['ws://m/?room=1', 'ws://m/?room=1&token=t%3D&sent=5&clientID=a'],
+  ])('adds to %s the token and the time, then the id [EX-4] [EX-51]', (url, expected) => {
     let opened = '';
     const transport = createWebSocketTopicData(url, (full) => {
       opened = full;
       throw new Error('not for real');
     });
-    transport.open({ clientId: 'a', resumeToken: 't=' }, HANDLER);
+    transport.open({ clientId: 'a', resumeToken: 't=', sentMs: 5 }, HANDLER);
     expect(opened).toBe(expected);
   });
 

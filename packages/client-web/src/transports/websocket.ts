@@ -1,4 +1,8 @@
-import type { TopicDataSocket, TopicDataTransport } from '../core/ports/topic-data-transport.ts';
+import type {
+  TopicDataQuery,
+  TopicDataSocket,
+  TopicDataTransport,
+} from '../core/ports/topic-data-transport.ts';
 
 /** The used members of a WHATWG WebSocket, as in browsers and in the ws package. */
 export interface WebSocketLike {
@@ -29,7 +33,7 @@ export function createWebSocketTopicData(
   openWebSocket: OpenWebSocket,
 ): TopicDataTransport {
   return {
-    open({ clientId, resumeToken }, handler) {
+    open(query, handler) {
       let isOver = false;
       const handleClose = (code: number, reason: string): void => {
         if (isOver) return;
@@ -39,7 +43,7 @@ export function createWebSocketTopicData(
 
       let socket: WebSocketLike;
       try {
-        socket = openWebSocket(withQuery(url, clientId, resumeToken));
+        socket = openWebSocket(withQuery(url, query));
       } catch (error) {
         // A URL that is none, or a page that may not: reported like every other failure.
         void Promise.resolve().then(() => handleClose(1006, String(error)));
@@ -84,9 +88,10 @@ const CLOSED_SOCKET: TopicDataSocket = {
   close: () => undefined,
 };
 
-/** The token comes first: existing masters and proxies look for the client's id at the end. [EX-4] */
-function withQuery(url: string, clientId: string, resumeToken: string | undefined): string {
+/** The client's id comes last: existing masters and proxies look for it at the end. [EX-4] */
+function withQuery(url: string, { clientId, resumeToken, sentMs }: TopicDataQuery): string {
   const token = resumeToken === undefined ? '' : `token=${encodeURIComponent(resumeToken)}&`;
+  const sent = sentMs === undefined ? '' : `sent=${sentMs}&`;
   const separator = url.includes('?') ? '&' : '?';
-  return `${url}${separator}${token}clientID=${encodeURIComponent(clientId)}`;
+  return `${url}${separator}${token}${sent}clientID=${encodeURIComponent(clientId)}`;
 }

@@ -1853,6 +1853,11 @@ export interface ClientExtension {
   /** Client to master: name and version of its library, such as client-web/0.1.0. Rule EX-25. */
   library: string;
   /**
+   * Client to master: when it sent this, milliseconds since the Unix epoch by its own clock, but always more than in what
+   * it sent before; 0 when it does not say. Rule EX-51.
+   */
+  sentMs: number;
+  /**
    * Master to client: what shows later requests to come from this client, sent as
    * "Authorization: Bearer <credential>"; empty when it needs none. A secret of the client. Rule AC-13.
    */
@@ -2011,7 +2016,10 @@ export interface ClusterClient {
   role: AccessRole;
   /** Id of the invitation it joined with; empty when it needed none. */
   grantId: string;
-  /** When it came to this master: milliseconds since the Unix epoch. The newest place counts. Rule CU-22. */
+  /**
+   * When it came to this master: milliseconds since the Unix epoch, by its own clock if it says (EX-51). The newest place
+   * counts. Rule CU-22.
+   */
   hereSinceMs: number;
   /** How it came in: local, network or grant. Rule AC-20. */
   accessKind: string;

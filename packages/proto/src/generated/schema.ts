@@ -588,6 +588,7 @@ message ubii.extension.ClientExtension
 4 master_version string
 5 node ubii.extension.NodeExtension
 6 library string
+7 sent_ms double
 10 credential string
 11 credential_expires_ms double
 12 role ubii.extension.AccessRole

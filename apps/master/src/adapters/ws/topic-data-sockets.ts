@@ -147,5 +147,6 @@ function claimOf(url: string): ClientClaim {
   return {
     clientId: query.get('clientID') || undefined,
     token: query.get('token') || undefined,
+    sentMs: Number(query.get('sent')) || undefined,
   };
 }

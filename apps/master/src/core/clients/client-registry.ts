@@ -116,11 +116,16 @@ export class ClientRegistry {
   ): { client: Client; isResumed: boolean; isKnown: boolean } {
     const earlierId = this.provenId(message);
     const known = earlierId === undefined ? undefined : this.#clients.get(earlierId);
-    if (known?.home !== undefined) this.#requireTakeover(known, access); // [CU-21]
+    const sentMs = sentMsOf(message);
+    if (known?.home !== undefined) {
+      requireNewest(known, sentMs);
+      this.#requireTakeover(known, access); // [CU-21]
+    }
+    const hereSinceMs = this.#whenHere(known, sentMs);
     const client = known ?? this.#create(message, earlierId ?? this.#context.ids.uuid(), access);
     this.#describe(client, message);
     if (known?.home !== undefined) this.#takeOver(known, access);
-    else if (known !== undefined) known.hereSinceMs = this.#laterThan(known.hereSinceMs); // [CU-22]
+    client.hereSinceMs = hereSinceMs;
     this.#admit(client, access);
     if (known !== undefined) this.handleSign(known);
     else {
@@ -274,8 +279,12 @@ export class ClientRegistry {
     }
   }
 
-  #laterThan(sinceMs: number): number {
-    return Math.max(this.#context.clock.nowMs(), sinceMs + 1);
+  /** When a client comes here that registers now: later than it came to where it was. [CU-22] [EX-51] */
+  #whenHere(known: Client | undefined, sentMs: number | undefined): number {
+    const nowMs = this.#context.clock.nowMs();
+    if (known === undefined) return sentMs ?? nowMs;
+    if (sentMs === undefined) return Math.max(nowMs, known.hereSinceMs + 1);
+    return known.home === undefined ? Math.max(sentMs, known.hereSinceMs) : sentMs;
   }
 
   /** A client of another master has come here. */
@@ -284,7 +293,6 @@ export class ClientRegistry {
     client.home = undefined;
     client.publishRights = undefined;
     client.access = TRUSTED_ACCESS; // whose rights it has until it is admitted
-    client.hereSinceMs = this.#laterThan(client.hereSinceMs);
     accounts.move(client.account, shareOf(access));
     const text = `${client.label} came from another master`;
     this.#context.events.add(StatusEventKind.CLIENT_RETURNED, text, client.id);
@@ -396,4 +404,22 @@ function sizeOf(spec: ClientSpec): number {
 
 function bytesOf(spec: ClientSpec): Uint8Array {
   return encode('ubii.clients.Client', spec);
+}
+
+/** When the client sent this, by its own clock; undefined when it does not say. [EX-51] */
+function sentMsOf({ extension }: ClientMessage): number | undefined {
+  const sentMs = extension?.sentMs ?? 0;
+  return Number.isFinite(sentMs) && sentMs > 0 ? sentMs : undefined;
+}
+
+/**
+ * A registration that a broken network held back does not take a client from the master that it went to since. [EX-51]
+ * @throws ServiceError for an older one
+ */
+function requireNewest({ home, hereSinceMs }: Client, sentMs: number | undefined): void {
+  if (home?.isLost === true || sentMs === undefined || sentMs > hereSinceMs) return;
+  throw new ServiceError(
+    'failed_precondition',
+    'This registration is older than the one with which the client came to another master. Register again.',
+  );
 }

@@ -70,11 +70,13 @@ export class Client implements PublishingClient {
   peer: Peer = { program: '', addressKind: undefined };
   /** When it opened its socket, epoch milliseconds. */
   socketOpenedMs = 0;
+  /** The same by its own clock, later than of every socket before; undefined when it did not say. [EX-51] */
+  socketSentMs: number | undefined = undefined;
   /** When it registered, epoch milliseconds. */
   readonly firstSeenMs: number;
   /** The master it is connected to; undefined: this one. */
   home: ClientHome | undefined = undefined;
-  /** When it came to its master, epoch milliseconds: its newest place counts. [CU-22] */
+  /** When it came to its master, epoch milliseconds by its own clock if it says: its newest place counts. [CU-22] */
   hereSinceMs: number;
   throttle: Throttle | undefined = undefined;
   /** Kind of access and role. [AC-20] */

@@ -23,6 +23,7 @@ export interface AdmissionContext extends Omit<SocketContext, 'onClosed'> {
 }
 
 const NOT_THIS_CLIENT: Dismissal = { reason: 'not this client' };
+const OUTDATED: Dismissal = { reason: 'superseded' };
 const UNKNOWN_CLIENT: Dismissal = { reason: 'unknown client' };
 
 /** Decides which socket is whose, and keeps count of them. */
@@ -66,6 +67,7 @@ export class SocketAdmission {
       connection.close(reason, explanation);
       return undefined;
     }
+    client.socketSentMs = claim.sentMs;
     return this.#attach(client, connection, peer);
   }
 
@@ -127,12 +129,16 @@ export class SocketAdmission {
 
   #refusal(client: Client | undefined, claim: ClientClaim): Dismissal | undefined {
     const { tokens, limits, limitWatch, dismissals } = this.#context;
-    const { clientId = '', token } = claim;
+    const { clientId = '', token, sentMs } = claim;
     if (client === undefined || client.home !== undefined) {
       return dismissals.of(clientId) ?? UNKNOWN_CLIENT; // [EX-30] [AC-15] [TD-6] [CU-21]
     }
     if (client.isExtension && !tokens.verify(client.id, token ?? '')) return NOT_THIS_CLIENT; // [EX-4]
-    if (client.socket !== undefined) return undefined;
+    if (client.socket !== undefined) {
+      const { socketSentMs } = client;
+      const isLate = sentMs !== undefined && socketSentMs !== undefined && sentMs < socketSentMs;
+      return isLate ? OUTDATED : undefined; // [EX-51]
+    }
     const { account } = client;
     const resource = RESOURCE.sockets;
     const level = account.shortage(resource, 1);

@@ -5,6 +5,8 @@ export interface ClientClaim {
   readonly clientId: string | undefined;
   /** Resume token of the client [EX-4]. */
   readonly token: string | undefined;
+  /** When the client sent it, by the client's clock; left out when it does not say [EX-51]. */
+  readonly sentMs?: number | undefined;
 }
 
 /** The program at the other end of a connection, as the transport sees it; unknown facts are left out [EX-25]. */

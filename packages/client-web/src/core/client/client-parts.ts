@@ -12,6 +12,7 @@ import { ProfileSync } from '../connection/profile-sync.ts';
 import { Proofs } from '../connection/proofs.ts';
 import { DEFAULT_RECONNECT_POLICY, type ReconnectPolicy } from '../connection/reconnect-policy.ts';
 import { Registration } from '../connection/registration.ts';
+import { SendTimes } from '../connection/send-times.ts';
 import { reportingStorage } from '../connection/reporting-storage.ts';
 import { RoundTripWindow, type RoundTrip } from '../connection/round-trip.ts';
 import { Scout } from '../connection/scout.ts';
@@ -61,6 +62,7 @@ export class ClientParts {
 
   constructor(options: ClientOptions, ports: ClientPorts) {
     const { clock } = ports;
+    this.#sendTimes = new SendTimes(clock);
     this.masters = new Masters(ports.master, ports.waysTo);
     const { services } = this.masters;
     const onError = withFallback(options.onError ?? ports.reportError, ports.reportError);
@@ -111,6 +113,8 @@ export class ClientParts {
     });
   }
 
+  readonly #sendTimes: SendTimes;
+
   readonly #handleProblem = (problem: ClientProblem): void => this.problemListeners.emit(problem);
 
   readonly #handleUnknownClient = (cause: ServiceError): void => {
@@ -130,6 +134,7 @@ export class ClientParts {
         processingModules: more.processingModules ?? [],
         isDedicatedNode: more.isDedicatedNode ?? false,
       },
+      this.#sendTimes,
       joinToken,
     );
   }
@@ -186,6 +191,7 @@ export class ClientParts {
       policy: this.#policy,
       registration: this.registration,
       transport: this.masters.topicData,
+      sendTimes: this.#sendTimes,
       moves: this.moves,
       openTimeoutMs: this.#timeoutMs,
       freshenServices,

@@ -24,6 +24,7 @@ import type { Membership } from './membership.ts';
 import type { Moves } from './moves.ts';
 import type { Outage } from './connection-model.ts';
 import type { Registration } from './registration.ts';
+import type { SendTimes } from './send-times.ts';
 import { SleepWatch } from './sleep-watch.ts';
 
 /** Dependencies of a connection. */
@@ -33,6 +34,7 @@ export interface ConnectionOptions {
   readonly policy: ReconnectPolicy;
   readonly registration: Registration;
   readonly transport: TopicDataTransport;
+  readonly sendTimes: SendTimes;
   /** Follows the client to another master. */
   readonly moves: Pick<Moves, 'visit' | 'leave' | 'keep'>;
   /** Timeout for opening a socket, milliseconds. */
@@ -224,13 +226,17 @@ export class Connection {
   }
 
   #openLink(attempt: number, { identity, isExtended, tellsTime }: Membership): void {
-    const { clock, transport, openTimeoutMs, time } = this.#options;
+    const { clock, transport, openTimeoutMs, sendTimes, time } = this.#options;
     const open = (): Promise<void> => {
       time.handleLink(); // [TS-8]
       this.#link = new Link({
         transport,
-        // An original master knows no tokens.
-        query: { clientId: identity.clientId, resumeToken: identity.resumeToken },
+        // An original master knows neither.
+        query: {
+          clientId: identity.clientId,
+          resumeToken: identity.resumeToken,
+          sentMs: isExtended ? sendTimes.next() : undefined,
+        },
         clock,
         canPing: isExtended,
         openTimeoutMs,

@@ -8,6 +8,7 @@ import type { Identity } from './identity.ts';
 export function registrationOf(
   profile: ClientProfile,
   identity: Identity | undefined,
+  sentMs: number,
 ): Init<ServiceRequestOf<'clientRegistration'>> {
   const { name, description, tags, node, processingModules, isDedicatedNode } = profile;
   const resumeToken = identity?.resumeToken;
@@ -22,6 +23,7 @@ export function registrationOf(
     extension: {
       recordLists: true, // [EX-2]
       library: LIBRARY_NAME, // [EX-25]
+      sentMs, // [EX-51]
       ...(resumeToken === undefined ? {} : { resumeToken }), // [EX-3]
       ...(node === undefined ? {} : { node }), // [PM-60]
     },

@@ -4,6 +4,7 @@ import { Admission } from './admission.ts';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
 import type { ClientProfile, Membership } from './membership.ts';
+import type { SendTimes } from './send-times.ts';
 import { membershipOf, registrationOf } from './registration-message.ts';
 import type { IdentityStorage } from '../ports/identity-storage.ts';
 
@@ -48,6 +49,7 @@ export class Registration {
   #isProfileNew = false;
   #updating: Promise<void> | undefined;
   #serial = 0;
+  readonly #sendTimes: SendTimes;
   readonly #admission: Admission;
 
   /** @param storage does not throw, nor does what it returns reject */
@@ -55,11 +57,13 @@ export class Registration {
     calls: RegistrationCalls,
     storage: Required<IdentityStorage>,
     profile: ClientProfile,
+    sendTimes: SendTimes,
     joinToken?: string,
   ) {
     this.#calls = calls;
     this.#storage = storage;
     this.#profile = profile;
+    this.#sendTimes = sendTimes;
     this.#admission = new Admission(
       {
         credential: () => this.credential ?? storage.loadCredential(),
@@ -273,7 +277,7 @@ export class Registration {
 
   async #register(): Promise<Membership> {
     const profile = this.#profile;
-    const message = registrationOf(profile, this.#identity);
+    const message = registrationOf(profile, this.#identity, this.#sendTimes.next());
     const register = (bearer: string) =>
       this.#calls.call('clientRegistration', message, undefined, bearer);
     const client =

@@ -30,6 +30,8 @@ export interface TopicDataQuery {
   readonly clientId: string;
   /** The resume token, on masters of ours. [EX-4] */
   readonly resumeToken: string | undefined;
+  /** When it was sent, on masters of ours: more than that of each socket and registration before. [EX-51] */
+  readonly sentMs?: number | undefined;
 }
 
 /** Opens sockets of the topic-data channel to one master. */
