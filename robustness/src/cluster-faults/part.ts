@@ -155,10 +155,13 @@ export async function findAbsent(cluster: TestCluster): Promise<string[]> {
   const gone = cluster.ended();
   const absent = states.flatMap((state, index) => {
     if (state === undefined) return [];
-    const { connected, members, identityChanges, unaware } = state;
+    const { connected, members, identityChanges, unaware, others } = state;
+    const doing = Object.entries(others).map(([situation, count]) => `${count} ${situation}`);
     const whose = `of the clients of machine ${index + 1}`;
     return [
-      ...(connected < members ? [`${members - connected} ${whose} have no connection`] : []),
+      ...(connected < members
+        ? [`${members - connected} ${whose} have no connection (${doing.slice(0, 3).join('; ')})`]
+        : []),
       ...(unaware > 0 ? [`${unaware} ${whose} do not know the other masters`] : []),
       ...(identityChanges > 0 ? [`${identityChanges} ${whose} became somebody else`] : []),
     ];

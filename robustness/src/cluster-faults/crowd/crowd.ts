@@ -24,6 +24,8 @@ export interface CrowdPlan {
 /** State of a crowd. */
 export interface CrowdState {
   readonly connected: number;
+  /** What those do that are not, with how many do so. */
+  readonly others: Readonly<Record<string, number>>;
   /** Members that know fewer than so many other masters. */
   readonly unaware: number;
   readonly identityChanges: number;
@@ -73,6 +75,9 @@ export class Crowd {
     const connected = members.filter(({ isConnected }) => isConnected);
     return {
       connected: connected.length,
+      others: countEach(
+        members.filter(({ isConnected }) => !isConnected).map(({ situation }) => situation),
+      ),
       unaware: connected.filter(({ knownMasters }) => knownMasters < others).length,
       identityChanges: members.reduce((sum, { identityChanges }) => sum + identityChanges, 0),
       members: members.length,
@@ -132,6 +137,12 @@ export class Crowd {
 }
 
 const NOTHING: ReceptionCounts = { received: 0, missing: 0, again: 0, disorder: 0 };
+
+function countEach(texts: readonly string[]): Record<string, number> {
+  const counts: Record<string, number> = {};
+  for (const text of texts) counts[text] = (counts[text] ?? 0) + 1;
+  return counts;
+}
 
 function sumOf(a: ReceptionCounts, b: ReceptionCounts): ReceptionCounts {
   return {

@@ -49,6 +49,13 @@ export class Member {
     return this.#client.state.status === 'connected';
   }
 
+  /** Where it is and what it does, in words. */
+  get situation(): string {
+    const { state, masterUrl } = this.#client;
+    const error = 'error' in state && state.error !== undefined ? `: ${state.error.message}` : '';
+    return `${state.status} at ${masterUrl}${error}`;
+  }
+
   /** Number of other masters that it knows. */
   get knownMasters(): number {
     return this.#client.otherMasters.length;
