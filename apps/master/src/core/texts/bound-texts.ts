@@ -28,13 +28,10 @@ export interface TextContext {
   readonly refuse: (fault: TextFault) => Error;
 }
 
-interface Plan {
-  readonly texts: readonly TextPlan[];
-  readonly messages: readonly MessagePlan[];
-}
+/** Members that hold texts, by their JSON names. */
+type Plan = ReadonlyMap<string, TextPlan | MessagePlan>;
 
 interface TextPlan {
-  readonly jsonName: string;
   readonly protoName: string;
   readonly rule: Extract<TextRule, { limit: LimitName }>;
   /** Treatment of lists with too many elements; undefined when their number is limited elsewhere. */
@@ -42,7 +39,6 @@ interface TextPlan {
 }
 
 interface MessagePlan {
-  readonly jsonName: string;
   readonly protoName: string;
   readonly plan: Plan;
 }
@@ -86,33 +82,31 @@ class Walk {
     this.#context = context;
   }
 
+  /** Goes through the members that are there: a request has some 100, of which two are set. */
   message(plan: Plan, fields: Fields): Fields {
     let bounded: Record<string, unknown> | undefined;
-    for (const text of plan.texts) {
-      const given = fields[text.jsonName];
-      if (given === undefined || given === '') continue;
-      this.#path.push(text.protoName);
-      const kept =
-        typeof given === 'string'
-          ? this.#text(text, given)
-          : this.#texts(text, given as readonly string[]);
-      this.#path.pop();
-      if (kept !== given) (bounded ??= { ...fields })[text.jsonName] = kept;
-    }
-    for (const { jsonName, protoName, plan: inner } of plan.messages) {
+    for (const jsonName in fields) {
       const given = fields[jsonName];
-      if (given === undefined) continue;
-      this.#path.push(protoName);
-      const kept = Array.isArray(given)
-        ? this.#list(given as readonly Fields[], (element) => this.message(inner, element))
-        : this.message(inner, given as Fields);
+      if (given === undefined || given === '') continue;
+      const member = plan.get(jsonName);
+      if (member === undefined) continue;
+      this.#path.push(member.protoName);
+      const kept = 'plan' in member ? this.#messages(member, given) : this.#texts(member, given);
       this.#path.pop();
       if (kept !== given) (bounded ??= { ...fields })[jsonName] = kept;
     }
     return bounded ?? fields;
   }
 
-  #texts(plan: TextPlan, texts: readonly string[]): readonly string[] {
+  #messages({ plan }: MessagePlan, given: unknown): unknown {
+    return Array.isArray(given)
+      ? this.#list(given as readonly Fields[], (element) => this.message(plan, element))
+      : this.message(plan, given as Fields);
+  }
+
+  #texts(plan: TextPlan, given: unknown): unknown {
+    if (typeof given === 'string') return this.#text(plan, given);
+    const texts = given as readonly string[];
     const { textsPerList } = this.#context.limits;
     const isTooLong = plan.listed !== undefined && texts.length > textsPerList;
     if (isTooLong && plan.listed === 'refuse') this.#refuse('textsPerList', texts.length);
@@ -167,9 +161,7 @@ function plansOf(): { readonly [R in Root]: Plan } {
 function planMessage(descriptor: MessageDescriptor, known: Map<MessageDescriptor, Plan>): Plan {
   const before = known.get(descriptor);
   if (before !== undefined) return before;
-  const texts: TextPlan[] = [];
-  const messages: MessagePlan[] = [];
-  const plan: Plan = { texts, messages };
+  const plan = new Map<string, TextPlan | MessagePlan>();
   known.set(descriptor, plan);
   if (TEXT_RULES[descriptor.name] !== undefined) return plan;
   for (const { type, jsonName, protoName } of descriptor.fields) {
@@ -181,9 +173,9 @@ function planMessage(descriptor: MessageDescriptor, known: Map<MessageDescriptor
           `Text "${name}" has no limit. Add a row to TEXT_RULES in text-limits.ts.`,
         );
       }
-      if ('limit' in rule) texts.push({ jsonName, protoName, rule, listed: LISTED_TEXTS[name] });
+      if ('limit' in rule) plan.set(jsonName, { protoName, rule, listed: LISTED_TEXTS[name] });
     } else if (typeof type === 'object' && type.kind === 'message') {
-      messages.push({ jsonName, protoName, plan: planMessage(type, known) });
+      plan.set(jsonName, { protoName, plan: planMessage(type, known) });
     }
   }
   return plan;
