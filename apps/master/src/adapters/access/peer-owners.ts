@@ -34,10 +34,10 @@ interface Question {
 const ENDS_WIDTH: Readonly<Record<SocketTable, number>> = { tcp: 27, tcp6: 75 };
 /** SYN_SENT: this connection was not accepted yet, so it is none of those that are asked about. */
 const CONNECTING = '02';
-/** Part of the time of the last read for which sockets are waited for that share the next one. */
-const GATHERING_SHARE = 0.5;
+/** Time for which sockets are waited for that share the next read, in times of the last one: reads take a third of the time. */
+const GATHERING_SHARE = 2;
 /** Longest wait, milliseconds: a table takes longer on a busy machine. */
-const MAX_GATHERING_MS = 5;
+const MAX_GATHERING_MS = 10;
 
 /**
  * Finds the user of the program that opened a local connection: the operator's user, or another one
