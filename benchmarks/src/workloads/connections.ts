@@ -15,10 +15,14 @@ import {
 import { residentBytes } from '../memory.ts';
 
 const UBII = 'ubii-extension';
-/** Connections before memory is read, so that compiled code and buffers of the broker are not counted. */
-const FIRST_CONNECTIONS = 200;
+/**
+ * Connections before memory is read, so that compiled code, buffers of the broker and the nursery of its heap are not
+ * counted. The nursery grows by 16 MB while so many connect, and stays as it is however many follow.
+ */
+const FIRST_CONNECTIONS = 1000;
 const IDLE_CONNECTIONS = 1000;
-const JOIN_AT_ONCE = 10;
+/** Clients that join or leave together. */
+const AT_ONCE = 10;
 /** Until what belongs to joining is over. */
 const SETTLE_MS = 2000;
 /** Nothing is published: the ring only says what would be expected. */
@@ -51,7 +55,7 @@ async function measureConnecting(
     const endMs = performance.now() + ms;
     let clients = 0;
     while (performance.now() < endMs) {
-      const joined = await joinMany(target, JOIN_AT_ONCE, verifiers);
+      const joined = await joinMany(target, AT_ONCE, verifiers);
       await Promise.all(joined.map((client) => client.leave()));
       clients += joined.length;
     }
@@ -116,11 +120,13 @@ async function measureIdle(
     const bytesBefore = residentBytes(target.pid);
     const clients = await joinMany(target, IDLE_CONNECTIONS, verifiers);
     await sleep(SETTLE_MS);
+    const bytes = residentBytes(target.pid) - bytesBefore;
+    await leaveAll(first);
+    await sleep(SETTLE_MS);
     const stopLap = startLap([target.pid]);
     await sleep(2 * measureMs);
     const lap = stopLap();
-    const bytes = residentBytes(target.pid) - bytesBefore;
-    await Promise.all([...first, ...clients].map(({ connection }) => connection.close()));
+    await Promise.all(clients.map(({ connection }) => connection.close()));
     return {
       figures: {
         kilobytes: bytes / 1000 / IDLE_CONNECTIONS,
@@ -135,6 +141,12 @@ async function measureIdle(
   }
 }
 
+async function leaveAll(clients: readonly BrokerClient[]): Promise<void> {
+  for (let i = 0; i < clients.length; i += AT_ONCE) {
+    await Promise.all(clients.slice(i, i + AT_ONCE).map((client) => client.leave()));
+  }
+}
+
 async function joinMany(
   target: Target,
   count: number,
@@ -142,7 +154,7 @@ async function joinMany(
 ): Promise<BrokerClient[]> {
   const clients: BrokerClient[] = [];
   while (clients.length < count) {
-    const next = Math.min(JOIN_AT_ONCE, count - clients.length);
+    const next = Math.min(AT_ONCE, count - clients.length);
     const joined = Array.from({ length: next }, () => {
       const verifier = new DeliveryVerifier(ring);
       verifiers.push(verifier);
