@@ -29,7 +29,7 @@ export interface LinkSetup {
   readonly listen: number | undefined;
   /** The file as it is now. */
   file(): MappingFile;
-  /** Is told of the addresses at which messages come. */
+  /** Collects the addresses of incoming messages. */
   readonly seen: SeenAddresses;
   /** Whether this bridge passes the mappings. [BR-24] */
   isActive(): boolean;
@@ -114,17 +114,7 @@ function mqttLink(setup: LinkSetup): RunningLink {
 function oscLink(setup: LinkSetup): RunningLink {
   const { host, port } = setup.target;
   const system = createOscSystem({ host, port, listen: setup.listen, clock: systemClock });
-  return followFile(
-    setup,
-    createBridgeLink({
-      ...{
-        ...sharedOptions(setup),
-        system: setup.seen.watch(system),
-        codec: oscCodec,
-        returnsMessages: true,
-      },
-    }),
-  );
+  return followFile(setup, { system: setup.seen.watch(system), codec: oscCodec });
 }
 
 function rosbridgeLink(setup: LinkSetup): RunningLink {
@@ -132,17 +122,7 @@ function rosbridgeLink(setup: LinkSetup): RunningLink {
   const system = createRosbridgeSystem({
     ...{ url, ...setup.credentials, ca: setup.ca, clock: systemClock },
   });
-  return followFile(
-    setup,
-    createBridgeLink({
-      ...{
-        ...sharedOptions(setup),
-        system: setup.seen.watch(system),
-        codec: rosCodec,
-        returnsMessages: true,
-      },
-    }),
-  );
+  return followFile(setup, { system: setup.seen.watch(system), codec: rosCodec });
 }
 
 /** What this bridge passes: nothing while another one does. [BR-24] */
@@ -150,8 +130,12 @@ function mappingsOf({ file, isActive }: LinkSetup): MappingFile['mappings'] {
   return isActive() ? file().mappings : [];
 }
 
-/** A link whose mappings are those of the file. */
-function followFile(setup: LinkSetup, link: BridgeLink): RunningLink {
+/** Creates a link to a system that sends back what it gets; its mappings are those of the file. */
+function followFile<P>(
+  setup: LinkSetup,
+  system: Pick<LinkOptions<P>, 'system' | 'codec'>,
+): RunningLink {
+  const link = createBridgeLink({ ...sharedOptions(setup), ...system, returnsMessages: true });
   const refresh = (): void => link.setMappings(mappingsOf(setup));
   return {
     ...link,

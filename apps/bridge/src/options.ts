@@ -1,12 +1,16 @@
-import { hostname } from 'node:os';
-import { checkJoining, identityOption, JOINING_OPTIONS } from '@ubii/client-program';
+import {
+  checkJoining,
+  identityOption,
+  JOINING_OPTIONS,
+  nameOption,
+  printEndpointsOption,
+} from '@ubii/client-program';
 import {
   ConfigError,
   HELP_OPTIONS,
   logLevelOption,
   option,
   parseChoice,
-  parseName,
   parseWholeNumber,
   pathOption,
 } from '@ubii/program';
@@ -28,12 +32,7 @@ export const OPTIONS = {
     description: 'Protocol of the other system, where its address does not say it: ws://host:9090.',
     parse: parseChoice('mqtt', 'osc', 'rosbridge'),
   }),
-  name: option({
-    placeholder: '<text>',
-    fallback: `${hostname().split('.')[0] || 'unnamed'} bridge`,
-    description: 'Name of this bridge, shown to users.',
-    parse: parseName,
-  }),
+  name: nameOption('bridge'),
   credentialsFile: pathOption(
     '<file>',
     'none',
@@ -52,14 +51,7 @@ export const OPTIONS = {
     parse: parseWholeNumber(0, 65_535),
   }),
   identity: identityOption,
-  printEndpoints: option<'json' | undefined>({
-    placeholder: 'json',
-    fallback: undefined,
-    fallbackText: 'off',
-    description:
-      'When connected for the first time, write one line of JSON with id, name, master and pid to standard output.',
-    parse: parseChoice('json'),
-  }),
+  printEndpoints: printEndpointsOption,
   logLevel: logLevelOption,
   ...HELP_OPTIONS,
 } as const;

@@ -1,18 +1,16 @@
 import { spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:net';
-import type { AddressInfo } from 'node:net';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { delimiter, join } from 'node:path';
+import { join } from 'node:path';
+import { endProgram, findProgram, freePort } from '@ubii/program/testing/brokers';
 
 const MISSING = `Tests of the bridge need the broker Mosquitto (command \`mosquitto\`), and it was not found. Install it:
   Debian, Ubuntu   apt-get install mosquitto   (as root, \`npm test\` does that by itself)
   macOS            brew install mosquitto`;
 
 function findMosquitto(): string {
-  const folders = [...(process.env['PATH'] ?? '').split(delimiter), '/usr/sbin', '/usr/local/sbin'];
-  const found = folders.map((folder) => join(folder, 'mosquitto')).find((path) => existsSync(path));
+  const found = findProgram('mosquitto');
   if (found === undefined) throw new Error(MISSING);
   return found;
 }
@@ -55,10 +53,7 @@ export async function startBroker(
     async stop() {
       const ending = child;
       child = undefined;
-      if (ending === undefined || ending.exitCode !== null) return;
-      const ended = new Promise((resolve) => ending.once('exit', resolve));
-      ending.kill();
-      await ended;
+      if (ending !== undefined) await endProgram(ending, 'SIGTERM');
     },
     async close() {
       await broker.stop();
@@ -67,14 +62,6 @@ export async function startBroker(
   };
   await broker.start();
   return broker;
-}
-
-async function freePort(): Promise<number> {
-  const server = createServer();
-  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const { port } = server.address() as AddressInfo;
-  await new Promise((resolve) => server.close(resolve));
-  return port;
 }
 
 /** Mosquitto says so when it listens. */

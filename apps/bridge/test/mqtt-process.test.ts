@@ -306,7 +306,7 @@ describe('the bridge as a process, with Mosquitto', () => {
     await open();
   });
 
-  it('removes what an earlier run announced and nobody has any more [BR-51]', async () => {
+  it('removes announcements of an earlier run for devices that no longer exist [BR-51]', async () => {
     const { url } = await startMaster();
     const client = await joinAs(url);
     await client.registerDevice({ name: 'lamp', components: [{ name: 'v', format: 'double' }] });

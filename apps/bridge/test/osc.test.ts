@@ -14,6 +14,7 @@ import type {
 import { foreignSystemSuite } from '../src/testing/foreign-system-suite.ts';
 import { Inbox } from '../src/testing/inbox.ts';
 import { mappingOf } from '../src/testing/mapping-of.ts';
+import { isConnected, SystemEvents } from '../src/testing/system-events.ts';
 import { joinAs, mappingFile, startBridge, startMaster } from './programs.ts';
 
 vi.setConfig({ testTimeout: 60_000 });
@@ -56,14 +57,6 @@ function sendTo(socket: Socket, port: number, bytes: Uint8Array): void {
   socket.send(bytes, port, '127.0.0.1');
 }
 
-function eventsOf(states: Inbox<ForeignState>): ForeignEvents<OscContent> {
-  return {
-    ...{ handleMessage: () => undefined, handleRefused: () => undefined },
-    ...{ handleDropped: () => undefined, handleSettled: () => undefined },
-    handleState: (state) => states.add(state),
-  };
-}
-
 const message = (address: string, ...args: (number | string | boolean)[]) =>
   new OSC.Message(address, ...args);
 
@@ -98,22 +91,14 @@ describe('OSC', () => {
     const system = createOscSystem({
       ...{ host: '127.0.0.1', port: peer.port, listen: undefined, clock: systemClock },
     });
-    const messages = new Inbox<ForeignMessage<OscContent>>();
-    const refused = new Inbox<string>();
-    await new Promise<void>((resolve) => {
-      system.open({
-        handleMessage: (one) => messages.add(one),
-        handleRefused: (reason) => refused.add(reason),
-        handleDropped: (_mapping, reason) => refused.add(reason),
-        handleState: ({ status }) => status === 'connected' && resolve(),
-        handleSettled: () => undefined,
-      });
-    });
+    const events = new SystemEvents<OscContent>();
+    system.open(events);
+    await events.states.next(isConnected);
     onTestFinished(async () => {
       await system.close();
       peer.socket.close();
     });
-    return { ...{ peer, system, messages, refused } };
+    return { ...{ peer, system, messages: events.messages, refused: events.refused } };
   }
 
   it.each([
@@ -187,13 +172,14 @@ describe('OSC', () => {
   it('leaves no socket of a port that it cannot open, and tries again [BR-40]', async () => {
     const taken = await openPeer();
     const clock = new FakeClock();
-    const states = new Inbox<ForeignState>();
+    const events = new SystemEvents<OscContent>();
+    const { states } = events;
     const closed = vi.spyOn(Socket.prototype, 'close');
     onTestFinished(() => closed.mockRestore());
     const system = createOscSystem({
       ...{ host: '127.0.0.1', port: 9, listen: taken.port, clock, random: () => 0 },
     });
-    system.open(eventsOf(states));
+    system.open(events);
     for (let attempt = 0; attempt < 3; attempt++) {
       const state = await states.next(({ status }) => status === 'waiting');
       expect(state).toHaveProperty('reason', expect.stringMatching(/EADDRINUSE/));
@@ -203,15 +189,15 @@ describe('OSC', () => {
     expect(closed).toHaveBeenCalledTimes(4);
     await new Promise<void>((resolve) => taken.socket.close(() => resolve()));
     clock.advanceSync(60_000);
-    await states.next(({ status }) => status === 'connected');
+    await states.next(isConnected);
     await system.close();
   });
 
   it('follows a computer that gets another address [BR-61]', async () => {
     const peer = await openPeer();
     const clock = new FakeClock();
-    const states = new Inbox<ForeignState>();
-    const messages = new Inbox<ForeignMessage<OscContent>>();
+    const events = new SystemEvents<OscContent>();
+    const { states, messages } = events;
     const addresses = ['127.0.0.2', '127.0.0.2', '127.0.0.1'];
     const system = createOscSystem({
       ...{ host: 'controller.local', port: peer.port, listen: undefined, clock },
@@ -221,20 +207,20 @@ describe('OSC', () => {
       await system.close();
       peer.socket.close();
     });
-    system.open({ ...eventsOf(states), handleMessage: (one) => messages.add(one) });
-    await states.next(({ status }) => status === 'connected');
+    system.open(events);
+    await states.next(isConnected);
     // Once it is as before, once it is another one.
     clock.advanceSync(60_000);
     clock.advanceSync(60_000);
     const away = await states.next(({ status }) => status === 'waiting');
     expect(away).toHaveProperty('reason', 'controller.local is now at 127.0.0.1');
-    await states.next(({ status }) => status === 'connected');
+    await states.next(isConnected);
     sendTo(peer.socket, system.port, message('/a', 1).pack());
     expect((await messages.next()).address).toBe('/a');
     expect(addresses).toEqual([]);
   });
 
-  it('is told no password, because OSC has none [BR-43]', async () => {
+  it('refuses a user and a password, because OSC has none [BR-43]', async () => {
     const file = mappingFile({ mappings: [] });
     const bridge = startBridge(['osc://127.0.0.1:9'], 'http://127.0.0.1:9', file, {
       UBII_BRIDGE_USER: 'ada',

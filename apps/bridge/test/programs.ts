@@ -2,7 +2,12 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
-import { RunningProgram, temporaryFolder } from '@ubii/program/testing';
+import {
+  RunningProgram,
+  startMaster as startProgram,
+  temporaryFolder,
+} from '@ubii/program/testing';
+import type { MasterArgs, StartedMaster } from '@ubii/program/testing';
 import { onTestFinished } from 'vitest';
 import { bridgeProgram, masterProgram } from './build-programs.ts';
 
@@ -12,19 +17,9 @@ export interface Printed {
   readonly name: string;
 }
 
-/** Starts a master. @param flags default: everybody of this machine is an admin */
-export async function startMaster(
-  port = 0,
-  dataDir = temporaryFolder(),
-  flags: readonly string[] = ['--trust-loopback'],
-) {
-  const program = new RunningProgram(masterProgram, [
-    ...['--lan', 'off', '--port', String(port), '--legacy-ports', 'off', '--data-dir', dataDir],
-    ...['--print-endpoints', 'json', ...flags],
-  ]);
-  const { url } = await program.ready<{ url: string }>();
-  return { program, url, port: Number(new URL(url).port), dataDir };
-}
+/** Starts a master, as `startProgram` does. */
+export const startMaster = (...args: MasterArgs): Promise<StartedMaster> =>
+  startProgram(masterProgram, ...args);
 
 /** Writes a mapping file. @returns its path */
 export function mappingFile(

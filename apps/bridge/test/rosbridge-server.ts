@@ -65,7 +65,7 @@ export async function startRosbridge(port = 0) {
         }
         return;
       case 'publish':
-        // Everybody who subscribed gets it, also who sent it.
+        // All subscribers get it, also the sender.
         for (const one of subscriptions) {
           if (one.topic !== topic) continue;
           const message = { op: 'publish', topic, msg: operation.msg };
@@ -96,7 +96,7 @@ export async function startRosbridge(port = 0) {
   const { port: bound } = server.address() as AddressInfo;
   return {
     ...{ port: bound, url: `ws://127.0.0.1:${bound}`, operations, logins },
-    /** Resolves when somebody has subscribed to the topic, or only one client is left. */
+    /** Resolves when a client has subscribed to the topic, or only one client is left. */
     untilSubscribed: (topic: string): Promise<void> =>
       new Promise((resolve) => {
         const watch = (): void => {

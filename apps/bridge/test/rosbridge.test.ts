@@ -10,6 +10,7 @@ import type { ForeignMessage } from '../src/core/ports/foreign-system.ts';
 import { foreignSystemSuite } from '../src/testing/foreign-system-suite.ts';
 import { Inbox } from '../src/testing/inbox.ts';
 import { mappingOf } from '../src/testing/mapping-of.ts';
+import { isConnected, SystemEvents } from '../src/testing/system-events.ts';
 import { joinAs, mappingFile, startBridge, startMaster } from './programs.ts';
 import { startRosbridge } from './rosbridge-server.ts';
 
@@ -243,22 +244,14 @@ describe('rosbridge', () => {
     const system = createRosbridgeSystem({
       ...{ url: server.url, ca: undefined, clock: systemClock, random: () => 0 },
     });
-    const messages = new Inbox<ForeignMessage<RosMessage>>();
-    const refused = new Inbox<string>();
-    await new Promise<void>((resolve) => {
-      system.open({
-        handleMessage: (message) => messages.add(message),
-        handleRefused: (reason) => refused.add(reason),
-        handleDropped: (_mapping, reason) => refused.add(reason),
-        handleState: ({ status }) => status === 'connected' && resolve(),
-        handleSettled: () => undefined,
-      });
-    });
+    const events = new SystemEvents<RosMessage>();
+    system.open(events);
+    await events.states.next(isConnected);
     onTestFinished(async () => {
       await system.close();
       await server.close();
     });
-    return { ...{ server, system, messages, refused } };
+    return { ...{ server, system, messages: events.messages, refused: events.refused } };
   }
 
   it('asks for compression, rate and queue, and reads CBOR [BR-71]', async () => {
@@ -351,7 +344,7 @@ describe('rosbridge', () => {
     expect(count('advertise')).toBe(1_002);
   });
 
-  it('shows user and password to what is in front of rosbridge, and to nobody else [BR-43]', async () => {
+  it('sends user and password only to the proxy in front of rosbridge [BR-43]', async () => {
     const server = await startRosbridge();
     const system = createRosbridgeSystem({
       ...{ url: server.url, ca: undefined, clock: systemClock, random: () => 0 },

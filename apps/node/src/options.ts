@@ -1,13 +1,16 @@
-import { hostname } from 'node:os';
-import { checkJoining, identityOption, JOINING_OPTIONS } from '@ubii/client-program';
+import {
+  checkJoining,
+  identityOption,
+  JOINING_OPTIONS,
+  nameOption,
+  printEndpointsOption,
+} from '@ubii/client-program';
 import {
   HELP_OPTIONS,
   listOption,
   logLevelOption,
   option,
-  parseChoice,
   parseFetchOrigins,
-  parseName,
   parseWholeNumber,
   pathOption,
   switchOption,
@@ -25,12 +28,7 @@ export const OPTIONS = {
     'none',
     'Folder with modules of your own, as .pm, .js and .mjs files. Their code is trusted. Changes apply at once.',
   ),
-  name: option({
-    placeholder: '<text>',
-    fallback: `${hostname().split('.')[0] || 'unnamed'} node`,
-    description: 'Name of this node, shown to users.',
-    parse: parseName,
-  }),
+  name: nameOption('node'),
   allowFetch: listOption(
     '<origin>,...',
     'Origins that modules may read from with the library http, such as https://example.org,http://sensor.local:8000.',
@@ -68,14 +66,7 @@ export const OPTIONS = {
     parse: parseMegabytes,
   }),
   identity: identityOption,
-  printEndpoints: option<'json' | undefined>({
-    placeholder: 'json',
-    fallback: undefined,
-    fallbackText: 'off',
-    description:
-      'When connected for the first time, write one line of JSON with id, name, master and pid to standard output.',
-    parse: parseChoice('json'),
-  }),
+  printEndpoints: printEndpointsOption,
   logLevel: logLevelOption,
   ...HELP_OPTIONS,
 } as const;

@@ -1,21 +1,12 @@
-import { RunningProgram, temporaryFolder } from '@ubii/program/testing';
+import { RunningProgram, startMaster as startProgram } from '@ubii/program/testing';
+import type { MasterArgs, StartedMaster } from '@ubii/program/testing';
 import { masterProgram, nodeProgram } from './build-programs.ts';
 
 export { recordingsProgram } from './build-programs.ts';
 
-/** Starts a master. @param port 0 for any free one */
-export async function startMaster(
-  port = 0,
-  dataDir = temporaryFolder(),
-  flags: readonly string[] = ['--trust-loopback'],
-) {
-  const program = new RunningProgram(masterProgram, [
-    ...['--lan', 'off', '--port', String(port), '--legacy-ports', 'off', '--data-dir', dataDir],
-    ...['--print-endpoints', 'json', ...flags],
-  ]);
-  const { url } = await program.ready<{ url: string }>();
-  return { program, url, port: Number(new URL(url).port), dataDir };
-}
+/** Starts a master, as `startProgram` does. */
+export const startMaster = (...args: MasterArgs): Promise<StartedMaster> =>
+  startProgram(masterProgram, ...args);
 
 /** Starts a node. */
 export function startNode(

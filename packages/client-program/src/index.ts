@@ -1,3 +1,4 @@
+export * from './client-process.ts';
 export * from './discover-master.ts';
 export * from './identity-file.ts';
 export * from './joining-options.ts';

@@ -1,4 +1,13 @@
-import { ConfigError, option, parsePath, pathOption, switchOption } from '@ubii/program';
+import { hostname } from 'node:os';
+import {
+  ConfigError,
+  option,
+  parseChoice,
+  parseName,
+  parsePath,
+  pathOption,
+  switchOption,
+} from '@ubii/program';
 import { parseJoin } from './token-file.ts';
 
 /** Options of programs that join a master. */
@@ -37,6 +46,26 @@ export const identityOption = option<string | undefined>({
     'File with the identity of this program, so that its next run is the same client. off: each run is a new client.',
   parse: (text, baseDir) => (text === 'off' ? 'off' : parsePath(text, baseDir)),
 });
+
+/** Writes how to reach the program, for programs that start it. */
+export const printEndpointsOption = option<'json' | undefined>({
+  placeholder: 'json',
+  fallback: undefined,
+  fallbackText: 'off',
+  description:
+    'When connected for the first time, write one line of JSON with id, name, master and pid to standard output.',
+  parse: parseChoice('json'),
+});
+
+/** Name of the program, by default that of the machine and the kind. @param kind such as `node` */
+export function nameOption(kind: string) {
+  return option({
+    placeholder: '<text>',
+    fallback: `${hostname().split('.')[0] || 'unnamed'} ${kind}`,
+    description: `Name of this ${kind}, shown to users.`,
+    parse: parseName,
+  });
+}
 
 /** @throws ConfigError for options that contradict each other */
 export function checkJoining(

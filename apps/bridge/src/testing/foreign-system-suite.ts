@@ -1,12 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Mapping } from '../core/mapping/mapping.ts';
-import type {
-  ForeignEvents,
-  ForeignMessage,
-  ForeignState,
-  ForeignSystem,
-} from '../core/ports/foreign-system.ts';
-import { Inbox } from './inbox.ts';
+import type { ForeignMessage, ForeignState, ForeignSystem } from '../core/ports/foreign-system.ts';
+import type { Inbox } from './inbox.ts';
+import { isConnected, SystemEvents } from './system-events.ts';
 
 /** An adapter with a program at its other end. */
 export interface SystemBench<P> {
@@ -25,54 +21,22 @@ export interface SystemBench<P> {
   close(): Promise<void>;
 }
 
-class Seen<P> implements ForeignEvents<P> {
-  readonly messages = new Inbox<ForeignMessage<P>>();
-  readonly states = new Inbox<ForeignState>();
-  readonly settled = new Inbox<'settled'>();
-  readonly dropped: string[] = [];
-  readonly refused: string[] = [];
-  count = 0;
-
-  handleMessage(message: ForeignMessage<P>): void {
-    this.count++;
-    this.messages.add(message);
-  }
-
-  handleRefused(reason: string): void {
-    this.refused.push(reason);
-  }
-
-  handleDropped(_mapping: Mapping, reason: string): void {
-    this.dropped.push(reason);
-  }
-
-  handleState(state: ForeignState): void {
-    this.count++;
-    this.states.add(state);
-  }
-
-  handleSettled(): void {
-    this.count++;
-    this.settled.add('settled');
-  }
-}
-
 /** Sentences that every adapter of a system fulfils. [BR-2] */
 export function foreignSystemSuite<P>(
   name: string,
   openBench: () => Promise<SystemBench<P>>,
 ): void {
   const withBench =
-    (test: (bench: SystemBench<P>, seen: Seen<P>) => Promise<void>) => async (): Promise<void> => {
+    (test: (bench: SystemBench<P>, seen: SystemEvents<P>) => Promise<void>) =>
+    async (): Promise<void> => {
       const bench = await openBench();
       try {
-        await test(bench, new Seen());
+        await test(bench, new SystemEvents());
       } finally {
         await bench.system.close();
         await bench.close();
       }
     };
-  const isConnected = ({ status }: ForeignState): boolean => status === 'connected';
   const numberOf = (bench: SystemBench<P>, { payload }: ForeignMessage<P>): number =>
     bench.number(payload);
 

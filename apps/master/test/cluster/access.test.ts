@@ -131,7 +131,7 @@ describe('access in a cluster', () => {
     world.tellGrants();
     const before = JSON.stringify(world.grants.documents().get(grant!.id)!.json);
     await revoke(a!, grant!.id);
-    // The other master counted somebody who joined, and wrote what it knew.
+    // The other master counted a client that joined, and wrote what it knew.
     world.grants.edit(grant!.id, before.replace('"joins":0', '"joins":1'));
     await world.pass();
     expect(await problemOf(a!, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);

@@ -90,7 +90,7 @@ describe('clients of a cluster', () => {
     expect(phone.takeValues()).toEqual([['/ubii/masters', { elements: ['http://127.0.0.1:2'] }]]);
     const other = await a.extension('other');
     expect(other.registered.extension?.masters).toEqual(['http://127.0.0.1:2']);
-    // Who hears nobody may be cut off itself.
+    // A master that receives nothing may be cut off itself.
     world.setReachable(b, false);
     await world.pass(4_000);
     const { extension } = (await a.extension('third')).registered;

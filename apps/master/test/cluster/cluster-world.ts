@@ -76,3 +76,21 @@ export async function clusterOf(count: number): Promise<[ClusterWorld, ...TestMa
   for (let i = 0; i < count; i++) await world.add();
   return [world, ...world.masters];
 }
+
+/** Two masters, a publisher at the first and a subscriber to `/a` at the second. */
+export async function publisherAndSubscriber() {
+  const [world, a, b] = await clusterOf(2);
+  const publisher = await a!.extension('publisher');
+  const subscriber = await b!.extension('subscriber');
+  await subscriber.subscribe({ subscribeTopics: ['/a'] });
+  await world.pass();
+  return { world, a: a!, b: b!, publisher, subscriber };
+}
+
+/** Returns the values of `/a` that a client gets that subscribes only now. */
+export async function laterValues(world: ClusterWorld, master: TestMaster): Promise<unknown[]> {
+  const late = await master.extension('late');
+  await late.subscribe({ subscribeTopics: ['/a'] });
+  await world.pass();
+  return late.takeValues();
+}

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { decode, encode } from '@ubii/proto';
-import { clusterOf, ClusterWorld } from './cluster-world.ts';
+import { clusterOf, ClusterWorld, publisherAndSubscriber } from './cluster-world.ts';
 import { TestMaster } from '../../src/testing/index.ts';
 
 describe('masters of a cluster', () => {
@@ -25,21 +25,17 @@ describe('masters of a cluster', () => {
   });
 
   it('[CU-40] measure what crosses, and a master that is alone has none of these metrics', async () => {
-    const [world, a, b] = await clusterOf(2);
-    const publisher = await a!.extension('publisher');
-    const subscriber = await b!.extension('subscriber');
-    await subscriber.subscribe({ subscribeTopics: ['/a'] });
-    await world.pass();
+    const { world, a, b, publisher } = await publisherAndSubscriber();
     publisher.publish('/a', 'double', 1);
     await world.pass();
     const value = (master: TestMaster, metric: string): number | undefined =>
       master.master.metrics().find(({ name }) => name === `ubii_cluster_${metric}`)?.values[0]
         ?.value;
     expect([
-      value(a!, 'reachable'),
-      value(a!, 'records_sent_total'),
-      value(b!, 'records_received_total'),
-      value(b!, 'gaps_total'),
+      value(a, 'reachable'),
+      value(a, 'records_sent_total'),
+      value(b, 'records_received_total'),
+      value(b, 'gaps_total'),
     ]).toEqual([1, 1, 1, 0]);
     const alone = new TestMaster();
     expect(value(alone, 'masters')).toBeUndefined();

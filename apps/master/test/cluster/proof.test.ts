@@ -6,7 +6,7 @@ import { stranger } from '../access-world.ts';
 
 const NONCE = '0f3c9a52-7d1e-4b86-9a40-5c2d8e61f7b3';
 
-/** Asks a master with two addresses as somebody whom nobody knows. */
+/** Asks a master with two addresses as an unknown caller. */
 async function ask(question: { targetId?: string; host?: string; nonce?: string } = {}) {
   const addresses = [{ url: 'https://10.0.0.6:8080' }, { url: 'http://localhost:8080' }];
   const master = new TestMaster({ endpoints: { addresses } });
@@ -19,7 +19,7 @@ function proofFor(host: string, clientId = 'ada', nonce = NONCE): string {
 }
 
 describe('the proof that a master is of a cluster [CU-85]', () => {
-  it('is given to anybody, and is of this client, address and question alone', async () => {
+  it('is given to any caller, and is valid for this client, address and question only', async () => {
     expect((await ask()).masterProof?.proof).toBe(proofFor('10.0.0.6:8080'));
     expect((await ask({ host: 'localhost:8080' })).masterProof?.proof).toBe(
       proofFor('localhost:8080'),

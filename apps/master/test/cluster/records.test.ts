@@ -1,13 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { clusterOf } from './cluster-world.ts';
+import { clusterOf, publisherAndSubscriber } from './cluster-world.ts';
 
 describe('records of another master', () => {
   it('[CU-10] reach its subscribers, once and in order', async () => {
-    const [world, a, b] = await clusterOf(2);
-    const publisher = await a!.extension('publisher');
-    const subscriber = await b!.extension('subscriber');
-    await subscriber.subscribe({ subscribeTopics: ['/a'] });
-    await world.pass();
+    const { world, publisher, subscriber } = await publisherAndSubscriber();
     for (let i = 0; i < 5; i++) publisher.publish('/a', 'double', i);
     publisher.send('/a', 'double', 5);
     publisher.send('/a', 'double', 6);
@@ -15,7 +11,7 @@ describe('records of another master', () => {
     expect(subscriber.takeValues()).toEqual([0, 1, 2, 3, 4, 5, 6].map((i) => ['/a', i]));
   });
 
-  it('[CU-10] do not leave the master when nobody elsewhere wants them', async () => {
+  it('[CU-10] do not leave the master without subscribers elsewhere', async () => {
     const [world, a] = await clusterOf(3);
     const publisher = await a!.extension('publisher');
     const own = await a!.extension('own');

@@ -173,7 +173,7 @@ describe('sessions of a cluster', () => {
     expect(await stateAt(b!, removed)).toBeUndefined();
   });
 
-  it('[CU-31] are not run by nobody when the answer to a claim is lost', async () => {
+  it('[CU-31] have a master that runs them when the answer to a claim is lost', async () => {
     const [world, a, b] = await clusterOf(2);
     const { id } = await ask(world, a!, TOPICS.start, doubling('/in', '/out'));
     await world.pass(3_000);
@@ -185,7 +185,7 @@ describe('sessions of a cluster', () => {
     expect(await stateAt(b!, id)).toBe(SessionState.SESSION_RUNNING);
   });
 
-  it('[CU-30] that a lost master told of and that nobody owns are removed from lists', async () => {
+  it('[CU-30] of a lost master without an owner are removed from lists', async () => {
     const [world, a, b] = await clusterOf(2);
     const { id } = await ask(world, a!, TOPICS.add, doubling('/in', '/out'));
     expect(await stateAt(b!, id)).toBe(SessionState.SESSION_CREATED);

@@ -2,7 +2,7 @@ import { ClusterMasterState, type ClusterMaster, type ClusterStatus } from '@ubi
 import { describe, expect, it } from 'vitest';
 import { TestMaster, type TestMaster as Master } from '../../src/testing/index.ts';
 import { doubling, TOPICS } from '../sessions/session-world.ts';
-import { clusterOf, ClusterWorld } from './cluster-world.ts';
+import { clusterOf, ClusterWorld, publisherAndSubscriber } from './cluster-world.ts';
 
 const { SELF, PRESENT, LOST, ENDED } = ClusterMasterState;
 
@@ -73,25 +73,22 @@ describe('the status of a cluster', () => {
   });
 
   it('[CU-73] has what crosses in each direction', async () => {
-    const [world, a, b] = await clusterOf(2);
-    const publisher = await a!.extension('publisher');
-    const subscriber = await b!.extension('subscriber');
-    await subscriber.subscribe({ subscribeTopics: ['/a'] });
+    const { world, a, b, publisher } = await publisherAndSubscriber();
     await world.pass(4_000);
     for (let i = 0; i < 4; i++) {
       publisher.publish('/a', 'double', i);
       await world.pass();
     }
     await world.pass(1_900);
-    const other = find(await clusterAt(a!), 'master 2');
+    const other = find(await clusterAt(a), 'master 2');
     expect(other).toMatchObject({ recordsTo: 4, recordsFrom: 0, complete: true });
-    const own = find(await clusterAt(b!), 'master 1');
+    const own = find(await clusterAt(b), 'master 1');
     expect(own).toMatchObject({ recordsTo: 0, recordsFrom: 4, dropped: 0, gaps: 0 });
     expect(other.recordsToPerSecond).toBeGreaterThan(0);
     expect(other.recordsToPerSecond).toBe(own.recordsFromPerSecond);
     expect(other.bytesToPerSecond).toBeGreaterThan(0);
     await world.pass(4_000);
-    expect(find(await clusterAt(a!), 'master 2').recordsToPerSecond).toBe(0);
+    expect(find(await clusterAt(a), 'master 2').recordsToPerSecond).toBe(0);
   });
 
   it('[CU-73] counts what was missing, also of a master that is gone', async () => {

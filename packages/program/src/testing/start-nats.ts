@@ -1,9 +1,10 @@
 import { spawn, type ChildProcess } from 'node:child_process';
-import { existsSync, mkdtempSync } from 'node:fs';
+import { mkdtempSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
-import { createServer, type AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
-import { delimiter, join } from 'node:path';
+import { join } from 'node:path';
+import { endProgram, findProgram } from './broker-program.ts';
+import { freePort } from './free-port.ts';
 
 const MISSING = `nats-server was not found on the PATH. It is needed by tests of several masters:
   Debian, Ubuntu   apt-get install nats-server
@@ -95,11 +96,8 @@ export function reasonAgainstNats(): string | undefined {
   }
 }
 
-/** Debian has the program where only the PATH of root looks. */
 function findNats(): string {
-  const folders = [...(process.env.PATH ?? '').split(delimiter), '/usr/sbin', '/usr/local/sbin'];
-  const name = process.platform === 'win32' ? 'nats-server.exe' : 'nats-server';
-  const found = folders.map((folder) => join(folder, name)).find((path) => existsSync(path));
+  const found = findProgram('nats-server');
   if (found === undefined) throw new Error(MISSING);
   return found;
 }
@@ -124,20 +122,4 @@ async function startProgram(
   });
   child.stderr.removeAllListeners('data').resume();
   return child;
-}
-
-async function endProgram(child: ChildProcess, signal: NodeJS.Signals): Promise<void> {
-  if (child.exitCode !== null || child.signalCode !== null) return;
-  const ended = new Promise((resolve) => child.once('exit', resolve));
-  child.kill(signal);
-  await ended;
-}
-
-/** A port that nothing listens on. */
-async function freePort(): Promise<number> {
-  const server = createServer();
-  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const { port } = server.address() as AddressInfo;
-  await new Promise((resolve) => server.close(resolve));
-  return port;
 }

@@ -1,18 +1,12 @@
-import {
-  PING_TEXT,
-  PONG_TEXT,
-  encodeErrorFrame,
-  listHeaderSize,
-  recordHeaderSize,
-  recordListSize,
-  writeElementHeader,
-  writeListHeader,
-  writeRecordHeader,
-} from '@ubii/proto/wire';
+import { PING_TEXT, PONG_TEXT, encodeErrorFrame } from '@ubii/proto/wire';
 import type { ErrorMessage } from '@ubii/proto';
 
-import type { BatchEncoder } from '../../core/ports/index.ts';
-import { JoinedParts, joinedSize, type FrameParts } from '../output/joined-parts.ts';
+import type { FrameParts } from '../output/joined-parts.ts';
+import {
+  recordListEncoder,
+  singleRecordEncoder,
+  type MessageHead,
+} from '../output/topic-data-encoders.ts';
 
 /*
  * WebSocket frames as a server sends them (RFC 6455, section 5.2): never masked, never fragmented.
@@ -26,52 +20,13 @@ const BINARY = 0x82;
 export const PING_FRAME = textFrame(PING_TEXT);
 export const PONG_FRAME = textFrame(PONG_TEXT);
 
-/** Makes the frames of a batch. */
-export type FrameEncoder = BatchEncoder<FrameParts>;
-
-/** One frame for each record. [TD-3] */
-export const singleFrames: FrameEncoder = {
-  encode({ records }) {
-    let size = 0;
-    for (let i = 0; i < records.length; i++) {
-      const { length } = records[i]!;
-      const payloadLength = recordHeaderSize(length) + length;
-      size += frameHeaderSize(payloadLength) + recordHeaderSize(length) + joinedSize(length);
-    }
-    const parts = new JoinedParts(size);
-    for (let i = 0; i < records.length; i++) {
-      const record = records[i]!;
-      const { length } = record;
-      const payloadLength = recordHeaderSize(length) + length;
-      parts.pos = writeFrameHeader(parts.bytes, parts.pos, BINARY, payloadLength);
-      parts.pos = writeRecordHeader(parts.bytes, parts.pos, length);
-      parts.add(record);
-    }
-    return parts.finish();
-  },
+const HEAD: MessageHead = {
+  size: frameHeaderSize,
+  write: (target, start, contentBytes) => writeFrameHeader(target, start, BINARY, contentBytes),
 };
 
-/** One frame for all records. [TD-4] */
-export const listFrames: FrameEncoder = {
-  encode({ records }) {
-    const listSize = recordListSize(records);
-    const payloadLength = listHeaderSize(listSize) + listSize;
-    let size = frameHeaderSize(payloadLength) + payloadLength;
-    for (let i = 0; i < records.length; i++) {
-      const { length } = records[i]!;
-      size -= length - joinedSize(length);
-    }
-    const parts = new JoinedParts(size);
-    parts.pos = writeFrameHeader(parts.bytes, parts.pos, BINARY, payloadLength);
-    parts.pos = writeListHeader(parts.bytes, parts.pos, listSize);
-    for (let i = 0; i < records.length; i++) {
-      const record = records[i]!;
-      parts.pos = writeElementHeader(parts.bytes, parts.pos, record.length);
-      parts.add(record);
-    }
-    return parts.finish();
-  },
-};
+export const singleFrames = singleRecordEncoder(HEAD);
+export const listFrames = recordListEncoder(HEAD);
 
 /** A frame with an error. [TD-17] */
 export function errorFrame(error: ErrorMessage): FrameParts {

@@ -1,67 +1,28 @@
-import {
-  encodeErrorFrame,
-  listHeaderSize,
-  recordHeaderSize,
-  recordListSize,
-  writeElementHeader,
-  writeListHeader,
-  writeRecordHeader,
-} from '@ubii/proto/wire';
+import { encodeErrorFrame } from '@ubii/proto/wire';
 import type { ErrorMessage } from '@ubii/proto';
 
-import type { BatchEncoder } from '../../core/ports/index.ts';
-import { JoinedParts, joinedSize, type FrameParts } from '../output/joined-parts.ts';
+import type { FrameParts } from '../output/joined-parts.ts';
+import {
+  recordListEncoder,
+  singleRecordEncoder,
+  type MessageHead,
+} from '../output/topic-data-encoders.ts';
 import { DELIMITER, encodeFrame, frameHeaderSize, writeFrameHeader } from './zmtp-frames.ts';
 
 /*
  * Messages from a ROUTER to a DEALER, as existing clients expect them: an empty frame, then the content. [TD-50]
  */
 
-/** Makes the messages of a batch. */
-export type MessageEncoder = BatchEncoder<FrameParts>;
-
-/** One message for each record. [TD-3] */
-export const singleMessages: MessageEncoder = {
-  encode({ records }) {
-    let size = 0;
-    for (let i = 0; i < records.length; i++) {
-      const { length } = records[i]!;
-      size += messageHeadSize(recordHeaderSize(length) + length) + recordHeaderSize(length);
-      size += joinedSize(length);
-    }
-    const parts = new JoinedParts(size);
-    for (let i = 0; i < records.length; i++) {
-      const record = records[i]!;
-      const { length } = record;
-      parts.pos = writeMessageHead(parts.bytes, parts.pos, recordHeaderSize(length) + length);
-      parts.pos = writeRecordHeader(parts.bytes, parts.pos, length);
-      parts.add(record);
-    }
-    return parts.finish();
+const HEAD: MessageHead = {
+  size: (contentBytes) => DELIMITER.length + frameHeaderSize(contentBytes),
+  write(target, start, contentBytes) {
+    target.set(DELIMITER, start);
+    return writeFrameHeader(target, start + DELIMITER.length, contentBytes);
   },
 };
 
-/** One message for all records. [TD-4] */
-export const listMessages: MessageEncoder = {
-  encode({ records }) {
-    const listSize = recordListSize(records);
-    const contentBytes = listHeaderSize(listSize) + listSize;
-    let size = messageHeadSize(contentBytes) + contentBytes;
-    for (let i = 0; i < records.length; i++) {
-      const { length } = records[i]!;
-      size -= length - joinedSize(length);
-    }
-    const parts = new JoinedParts(size);
-    parts.pos = writeMessageHead(parts.bytes, parts.pos, contentBytes);
-    parts.pos = writeListHeader(parts.bytes, parts.pos, listSize);
-    for (let i = 0; i < records.length; i++) {
-      const record = records[i]!;
-      parts.pos = writeElementHeader(parts.bytes, parts.pos, record.length);
-      parts.add(record);
-    }
-    return parts.finish();
-  },
-};
+export const singleMessages = singleRecordEncoder(HEAD);
+export const listMessages = recordListEncoder(HEAD);
 
 /** A message with an encoded `TopicData`. */
 export function topicDataMessage(content: Uint8Array): FrameParts {
@@ -76,14 +37,4 @@ export function errorMessage(error: ErrorMessage): FrameParts {
 /** A message with a heartbeat. @param text ASCII */
 export function textMessage(text: string): FrameParts {
   return topicDataMessage(Buffer.from(text, 'latin1'));
-}
-
-function messageHeadSize(contentBytes: number): number {
-  return DELIMITER.length + frameHeaderSize(contentBytes);
-}
-
-/** Returns the position of the content. */
-function writeMessageHead(target: Buffer, start: number, contentBytes: number): number {
-  target.set(DELIMITER, start);
-  return writeFrameHeader(target, start + DELIMITER.length, contentBytes);
 }
