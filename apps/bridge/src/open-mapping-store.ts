@@ -44,7 +44,7 @@ export function watchMappingFile(store: MappingStore, fn: () => void): () => voi
     store.refresh();
     fn();
   };
-  // Asks for the file again and again: editors replace files, and not all systems tell of that.
+  // Polls the file: editors replace files, and not all systems report that.
   watchFile(store.path, { interval: POLL_MS, persistent: false }, listener);
   return () => unwatchFile(store.path, listener);
 }

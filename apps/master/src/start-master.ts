@@ -258,7 +258,7 @@ export async function startMaster({
   let tokenFile: AdminTokenFile | undefined;
   let announced: AnnouncedMaster | undefined;
   const announceIfWished = (): void => {
-    // Who should use the address of a proxy must not find another one.
+    // With an address of a proxy, clients must not find another one.
     if (config.mdns === 'off' || config.publicUrl !== undefined) return;
     announced = announce({
       id: master.id,

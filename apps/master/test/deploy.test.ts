@@ -130,7 +130,7 @@ describe('make-secrets.sh', () => {
 });
 
 describe('nats.conf', () => {
-  it('lets masters in that have the login and the authority of make-secrets.sh, and nobody else', async () => {
+  it('admits only masters that have the login and the authority of make-secrets.sh', async () => {
     setNatsVariables();
     const server = await startNats({ args: ['--config', 'nats.conf'], cwd: folder });
     onTestFinished(() => server.stop());

@@ -30,7 +30,7 @@ export class MemoryMasterOf implements MemoryMaster {
     await settle();
   }
 
-  /** It ends in one moment, and says nothing to anybody. */
+  /** Ends at once, without telling clients or masters. */
   async die(): Promise<void> {
     this.isDown = true;
     await this.drop();

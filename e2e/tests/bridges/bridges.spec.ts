@@ -74,7 +74,7 @@ test('an admin edits what a bridge passes; the file follows, and may be edited a
     writeFileSync(file, JSON.stringify({ version: 1, mappings: [theirs] }));
     await bridges.form.getByRole('button', { name: 'Save' }).click();
     const conflict = bridges.form.getByRole('alert');
-    await expect(conflict).toContainText('Somebody else changed this mapping');
+    await expect(conflict).toContainText('Another user changed this mapping');
     expect(written()).toEqual([theirs]);
     await conflict.getByRole('button', { name: 'Keep mine' }).click();
     await expect(bridges.form).toBeHidden();

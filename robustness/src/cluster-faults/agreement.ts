@@ -2,7 +2,7 @@ import type { Client, Session } from '@ubii/proto';
 
 import type { TestCluster } from './cluster.ts';
 
-/** Time for values to come to somebody who subscribes, milliseconds. */
+/** Time for values to reach a new subscriber, milliseconds. */
 const VALUES_MS = 1_500;
 
 /** What a master says that all should say. */

@@ -149,7 +149,7 @@ export function each<T>(
   return Promise.all(cluster.crowds.map(fn));
 }
 
-/** Clients that are not connected, or do not know the other masters, or became somebody else. */
+/** Clients that are not connected, or do not know the other masters, or changed their identity. */
 export async function findAbsent(cluster: TestCluster): Promise<string[]> {
   const states = await each(cluster, (crowd) => crowd.do('state', cluster.size - 1));
   const gone = cluster.ended();
@@ -163,7 +163,7 @@ export async function findAbsent(cluster: TestCluster): Promise<string[]> {
         ? [`${members - connected} ${whose} have no connection (${doing.slice(0, 3).join('; ')})`]
         : []),
       ...(unaware > 0 ? [`${unaware} ${whose} do not know the other masters`] : []),
-      ...(identityChanges > 0 ? [`${identityChanges} ${whose} became somebody else`] : []),
+      ...(identityChanges > 0 ? [`${identityChanges} ${whose} changed their identity`] : []),
     ];
   });
   return [...gone, ...absent];

@@ -17,7 +17,7 @@ const ATTEMPTS = 3;
 
 const LIST = v.array(v.record(v.string(), v.unknown()));
 
-/** The mappings of a bridge, as it told them last. */
+/** The mappings of a bridge, as last received. */
 export interface LoadedMappings {
   readonly protocol: string;
   readonly list: readonly WrittenMapping[];
@@ -33,7 +33,7 @@ export interface LoadedMappings {
 export type SaveResult =
   | { readonly kind: 'saved'; readonly index: number }
   | { readonly kind: 'refused'; readonly problems: readonly BridgeMappingProblem[] }
-  /** Somebody else changed or removed the same mapping. */
+  /** Another user changed or removed the same mapping. */
   | { readonly kind: 'conflict' }
   | { readonly kind: 'failed'; readonly message: string };
 

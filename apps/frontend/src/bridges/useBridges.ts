@@ -38,7 +38,7 @@ export function useBridges(): ComputedRef<readonly BridgeView[] | undefined> {
   const subscription = client.subscribe({ glob: BRIDGE_TOPICS }, { format: 'string' });
   subscription.onRecord(({ topic, value, clientId }) => {
     const id = bridgeOfTopic(topic);
-    // Nobody tells how another client is.
+    // No topic has the state of another client.
     if (id === undefined || clientId !== id) return;
     const before = heard.value.get(id);
     if (before === undefined && heard.value.size >= MAX_BRIDGES) return;

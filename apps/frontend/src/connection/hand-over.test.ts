@@ -41,7 +41,7 @@ describe('a page that moves its address to another master [CU-97]', () => {
     });
   });
 
-  it('makes nobody another client, and renames no browser', () => {
+  it('changes neither the identity of a known client nor the name of a browser', () => {
     const known = storages({ 'ubii.identity': 'ben' }, { 'ubii.name': 'Ben' });
     expect(open(url, known)).toEqual({
       shown: ['/devices/smart-device?x=1'],

@@ -24,7 +24,7 @@ export function pageStorages(): PageStorages | undefined {
 
 /**
  * URL of this page at another master of the cluster, with what makes it the same client there. The secret stands in the
- * fragment, which is sent to nobody. [CU-97]
+ * fragment, which browsers do not send. [CU-97]
  * @param path of the page, with its query
  */
 export function handOverUrl(
@@ -40,8 +40,8 @@ export function handOverUrl(
 }
 
 /**
- * Takes over what `handOverUrl` handed over, and removes it from the address and the history. A tab that is somebody
- * already stays who it is: a link does not make it another client. [CU-97]
+ * Takes over what `handOverUrl` handed over, and removes it from the address and the history. A tab
+ * that has an identity keeps it: a link does not make it another client. [CU-97]
  */
 export function takeHandOver(
   { hash, pathname, search }: Pick<Location, 'hash' | 'pathname' | 'search'>,

@@ -115,7 +115,7 @@ describe('peers of ZeroMQ that mean harm', () => {
       await Promise.all(
         peers.map(async (peer) => {
           await peer.take(OPENING.length + REST_OF_GREETING.length);
-          // Refused: nobody knows it.
+          // Refused: the identity is unknown.
           const { flags, body } = await peer.takeFrame();
           expect([flags, body.toString('latin1', 1, 6)]).toEqual([4, 'ERROR']);
           peer.socket.destroy();

@@ -168,7 +168,7 @@ describe('topic data over ZeroMQ', () => {
     await caller.call({ topic: '/services/client/deregistration', client: { id } });
     await client.ended;
     await expect.poll(() => client.connections, { timeout: 30_000 }).toBe(2);
-    // The second time, it was told that nobody knows it.
+    // The second time, it was refused as unknown.
     const stranger = new ZeroMqClient(master, 'nobody');
     await stranger.ended;
     expect(stranger.connections).toBe(1);

@@ -153,7 +153,7 @@ function sumOf(a: ReceptionCounts, b: ReceptionCounts): ReceptionCounts {
   };
 }
 
-/** The values that stand at a master, as somebody who comes now gets them. @param waitMs for them to come */
+/** The current values at a master, as a new subscriber gets them. @param waitMs for them to come */
 export async function valuesAt(
   url: string,
   regex: string,

@@ -40,7 +40,7 @@ export class Member {
     return this.#id;
   }
 
-  /** Times that it became somebody else. */
+  /** Times that its identity changed. */
   get identityChanges(): number {
     return this.#identityChanges;
   }

@@ -5,7 +5,7 @@ export interface Fault {
   /** For `--only`. */
   readonly name: string;
   readonly about: string;
-  /** What the storage of NATS has is lost: so are documents that nobody has open. */
+  /** The storage of NATS is lost, and with it the documents that no master has open. */
   readonly losesStorage?: boolean;
   /** Does it, and takes it back. Resolves when nothing is broken any more. @param say what happens, for the report */
   run(cluster: TestCluster, say: (text: string) => void): Promise<void>;

@@ -1,10 +1,10 @@
 import type { UbiiClient } from '@ubii/client-web/node';
 import type { Clock } from '@ubii/timing';
 
-/** The list is asked for again after this time, milliseconds: previews come with each pause of a person who types. */
+/** The list is asked for again after this time, milliseconds: the page asks for a preview after each pause in typing. */
 const KEPT_MS = 3_000;
 
-/** Returns a function that tells the topics of the master, as they were lately. */
+/** Returns a function that lists the topics of the master, as of the last request. */
 export function cachedTopics(client: UbiiClient, clock: Clock): () => Promise<readonly string[]> {
   let list: readonly string[] = [];
   let askedMs = -Infinity;

@@ -163,7 +163,7 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     this.#backOff.handleConnected();
     this.#failure = '';
     this.#tellAvailability(client);
-    // Connected is who gets what it asked for.
+    // Connected only with the subscriptions acknowledged.
     this.#subscribe(client, [...this.#wanted], () => {
       if (!client.connected) return;
       this.#events?.handleState({ status: 'connected', hasForgotten });
@@ -268,7 +268,7 @@ function isSame(before: FilterOptions | undefined, now: FilterOptions): boolean 
   return before?.qos === now.qos && before.rh === now.rh;
 }
 
-/** What to tell people about an error of the connection. It never has the password. */
+/** Describes an error of the connection for users, never with the password. */
 function describe(error: Error): string {
   const { code } = error as { readonly code?: number | string };
   if (code === 0x84 || code === 1) return 'the broker does not speak MQTT 5';

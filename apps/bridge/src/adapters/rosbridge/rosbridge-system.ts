@@ -145,7 +145,7 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     // A publisher that latches ends with its connection, and its messages with it.
     this.#events?.handleState({ status: 'connected', hasForgotten: this.#wasConnected });
     this.#wasConnected = true;
-    // It does not tell latched messages from others.
+    // rosbridge does not mark latched messages.
     this.#events?.handleSettled();
     for (const message of this.#waiting.takeAll()) {
       const sent = this.#publish(message);
@@ -162,7 +162,7 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     this.#timers = [clock.after(this.#backOff.nextMs(), () => this.#connect())];
   }
 
-  /** A connection that answers no ping is gone. */
+  /** Closes a connection that does not answer a ping. */
   #beat(): void {
     if (!this.#isAlive) return this.#socket?.terminate();
     this.#isAlive = false;

@@ -58,7 +58,7 @@ export class Discovery {
     for (const entity of entities) this.#announce(entity);
   }
 
-  /** Sends all of it again: who kept it may have lost it. */
+  /** Sends all announcements again: the broker may have lost its kept messages. */
   announceAgain(): void {
     for (const [topic, text] of this.#sent) this.#tell(topic, text);
   }
@@ -69,7 +69,7 @@ export class Discovery {
     this.#states.clear();
   }
 
-  /** The bridge ends: nobody answers for the devices any more. */
+  /** Forgets what was announced: the bridge ends. */
   removeAll(): void {
     for (const topic of [...this.#sent.keys()]) this.#remove(topic);
   }

@@ -39,7 +39,7 @@ describe('bridges to the same system', () => {
     expect(bridges.has('b')).toBe(false);
   });
 
-  it('stand by for nobody who may do less, or of whom nothing is known [BR-24]', () => {
+  it('do not stand by for a bridge with fewer rights, or one that is unknown [BR-24]', () => {
     const { bridges, add, give } = createBridges();
     for (const id of ['a', 'b', 'c', 'd']) {
       add(id);

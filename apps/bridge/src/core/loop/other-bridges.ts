@@ -2,7 +2,7 @@ import { AccessRole } from '@ubii/proto';
 import { forgetFirst } from '../forget-first.ts';
 
 const TAG = 'bridge to ';
-/** Bridges and masters that are remembered, far more than anybody has. */
+/** Most bridges and masters that are remembered: far more than real installations have. */
 const REMEMBERED = 1_000;
 
 /** Tag of a bridge, by which others know which system it leads to. [BR-22] */
@@ -79,7 +79,7 @@ export class OtherBridges {
     return [...this.#bridges.keys()];
   }
 
-  /** The master was lost: the next one says again who is connected. */
+  /** The connection to the master was lost: the next one lists the connected clients again. */
   handleLost(): void {
     for (const id of this.#bridges.keys()) this.#bridges.set(id, false);
   }
@@ -95,7 +95,7 @@ export class OtherBridges {
 
   /**
    * Whether another one passes the same mappings: of those that are connected, one that may do more, or as much and has a
-   * lesser id. Any client can say that it is a bridge; who may do less silences nobody. [BR-24]
+   * lesser id. Any client can say that it is a bridge; one with fewer rights does not make others stand by. [BR-24]
    */
   passesFor(ownId: string, mappings: string): boolean {
     const own = rankOf(this.#roles.get(ownId));
@@ -136,7 +136,7 @@ export class OtherBridges {
   }
 }
 
-/** Greater for who may do more; who may not publish everywhere counts the same as who is not known. */
+/** Greater for more rights; clients that may not publish everywhere count the same as unknown ones. */
 function rankOf(role: AccessRole | undefined): number {
   if (role === AccessRole.ACCESS_ROLE_ADMIN) return 2;
   return role === AccessRole.ACCESS_ROLE_PARTICIPANT ? 1 : 0;

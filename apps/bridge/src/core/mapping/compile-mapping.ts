@@ -61,7 +61,7 @@ function readSides({ foreign, topic, direction }: WrittenMapping) {
   }
 }
 
-/** The same sentence for those who see which side it stands at. */
+/** The same sentence for a view that shows the side. */
 function withoutSides(message: string): string {
   return message
     .replace(/^`(foreign|topic)` | of `(foreign|topic)`/g, '')

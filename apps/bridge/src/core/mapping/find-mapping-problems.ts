@@ -5,7 +5,7 @@ import type { Mapping, Protocol } from './mapping.ts';
 import { WRITTEN_MAPPINGS } from './written-mapping.ts';
 import type { WrittenMapping } from './written-mapping.ts';
 
-/** Problems of one list that are told. */
+/** Most problems that are returned for one list. */
 const MAX_PROBLEMS = 200;
 
 /** What is wrong with one of several mappings, and where. */
@@ -13,7 +13,7 @@ export interface MappingProblem {
   readonly index: number;
   /** Member of the mapping; empty for the mapping as a whole. */
   readonly member: string;
-  /** One sentence for those who see the member. */
+  /** One sentence for a view that shows the member. */
   readonly message: string;
   /** One sentence with the place: `mappings[2].qos must be 0, 1 or 2, but is 3.` */
   readonly sentence: string;

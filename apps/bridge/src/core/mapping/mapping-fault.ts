@@ -5,7 +5,7 @@ import type * as v from 'valibot';
 export class MappingFault extends Error {
   /** Member of the mapping; empty for the mapping as a whole. */
   readonly member: string;
-  /** One sentence for those who see the member. */
+  /** One sentence for a view that shows the member. */
   readonly words: string;
 
   /** @param rest of the sentence after the place of the mapping; default: after the member */

@@ -54,7 +54,7 @@ const pause = async (): Promise<void> => {
 };
 
 describe('form for a mapping', () => {
-  it('is checked once after a pause of the person who types [BR-81]', async () => {
+  it('is checked once after a pause in typing [BR-81]', async () => {
     const { form, checked } = open();
     await pause();
     checked.length = 0;

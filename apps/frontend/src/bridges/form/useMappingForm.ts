@@ -29,7 +29,7 @@ export function useMappingForm(options: MappingFormOptions) {
   const result = shallowRef<CheckResult>();
   const failure = ref<string>();
   const isSaving = ref(false);
-  /** Somebody else changed (`mapping`) or removed (`undefined`) it. */
+  /** Another user changed (`mapping`) or removed (`undefined`) it. */
   const conflict = shallowRef<{ readonly theirs: WrittenMapping | undefined }>();
   let turn = 0;
 

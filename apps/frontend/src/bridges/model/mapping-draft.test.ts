@@ -5,7 +5,7 @@ import { carriageOf, lastErrorOf, lossesOf, passedOf } from './mapping-words.ts'
 const heat = { direction: 'in', foreign: 'heat/+', topic: '/heat/{1}', format: 'double', qos: 1 };
 
 describe('form of a mapping', () => {
-  it('that nobody touched writes the mapping as it was, unknown members as well', () => {
+  it('without changes writes the mapping as it was, with unknown members', () => {
     const odd = { ...heat, field: 'a.b', enabled: false, later: { version: 2 } };
     expect(mappingOf(draftOf(odd), 'mqtt', odd)).toEqual(odd);
     expect(isUnchanged(draftOf(odd), 'mqtt', odd)).toBe(true);

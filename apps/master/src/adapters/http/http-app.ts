@@ -66,7 +66,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
     void cutUnread(request.raw, options.clock);
     done();
   });
-  // All that follows asks who calls.
+  // All handlers below need the caller.
   app.addHook('onRequest', ({ raw }, _reply, done) => {
     const prepared = callers.prepare(raw);
     if (prepared === undefined) done();

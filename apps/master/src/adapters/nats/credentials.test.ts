@@ -32,7 +32,7 @@ describe('[CU-62] what a master identifies itself with', () => {
   });
 
   it('is a .creds file, with a signature', () => {
-    // A seed of the documentation of NATS; it belongs to nobody.
+    // A seed of the documentation of NATS, not used anywhere.
     const seed = 'SUAEL6GG2L2HIF7DUGZJGMRUFKXELGGYFMHF76UO2AYBG3K4YLWR3FKC2Q';
     const file = fileWith(
       `-----BEGIN NATS USER JWT-----\neyJ0.eyJq.c2ln\n------END NATS USER JWT------\n\n-----BEGIN USER NKEY SEED-----\n${seed}\n------END USER NKEY SEED------\n`,

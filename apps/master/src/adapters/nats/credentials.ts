@@ -39,7 +39,7 @@ function fromFile(file: string): Authenticator {
   return usernamePasswordAuthenticator(text.slice(0, colon), text.slice(colon + 1));
 }
 
-/** The library looks at the file with each connection only, when nobody would see its error. */
+/** Checked at the start: the library reads the file at each connection, and its error would not be reported. */
 function checked(file: string, text: string): Authenticator {
   const authenticator = credsAuthenticator(Buffer.from(`${text}\n`));
   try {

@@ -50,7 +50,7 @@ describe('[CU-52] parts of a message', () => {
     expect(joiner.heldBytes).toBe(0);
   });
 
-  it('take a bounded amount of memory, whoever sends them', () => {
+  it('take a bounded amount of memory, also with unknown senders', () => {
     const joiner = new PartJoiner(100);
     joiner.add('large', facts(1, 0, 101), of(1));
     expect(joiner.heldBytes).toBe(0);

@@ -20,7 +20,7 @@ const WILDCARDS: readonly string[] = ['::', '0.0.0.0'];
 export interface Reachability {
   /** The address for this machine. */
   readonly localUrl: string;
-  /** Addresses for others, best first; empty when nobody else can reach the master. */
+  /** Addresses for others, best first; empty when other computers cannot reach the master. */
   readonly networkAddresses: readonly MasterAddress[];
   readonly endpoints: MasterEndpoints;
 }

@@ -31,7 +31,7 @@ export interface ArrivingRequest {
   readonly declaredBytes: number | undefined;
   /** Encoding of the body, if the transport has such a thing. */
   readonly encoding?: string | undefined;
-  /** Is told who calls, before the body is read. */
+  /** Gets the caller, before the body is read. */
   readonly onIdentified: (kind: IncomingRequest['caller']['kind']) => void;
 }
 

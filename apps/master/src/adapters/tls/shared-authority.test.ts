@@ -37,7 +37,7 @@ async function open(address: string, dataDir = temporaryFolder()) {
 }
 
 describe('masters that are given the same authority [CU-94]', () => {
-  it('have certificates of their own that whoever trusts one of them trusts', async () => {
+  it('have certificates of their own, which clients that trust one of them accept', async () => {
     const [a, b] = [await open('10.0.0.5'), await open('10.0.0.6')];
     expect(b.certificates.authority).toBe(a.certificates.authority);
     expect(a.leaf.checkIP('10.0.0.5') && b.leaf.checkIP('10.0.0.6')).toBeDefined();

@@ -47,6 +47,6 @@ export function createSharedAuthority(file: string, authority: Issued, log: Log)
 function warnOfReaders(file: string, log: Log): void {
   if (process.platform === 'win32' || (statSync(file).mode & 0o077) === 0) return;
   log.warn(
-    `Other users of this machine may read ${file}. Whoever has its key can pose as this master to all devices that trust the authority. Allow its owner only (chmod 600).`,
+    `Other users of this machine may read ${file}. With its key, a user can act as this master towards all devices that trust the authority. Allow its owner only (chmod 600).`,
   );
 }

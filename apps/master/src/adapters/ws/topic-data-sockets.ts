@@ -70,7 +70,7 @@ export class TopicDataSockets {
       this.#admit(request, socket, head);
       return;
     }
-    // Nobody else listens meanwhile: an error without a listener would be thrown.
+    // The only listener meanwhile: Node.js throws an error without a listener.
     const ignore = (): void => undefined;
     socket.on('error', ignore);
     void prepared.then(() => {

@@ -7,7 +7,7 @@ const TTL_BYTES = 2;
 /** Most bytes that a PING asks to have back. */
 const MAX_CONTEXT_BYTES = 16;
 
-/** Answers wait for nobody: with so much unsent, there are none. */
+/** With more unsent bytes than this, commands are not answered. */
 const MAX_UNSENT_BYTES = 64 * 1024;
 
 /** Returns what sends answers on a socket, unless its peer asks without taking them. */

@@ -14,7 +14,7 @@ interface Demand {
   readonly reject: (error: Error) => void;
 }
 
-/** Reads a socket on demand, one reader at a time. What nobody asks for stays with the system. */
+/** Reads a socket on demand, one reader at a time. Bytes that no reader asks for stay in the buffers of the system. */
 export class ByteSource {
   readonly #socket: Socket;
   #chunks: Buffer[] = [];

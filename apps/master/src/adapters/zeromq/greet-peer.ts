@@ -27,7 +27,7 @@ const MAX_IDENTITY_BYTES = 255;
 
 /** A peer that has said what it is, and waits to be taken or refused. */
 export class ZmtpPeer {
-  /** Bytes by which the peer wants to be known; empty when it does not care. */
+  /** Identity that the peer asks for; empty for any. */
   readonly identity: Buffer;
   readonly #version: ZmtpVersion;
   readonly #own: SocketType;

@@ -10,7 +10,7 @@ const MAX_TEXT_BYTES = 128;
 const PING_BYTES = 0x5049_4e47;
 const PONG_BYTES = 0x504f_4e47;
 const WORD_BYTES = 4;
-/** A message has one or two. One with more is told, and its end waited for, but not forever. */
+/** Most frames of a message that are read: it should have one or two. Messages with more are reported; the connection ends above this limit. */
 const MAX_FRAMES = 8;
 
 const NO_MESSAGE =

@@ -69,7 +69,7 @@ export class ZeroMqConnection implements ClientConnection {
     this.#write(timed === undefined ? PONG : textMessage(formatPong(timed)));
   }
 
-  /** Before the peer was taken, it is told why. [TD-52] */
+  /** Refuses a peer with a reason, before it is accepted. [TD-52] */
   close(reason: CloseReason, explanation?: string): void {
     if (this.#state === 'closed') return;
     if (this.#state === 'greeted') {

@@ -25,14 +25,14 @@ export interface ZeroMqServicesOptions extends AnswerOptions {
   readonly log: Log;
   readonly clock: Clock;
   readonly doorkeeper: Pick<Doorkeeper, 'of'>;
-  /** By then a caller has said who it is, milliseconds. */
+  /** Time for the handshake of a caller, milliseconds. */
   readonly greetingMs: number;
   /** By then a reply was taken, milliseconds. */
   readonly replyMs: number;
 }
 
 /**
- * Services as a REP of ZeroMQ. Each caller has its own turn: a slow request makes nobody else wait. Requests of one caller
+ * Services as a REP of ZeroMQ. Each caller has its own turn: a slow request does not delay other callers. Requests of one caller
  * are answered one after another. [SV-60]
  */
 export class ZeroMqServices {
@@ -70,7 +70,7 @@ export class ZeroMqServices {
 
   async #serve(socket: Socket): Promise<void> {
     const { callers, clock, greetingMs } = this.#options;
-    // Before anything else: of a socket that is gone nothing is known any more.
+    // First of all: the address of a closed socket is unknown.
     const prepared = callers.prepare({ headers: {}, socket });
     const source = new ByteSource(socket);
     const cancel = clock.after(greetingMs, () => socket.destroy());
@@ -93,7 +93,7 @@ export class ZeroMqServices {
     source.release();
     if (!this.#isClosing) await drain(socket, clock); // [SV-45]
     socket.end();
-    // Who keeps its side open does not keep the connection.
+    // A peer that does not close its side must not keep the connection.
     socket.once(
       'close',
       clock.after(END_MS, () => socket.destroy()),

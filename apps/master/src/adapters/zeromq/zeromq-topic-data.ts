@@ -29,7 +29,7 @@ export interface ZeroMqTopicDataOptions {
   readonly doorkeeper?: Pick<Doorkeeper, 'of'>;
   /** Largest message a client may send. */
   readonly maxMessageBytes: number;
-  /** By then a client has said who it is, milliseconds. */
+  /** Time for the handshake of a client, milliseconds. */
   readonly greetingMs: number;
   /**
    * For how long a client that is not wanted is kept waiting, milliseconds: libraries connect again by themselves, 10
@@ -67,7 +67,7 @@ export class ZeroMqTopicData {
 
   async #open(socket: Socket): Promise<void> {
     const { master, callers, clock, greetingMs, doorkeeper } = this.#options;
-    // Before anything else: of a socket that is gone nothing is known any more.
+    // First of all: the address of a closed socket is unknown.
     const prepared = callers.prepare({ headers: {}, socket });
     const addressKind = kindOfPeer(socket.remoteAddress);
     const source = new ByteSource(socket);

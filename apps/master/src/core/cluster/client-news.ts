@@ -22,7 +22,7 @@ export class ClientNews {
     this.#context = context;
   }
 
-  /** It came, changed, or is gone. */
+  /** The client came, changed or left. */
   note(clientId: string): void {
     this.#ids.add(clientId);
     this.#cancel ??= this.#context.clock.after(NEWS_MS, () => this.#tell());

@@ -88,7 +88,7 @@ export class Cluster implements BusListener {
   isReachable = false;
   /** Since when it can or cannot be, epoch milliseconds; undefined before it could be. */
   reachSinceMs: number | undefined = undefined;
-  /** Answers requests of clients of other masters; set by who can. */
+  /** Answers requests of clients of other masters. */
   answer: Answer = () =>
     Promise.reject(new Error('nothing answers the requests of other masters yet'));
 
@@ -261,7 +261,7 @@ export class Cluster implements BusListener {
     if (hello !== undefined) this.members.handleHello(from, hello);
     const peer = this.#handleSign(from);
     if (peer === undefined) {
-      // It was heard before it said who it is: it says so within a second, and is listened to then.
+      // Its hello has not come yet; it is sent every second.
       if (listen !== undefined) this.members.sayHello();
       return;
     }
@@ -350,7 +350,7 @@ export class Cluster implements BusListener {
     for (const entry of topics.values()) endForeign(topics, entry, id);
   }
 
-  /** Values that nobody here wants any more would not be kept up to date. [CU-13] */
+  /** Deletes values without subscribers here: they would not be kept up to date. [CU-13] */
   #endUnwanted(): void {
     const { topics } = this.#context;
     for (const entry of topics.values()) {

@@ -65,14 +65,14 @@ export class Directory {
     clients.setForeign(client, { spec: specOf(message), status: statusOf(message.state) });
   }
 
-  /** It is gone from that master. */
+  /** The client left that master. */
   delete(masterId: string, id: string): void {
     const { clients } = this.#context;
     const client = clients.get(id);
     if (client?.home?.masterId === masterId) clients.handleEvent(client, 'deregistered');
   }
 
-  /** The master is not heard any more: its clients are absent ones, until they come to another master. [CU-21] */
+  /** Lists the clients of a silent master as away, until they come to another master. [CU-21] */
   handleLost(masterId: string): void {
     const home = this.#homes.get(masterId);
     if (home === undefined) return;
@@ -131,7 +131,7 @@ export class Directory {
   }
 }
 
-/** A client of this master, as others are told. */
+/** Describes a client of this master for other masters. */
 export function describeClient(client: Client): Init<ClusterClient> {
   const { access, isExtension, node, library, hereSinceMs } = client;
   return {

@@ -35,13 +35,13 @@ interface KnownTopic {
   readonly epoch: number;
 }
 
-/** Topics of one other master, as it told them last. */
+/** Topics of one other master, as last received. */
 interface KnownTopics {
   cursor: number;
   readonly topics: Map<string, KnownTopic>;
 }
 
-/** Counters of the topics of all masters, kept only as long as somebody asks for them. [CU-29] */
+/** Counters of the topics of all masters, kept only while a client asks for them. [CU-29] */
 export class ForeignTopics {
   readonly #context: ForeignTopicsContext;
   readonly #masters = new Map<string, KnownTopics>();

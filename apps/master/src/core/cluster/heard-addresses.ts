@@ -1,7 +1,7 @@
 /** Addresses that are remembered; the oldest ones are forgotten. */
 const MAX_ADDRESSES = 256;
 
-/** Addresses of all masters that were heard since this one started, of lost ones as well. [CU-90] */
+/** Addresses of all masters that this one has received a hello from since it started, also of lost ones. [CU-90] */
 export class HeardAddresses {
   readonly #addresses = new Set<string>();
 

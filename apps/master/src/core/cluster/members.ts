@@ -39,7 +39,7 @@ interface Heard {
   heardMs: number;
 }
 
-/** Other masters of the cluster, as long as they are heard. */
+/** The reachable other masters of the cluster. */
 export class Members {
   /** A master is there that was not, or says something else of itself. */
   readonly onJoined = new Hook<[member: Member]>();
@@ -61,7 +61,7 @@ export class Members {
 
   /**
    * Where clients can go: to those that are there. While none is heard, to those that fell silent, because it may be
-   * this master that hears nobody; never to those that said goodbye. [CU-26]
+   * this master that is cut off; never to those that said goodbye. [CU-26]
    */
   listForClients(): Member[] {
     return sorted(this.#members.size > 0 ? this.#members : this.#silent);
@@ -115,7 +115,7 @@ export class Members {
       this.#silent.set(id, heard);
       this.#lose(id, false);
     }
-    // Another one is heard that could have fallen silent together with these: it is they who are gone.
+    // With another master reachable, these are down, and this one is not cut off.
     for (const [id, { heardMs }] of this.#silent) {
       if (this.#members.size > 0 && nowMs - heardMs >= 2 * LOST_MS) this.#silent.delete(id);
     }

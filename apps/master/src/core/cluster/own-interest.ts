@@ -23,7 +23,7 @@ interface Wanted {
 
 const NOTHING: Interest = { topic: '', pattern: '', profile: undefined, everything: false };
 
-/** What subscribers of this master want of others, each thing once. Changes are told at the end of the turn. [CU-10] */
+/** What subscribers of this master need from others, each entry once. Sends changes at the end of the turn. [CU-10] */
 export class OwnInterest implements TurnTask {
   /** Something is wanted, or at another rate, or not any more. */
   readonly onChange = new Hook<

@@ -77,7 +77,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
     return this.#subscriber.outbox.drops.count;
   }
 
-  /** It wants this from now on, and gets the values that stand. */
+  /** Adds an interest, and sends the current values. */
   want(interest: ClusterInterest): void {
     try {
       for (const entry of this.#subscribe(interest)) this.replay(entry);
@@ -87,7 +87,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
     }
   }
 
-  /** It does not want this any more. */
+  /** Removes an interest. */
   endWant({ topic, pattern, profile, everything }: ClusterInterest): void {
     const { subscriptions } = this.#context;
     const subscriber = this.#received;
@@ -97,7 +97,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
     else subscriptions.unsubscribeTopic(subscriber, topic);
   }
 
-  /** It begins to listen again: all values that it wants are sent. */
+  /** The other master receives again: sends all values that it has an interest in. */
   replayAll(): void {
     for (const entry of this.#context.topics.values()) {
       if (entry.originId !== '') continue;

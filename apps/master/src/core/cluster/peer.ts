@@ -29,7 +29,7 @@ import type { ToldRecords } from './told-records.ts';
 const CLIENTS_BYTES = 256 * 1024;
 /** Bytes of a client besides what it registered. */
 const CLIENT_BYTES = 512;
-/** Looks between the end of what a stream begins with and that of values that were not told in it. */
+/** Ticks from the end of the first part of a stream until values that are missing in it are deleted. */
 const VALUES_LOOKS = 4;
 /** Looks in which parts of an earlier stream may still come. */
 const OLD_PARTS_LOOKS = 20;
@@ -55,14 +55,14 @@ export interface PeerParts extends PeerContext {
   readonly onNodeMessage: (clientId: string, message: Uint8Array) => void;
 }
 
-/** What was told since a stream began, until it said all: the rest of what is known is not so any more. */
+/** What a new stream has announced so far. When it is complete, everything else that is known of the master is deleted. */
 interface FirstTold {
   readonly clients: Set<string>;
   readonly interests: Set<string>;
   readonly sessions: Set<string>;
 }
 
-/** Another master: what it is told, and what it tells. */
+/** Another master: the messages to it and from it. */
 export class Peer {
   readonly id: string;
   readonly #parts: PeerParts;
@@ -83,9 +83,9 @@ export class Peer {
   readonly #roundTrip = new PeerRoundTrip();
   readonly #rates: PeerRates;
   #recordsFrom = 0;
-  /** It has told something since it is there. */
+  /** A message of it has come since it appeared. */
   #hasTold = false;
-  /** Times that something that it told was missing. */
+  /** Gaps in its messages so far. */
   gaps = 0;
 
   constructor(parts: PeerParts, id: string) {
@@ -260,7 +260,7 @@ export class Peer {
     return { recordsTo, recordsFrom: this.#recordsFrom, bytesTo, bytesFrom };
   }
 
-  /** Something is missing [CU-7]. Who cannot be understood is not asked all the time. */
+  /** Asks for the stream again after a gap, not more often than the limit. [CU-7] */
   #listenAgain(): void {
     if (this.#isToListen) return;
     // A first request that gets lost while both start costs nothing that was known.
@@ -290,7 +290,7 @@ export class Peer {
     this.#subscriber.endWant(interest);
   }
 
-  /** What was known before the stream began, and was not told in it, is over. */
+  /** Deletes what was known before the stream began and is missing in it. */
   #endOthers(first: FirstTold): void {
     this.#first = undefined;
     this.#failures = 0;

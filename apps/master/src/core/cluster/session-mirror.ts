@@ -10,7 +10,7 @@ export interface MirrorContext {
   readonly foreignSessions: ForeignSessions;
   readonly sessionTable: SessionTable;
   readonly owners: OwnerStore;
-  /** Whether this master is heard now. */
+  /** True while the master is reachable. */
   readonly isThere: (masterId: string) => boolean;
 }
 
@@ -53,7 +53,7 @@ export class SessionMirror {
     return ownerId === undefined || ownerId === masterId || !isThere(ownerId);
   }
 
-  /** It is not there any more, although nobody told. */
+  /** It was removed without an announcement. */
   delete(masterId: string, id: string): void {
     const { foreignSessions, publisher } = this.#context;
     const session = foreignSessions.list().find((one) => one.id === id);

@@ -40,7 +40,7 @@ export interface TakeoverContext {
 export class Takeover {
   readonly #context: TakeoverContext;
   readonly #members: Members;
-  /** Owners that are not heard, with the time since when; monotonic milliseconds. */
+  /** Silent owners, with the time since when; monotonic milliseconds. */
   readonly #silent = new Map<string, number>();
   /** Names of masters that own sessions, or did. */
   readonly #names = new Map<string, string>();
@@ -69,17 +69,17 @@ export class Takeover {
     for (const key of this.#context.owners.owners().keys()) this.#giveUpIfLost(key);
   }
 
-  /** A master ended, or was not heard for long enough: it is known to be gone. */
+  /** A master ended, or was silent for long enough to count as down. */
   handleLost(masterId: string): void {
     this.#silent.set(masterId, this.#context.clock.monotonicMs() - LOST_MS);
     this.look();
   }
 
-  /** Takes over what nobody runs, and makes what the store says of own sessions so. To be called about twice a second. */
+  /** Takes over sessions without an owner, and applies changes of the store to own sessions. To be called about twice a second. */
   look(): void {
     const { clock, owners, id: ownId } = this.#context;
     const nowMs = clock.monotonicMs();
-    // Who was apart first hears who is there.
+    // A master that was cut off first learns which masters are there.
     if (this.#reachableSinceMs === undefined || nowMs - this.#reachableSinceMs < LOST_MS) return;
     const ownerIds = new Set<string>();
     for (const [key, ownerId] of owners.owners()) {
@@ -165,7 +165,7 @@ export class Takeover {
     );
   }
 
-  /** Sessions that a lost master told of and that nobody owns were removed. */
+  /** Removes sessions that a lost master announced and that have no owner. */
   #endUnowned(): void {
     const { foreignSessions, owners, publisher } = this.#context;
     for (const [id, masterId] of foreignSessions.masters()) {

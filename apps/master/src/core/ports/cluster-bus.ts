@@ -1,6 +1,6 @@
 /** The side of a master that receives from the bus. No method throws. */
 export interface BusListener {
-  /** A message of another master. Takes over `message`: nobody modifies it any more. */
+  /** A message of another master. Takes over `message`: the bus does not modify it any more. */
   handleMessage(fromMasterId: string, message: Uint8Array): void;
   /** The bus can be reached, or no longer: what is sent meanwhile is lost. Called when that changes, and first when it can. */
   handleReach(isReachable: boolean): void;

@@ -5,7 +5,7 @@ export interface OwnerStore {
   /** Master ids by key, as far as this master knows by now. */
   owners(): ReadonlyMap<string, string>;
   /**
-   * Takes a key for `owner`, if it is still owned as `from` says; undefined: by nobody.
+   * Takes a key for `owner`, if it is still owned as `from` says; undefined: without an owner.
    *
    * @returns false when another master was faster
    * @throws Error with the reason when the store cannot be reached

@@ -1,13 +1,13 @@
 import { masterHost, masterProofText, ServiceError } from '@ubii/proto';
 import { definer } from './define-service.ts';
 
-/** Random and unique: long enough for that, and short enough to be signed for anybody. */
+/** Random and unique: long enough for that, and short enough to be signed for any caller. */
 const NONCE = /^[!-~]{16,64}$/;
 
 /**
  * Proves to a client that this master is of its cluster, before the client shows its token. [CU-85]
  *
- * Who asks under another address gets a proof of no address, as long as any other: it is worth nothing to a server that
+ * A caller that used another address gets a proof of no address, as long as any other: it is worth nothing to a server that
  * passes the question on, and tells a stranger of no network. [AC-5]
  */
 export const masterProof = definer<'settings' | 'tokens'>()('masterProof', {

@@ -85,7 +85,7 @@ function forwarded(
   call: Call,
 ): Promise<ServiceAnswer> | undefined {
   if (core.masters === undefined || call.isOfMaster) return undefined;
-  // Nothing is carried for callers who may not ask.
+  // Requests of callers without the right are not forwarded.
   core.access.authorize(call.caller, service, request.topic, service.subjectOf(request));
   return forward(core, service, request, call.facts)?.then((reply) => ({
     reply,

@@ -22,7 +22,7 @@ export class ForeignSessions {
     return [...this.#sessions].map(([id, { masterId }]) => [id, masterId]);
   }
 
-  /** It is this master's now, or nobody's. */
+  /** It is this master's now, or has no owner. */
   forget(sessionId: string): void {
     this.#sessions.delete(sessionId);
   }

@@ -239,7 +239,7 @@ export class Sessions {
     life.news.announceGone(session);
   }
 
-  /** Another master runs the session: here it ends, and nobody is told, because it goes on. [CU-34] */
+  /** Another master runs the session: here it ends without an announcement, because it goes on there. [CU-34] */
   giveUp(session: Session): void {
     const { life, table, topics } = this.#context;
     table.delete(session);

@@ -119,7 +119,7 @@ export class Accounts {
     if (before !== undefined) this.#forgetIfIdle(before);
   }
 
-  /** The client is at another master now: it counts for nobody here. [CU-22] */
+  /** The client is at another master now, which counts what it costs. [CU-22] */
   moveOut(account: Account): void {
     const before = account.parent;
     account.moveTo(undefined, unlimited());

@@ -88,7 +88,7 @@ function deliver(
   }
 }
 
-/** The value that came from this master is gone there. */
+/** Deletes a value that its master has deleted. */
 export function endForeign(
   topics: TopicTable,
   entry: TopicEntry | undefined,

@@ -61,7 +61,7 @@ export class KeptValues {
     if (owner !== undefined) this.#forgetIfEmpty(owner);
   }
 
-  /** A newer value of another master takes its place, which nobody owns here. [CU-12] */
+  /** Replaces the value by a newer one of another master, which has no owner here. [CU-12] */
   handleReplaced(entry: TopicEntry): void {
     const owner = this.#owners.get(entry.owner?.id ?? '');
     this.#endMs.delete(entry);

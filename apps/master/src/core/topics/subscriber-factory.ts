@@ -26,7 +26,7 @@ export type SubscriberFactory = (
   isPeer?: boolean,
 ) => ClientSubscriber;
 
-/** More than anybody spends. */
+/** More than a client can use. */
 const UNBOUNDED = 1e12;
 
 /** All subscribers share the end of the turn. */

@@ -92,7 +92,7 @@ export class TopicEntry {
     this.isNews = this.isMasters && !this.isExtension;
   }
 
-  /** Whoever publishes here next owns the value, which nobody present owns. */
+  /** The value has no owner here; the next client that publishes becomes its owner. */
   get isAdoptable(): boolean {
     return this.isKept || (this.originId !== '' && this.owner === undefined);
   }

@@ -139,14 +139,14 @@ export class TopicTable {
     else this.#deleteValue(entry);
   }
 
-  /** Deletes a value that came from another master, whoever owns it here. */
+  /** Deletes a value that came from another master, whichever client owns it here. */
   dropForeign(entry: TopicEntry): void {
     if (entry.record === undefined || entry.originId === '') return;
     if (entry.owner !== undefined) this.disown(entry);
     this.#deleteValue(entry);
   }
 
-  /** Gives a value to nobody: the master pays for it. */
+  /** Makes a value one without an owner: it counts for the master. */
   disown(entry: TopicEntry): void {
     const bytes = entry.record!.byteLength;
     entry.payer?.add(RESOURCE.retainedBytes, -bytes);

@@ -14,7 +14,7 @@ export interface BusBench {
 const A = '0a7d3f0e-5a53-4d6c-9f3c-111111111111';
 const B = '0a7d3f0e-5a53-4d6c-9f3c-222222222222';
 const C = '0a7d3f0e-5a53-4d6c-9f3c-333333333333';
-const NOBODY = '0a7d3f0e-5a53-4d6c-9f3c-999999999999';
+const UNKNOWN_ID = '0a7d3f0e-5a53-4d6c-9f3c-999999999999';
 /** As large as a frame may be by default, and more than an engine takes at once. */
 const LARGE_BYTES = 5_000_000;
 
@@ -84,7 +84,7 @@ export function clusterBusSuite(name: string, openBench: () => Promise<BusBench>
 
     it('loses what is sent to masters that are not there, and to itself', async () => {
       const [a, b] = [await join(A), await join(B)];
-      a.bus.send(NOBODY, Uint8Array.of(1));
+      a.bus.send(UNKNOWN_ID, Uint8Array.of(1));
       a.bus.send(A, Uint8Array.of(2));
       a.bus.send(B, Uint8Array.of(3));
       expect((await b.messages.next()).bytes).toEqual([3]);

@@ -76,7 +76,7 @@ export function ownerStoreSuite(name: string, openBench: () => Promise<OwnerBenc
       expect(await first.claim('key', 'A', undefined)).toBe(true);
     });
 
-    it('lets the owner give a key up, and nobody else', async () => {
+    it('lets only the owner release a key', async () => {
       await first.claim('key', 'A', undefined);
       await second.release('key', 'B');
       await second.release('other', 'B');

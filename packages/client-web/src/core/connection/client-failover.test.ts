@@ -155,7 +155,7 @@ describe('a client whose master does not answer [CU-81] [CU-82]', () => {
     await clock.advance(10_000);
     const shown: unknown[] = [];
     for (const master of [b, c]) {
-      master.restart({ hasNewKey: true }); // of somebody else, who has the address now
+      master.restart({ hasNewKey: true }); // another installation, which has the address now
       const handle = master.handleServiceRequest.bind(master);
       Object.assign(master, {
         handleServiceRequest: (request: never, bearer: unknown) => {
@@ -209,7 +209,7 @@ describe('a client that goes to another master [CU-83]', () => {
     expect(problems).toEqual([]);
   });
 
-  it('is itself there or nobody: it leaves a master that makes it a new client', async () => {
+  it('leaves a master that registers it as a new client', async () => {
     const { a, b, c, client, clock } = await setup({ random: () => 0 });
     await createTestClient(c).client.connect(); // its first id is another client's
     c.onRequest = ({ client: asked }) => {

@@ -74,7 +74,7 @@ describe('the proof of another master [CU-85]', () => {
     ],
     ['nothing', () => ''],
     ['no master', () => undefined],
-    ['nobody', () => new ConnectionError('refused', 'gone')],
+    ['no server', () => new ConnectionError('refused', 'gone')],
   ])('is not that of %s', async (_, answer) => {
     expect((await ask(answer)).isProven).toBe(false);
   });

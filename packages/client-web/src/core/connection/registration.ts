@@ -299,7 +299,7 @@ export class Registration {
     return membership;
   }
 
-  /** As itself or not at all: an address may lead to the master of somebody else by now. [CU-83] */
+  /** As the same client or not at all: the address may belong to another installation by now. [CU-83] */
   async #registerElsewhere(register: (bearer: string) => Promise<Client>): Promise<Client> {
     const client = await register(this.credential ?? '');
     if (client.id === this.#clientId) return client;
