@@ -11,7 +11,7 @@ export const startMaster = (...args: MasterArgs): Promise<StartedMaster> =>
 /** Starts a node. */
 export function startNode(
   flags: readonly string[],
-  options?: { withChannel?: boolean },
+  options?: { withChannel?: boolean; env?: Record<string, string> },
 ): RunningProgram {
   return new RunningProgram(nodeProgram, flags, options);
 }

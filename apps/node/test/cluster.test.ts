@@ -1,0 +1,58 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
+import { temporaryFolder, type StartedMaster } from '@ubii/program/testing';
+import { reasonAgainstNats, startNats } from '@ubii/program/testing/brokers';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { startMaster, startNode } from './programs.ts';
+
+// Starts a NATS server and three programs, which takes long on a busy machine.
+vi.setConfig({ testTimeout: 120_000 });
+
+const reason = reasonAgainstNats();
+if (reason !== undefined) console.warn(`The test of a node in a cluster is left out: ${reason}`);
+
+/** Resolves when a master tells its clients of another one. */
+async function untilKnown({ port, dataDir }: StartedMaster): Promise<void> {
+  const joinToken = readFileSync(join(dataDir, 'admin-token'), 'utf8').trim();
+  const url = `http://127.0.0.1:${port}`;
+  const client = createClient({ url, joinToken, identity: createMemoryIdentity() });
+  onTestFinished(() => client.close());
+  await client.connect();
+  await expect.poll(() => client.otherMasters.length).toBeGreaterThan(0);
+  await client.close();
+}
+
+describe.skipIf(reason !== undefined)('a node in a cluster', () => {
+  it('[CU-83] [CU-94] moves over HTTPS, trusting the authority that both masters have', async () => {
+    const nats = await startNats({ jetstream: true });
+    onTestFinished(() => nats.stop());
+    const authority = join(temporaryFolder(), 'authority.pem');
+    const flags = ['--lan', 'on', '--mdns', 'off', '--cluster', nats.url];
+    const start = () => startMaster(0, temporaryFolder(), [...flags, '--tls-authority', authority]);
+    const [a, b] = [await start(), await start()];
+    const certificate = join(temporaryFolder(), 'ca.pem');
+    writeFileSync(certificate, await (await fetch(`http://127.0.0.1:${a.port}/ca.pem`)).text());
+
+    await untilKnown(a);
+    const node = startNode(
+      [
+        ...[
+          '--master',
+          `https://127.0.0.1:${a.port}`,
+          '--name',
+          'mover',
+          '--print-endpoints',
+          'json',
+        ],
+        ...['--token-file', join(a.dataDir, 'admin-token'), '--log-level', 'debug'],
+      ],
+      { env: { NODE_EXTRA_CA_CERTS: certificate } },
+    );
+    const { id } = await node.ready<{ id: string }>();
+    await a.program.kill();
+    await node.says(new RegExp(`Moved to https://[^ ]+:${b.port}\\n`));
+    await node.says(new RegExp(`Connected to https://[^ ]+:${b.port} as ${id}`));
+    expect(node.stderr).not.toContain('http://');
+  });
+});
