@@ -11,8 +11,10 @@ import {
   limitZoom,
   MAX_ZOOM,
   MIN_ZOOM,
-  viewOf,
+  NO_COVER,
+  clearViewOf,
   type Box,
+  type Cover,
   type View,
 } from './stage-view.ts';
 
@@ -254,18 +256,18 @@ export class CanvasStage {
     return boxes.length === 0 ? undefined : bounds(boxes);
   }
 
-  /** Fits all nodes, or these, into the view. @param inset height at the bottom that is covered, pixels */
-  fit(ids?: Iterable<string>, inset = 0): Promise<void> {
-    return this.fitBox(this.boxOf(ids), inset);
+  /** Fits all nodes, or these, into the view. */
+  fit(ids?: Iterable<string>, cover?: Cover): Promise<void> {
+    return this.fitBoxes(this.boxes(ids), cover);
   }
 
-  /** Fits a box of the canvas into the view. */
-  async fitBox(box: Box | undefined, inset = 0): Promise<void> {
+  /** Fits boxes of the canvas into the view. */
+  async fitBoxes(boxes: readonly Box[], cover: Cover = NO_COVER): Promise<void> {
     const { clientWidth: width, clientHeight: height } = this.container;
-    if (box === undefined || width === 0) return;
+    if (boxes.length === 0 || width === 0) return;
     // The ResizeObserver reports only after the first frame.
     if (this.viewport.value.width === 0) this.viewport.value = { width, height };
-    const { x, y, k } = viewOf(box, { width, height }, inset);
+    const { x, y, k } = clearViewOf(boxes, { width, height }, cover);
     await this.#area.area.zoom(k);
     await this.#area.area.translate(x, y);
   }

@@ -2,7 +2,6 @@ import { shallowRef, type Ref } from 'vue';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 import { drawnSize, drawnSizeIn, drawnSocket } from '../nodes/drawn-size.ts';
 import { nodeMeasures } from '../nodes/node-geometry.ts';
-import { bounds } from '../model/selection/arrange.ts';
 import { CanvasCommands } from './canvas-commands.ts';
 import { CanvasStage } from './canvas-stage.ts';
 import { ConnectGesture } from './connect-gesture.ts';
@@ -47,12 +46,11 @@ export function createCanvas(
   return { container, context };
 }
 
-/** Estimated bounding box of all nodes before they are drawn. */
-export function placesBox(editor: GraphEditor): Box | undefined {
+/** Estimated boxes of all nodes before they are drawn. */
+export function placeBoxes(editor: GraphEditor): Box[] {
   const sizeOf = drawnSizeIn(editor.graph.value);
-  const boxes = [...editor.places.value].flatMap(([id, place]) => {
+  return [...editor.places.value].flatMap(([id, place]) => {
     const node = editor.graph.value.nodes.get(id);
-    return node === undefined ? [] : [{ id, ...place, ...sizeOf(node) }];
+    return node === undefined ? [] : [{ ...place, ...sizeOf(node) }];
   });
-  return boxes.length === 0 ? undefined : bounds(boxes);
 }

@@ -1,5 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { insideNode, limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf } from './stage-view.ts';
+import { mapCorner } from './map-corner.ts';
+import {
+  clearViewOf,
+  insideNode,
+  limitZoom,
+  MAX_ZOOM,
+  MIN_ZOOM,
+  viewOf,
+  type Box,
+  type View,
+} from './stage-view.ts';
 
 describe('viewOf', () => {
   const viewport = { width: 1000, height: 700 };
@@ -30,6 +40,35 @@ describe('viewOf', () => {
     expect(viewOf({ x: 0, y: 0, width: 1e6, height: 1e6 }, viewport).k).toBe(MIN_ZOOM);
     expect(limitZoom(100)).toBe(MAX_ZOOM);
     expect(limitZoom(0)).toBe(MIN_ZOOM);
+  });
+});
+
+describe('clearViewOf', () => {
+  const viewport = { width: 1000, height: 700 };
+  const cover = { bottom: 60, corner: mapCorner };
+  const boxAt = (x: number, y: number): Box => ({ x, y, width: 200, height: 100 });
+  const right = (view: View, box: Box) => (box.x + box.width) * view.k + view.x;
+  const bottom = (view: View, box: Box) => (box.y + box.height) * view.k + view.y;
+
+  it('leaves the view as it is while no node is behind the minimap', () => {
+    const boxes = [boxAt(0, 0), boxAt(900, 0), boxAt(0, 700)];
+    const all = { x: 0, y: 0, width: 1100, height: 800 };
+    expect(clearViewOf(boxes, viewport, cover)).toEqual(viewOf(all, viewport, cover.bottom));
+  });
+
+  it.each([
+    ['beside', [boxAt(0, 0), boxAt(700, 900)]],
+    ['above', [boxAt(0, 0), boxAt(1600, 300)]],
+  ])('shows nodes %s the minimap instead of behind it', (where, boxes) => {
+    const { width, height } = mapCorner(viewport)!;
+    const view = clearViewOf(boxes, viewport, cover);
+    const [, last] = boxes;
+    if (where === 'beside') expect(right(view, last!)).toBeLessThan(viewport.width - width);
+    else expect(bottom(view, last!)).toBeLessThanOrEqual(viewport.height - height);
+  });
+
+  it('keeps nothing free on small canvases, which have no minimap', () => {
+    expect(mapCorner({ width: 390, height: 700 })).toBeUndefined();
   });
 });
 

@@ -1,4 +1,5 @@
 import type { Point, Size } from '../model/graph.ts';
+import { bounds } from '../model/selection/arrange.ts';
 
 /** View of the canvas: position of its origin in pixels, and the zoom `k`. */
 export interface View extends Point {
@@ -48,4 +49,33 @@ export function viewOf(box: Box, viewport: Size, inset = 0, margins = MARGINS): 
     y: top + (height - box.height * k) / 2 - box.y * k,
     k,
   };
+}
+
+/** What floats over a canvas. */
+export interface Cover {
+  /** Height at the bottom that is covered, pixels. */
+  readonly bottom: number;
+  /** Returns the size that is covered in the right bottom corner, pixels. */
+  readonly corner: (viewport: Size) => Size | undefined;
+}
+
+export const NO_COVER: Cover = { bottom: 0, corner: () => undefined };
+
+/** Returns the view that shows all boxes, none of them behind what covers the canvas. */
+export function clearViewOf(
+  boxes: readonly Box[],
+  viewport: Size,
+  { bottom, corner }: Cover,
+): View {
+  const all = bounds(boxes);
+  const view = viewOf(all, viewport, bottom);
+  const covered = corner(viewport);
+  if (covered === undefined) return view;
+  const isCovered = ({ x, y, width, height }: Box): boolean =>
+    (x + width) * view.k + view.x > viewport.width - covered.width &&
+    (y + height) * view.k + view.y > viewport.height - covered.height;
+  if (!boxes.some(isCovered)) return view;
+  const beside = viewOf(all, { ...viewport, width: viewport.width - covered.width }, bottom);
+  const above = viewOf(all, viewport, Math.max(bottom, covered.height - MARGINS.bottom));
+  return above.k > beside.k ? above : beside;
 }
