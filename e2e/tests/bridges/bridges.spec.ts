@@ -85,6 +85,7 @@ test('an admin edits what a bridge passes; the file follows, and may be edited a
     await bridges.mapping('/mine/*').focus();
     await page.keyboard.press('Delete');
     await expect(bridges.bridge('Stage')).toContainText('This bridge passes nothing yet.');
+    await expect(page.getByRole('button', { name: 'Add a mapping' })).toBeFocused();
     await bridges.undo();
     await expect(bridges.mapping('/mine/*')).toBeVisible();
     await expectAccessible(page);

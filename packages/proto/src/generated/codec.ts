@@ -732,16 +732,18 @@ export function encodeBridgeMatch(m: Init<T.BridgeMatch>, w: Writer): void {
   if (m.inward != null) w.bool(8, m.inward);
   if (m.source != null) w.string(18, m.source);
   if (m.target != null) w.string(26, m.target);
+  if (m.isExample != null) w.bool(32, m.isExample);
 }
 
 export function decodeBridgeMatch(r: Reader, into?: T.BridgeMatch): T.BridgeMatch {
-  const m: T.BridgeMatch = into ?? { inward: false, source: '', target: '' };
+  const m: T.BridgeMatch = into ?? { inward: false, source: '', target: '', isExample: false };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.inward = r.bool(); break;
       case 18: m.source = r.string(); break;
       case 26: m.target = r.string(); break;
+      case 32: m.isExample = r.bool(); break;
       default: skipField(r, tag);
     }
   }

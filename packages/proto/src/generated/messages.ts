@@ -1702,6 +1702,8 @@ export interface BridgeMatch {
   source: string;
   /** What the mapping makes of it. */
   target: string;
+  /** True: an example, because nothing that is there matches. */
+  isExample: boolean;
 }
 
 /**

@@ -531,6 +531,7 @@ message ubii.extension.BridgeMatch
 1 inward bool
 2 source string
 3 target string
+4 is_example bool
 message ubii.extension.BridgeOrder
 1 number int32
 2 get ubii.extension.BridgeMappingsRequest type

@@ -91,6 +91,17 @@ export function fillPath({ levels }: AddressPath, captures: Captures): string {
     .join('/');
 }
 
+/** Returns captures of a text that the pattern matches: `a`, `b`, …, and two levels for a rest. */
+export function exampleOf({ levels }: AddressPath): Captures {
+  const captures = new Map<number, string>();
+  for (const { capture, isRest } of levels) {
+    if (capture === undefined) continue;
+    const letter = String.fromCharCode(96 + ((capture - 1) % 26) + 1);
+    captures.set(capture, isRest ? `${letter}/${letter}` : letter);
+  }
+  return captures;
+}
+
 /** Whether the pattern stands for more than one text. */
 export function isPattern({ levels }: AddressPath): boolean {
   return levels.some(({ capture }) => capture !== undefined);

@@ -118,11 +118,11 @@ describe('the mappings of a bridge', () => {
     const check = (mapping: object) =>
       ask({ check: { mappingsJson: JSON.stringify([mapping]), previewIndex: 0 } });
     expect((await check(lamp)).matches).toEqual([
-      { inward: false, source: '/lamps/a', target: 'lamps/a' },
-      { inward: false, source: '/lamps/b', target: 'lamps/b' },
+      { inward: false, source: '/lamps/a', target: 'lamps/a', isExample: false },
+      { inward: false, source: '/lamps/b', target: 'lamps/b', isExample: false },
     ]);
     expect((await check(temperature)).matches).toEqual([
-      { inward: true, source: 'home/hall', target: '/hall' },
+      { inward: true, source: 'home/hall', target: '/hall', isExample: false },
     ]);
     expect((await check({ ...lamp, qos: 9 })).matches).toBeUndefined();
     expect(disk.text).toBe(fileOf());

@@ -1,5 +1,5 @@
 import { isMasterTopic } from '@ubii/proto';
-import { fillPath, matchPath } from './address-path.ts';
+import { exampleOf, fillPath, matchPath } from './address-path.ts';
 import { givesOut, takesIn } from './mapping.ts';
 import type { Mapping } from './mapping.ts';
 
@@ -18,9 +18,11 @@ export interface PreviewedMatch {
   readonly inward: boolean;
   readonly source: string;
   readonly target: string;
+  /** Made up, because nothing that is there matches. */
+  readonly isExample: boolean;
 }
 
-/** What a mapping selects of what there is, and what it makes of it. [BR-81] */
+/** What a mapping selects of what there is, and what it makes of it; where it selects nothing, of an example. [BR-81] */
 export function previewMapping(
   mapping: Mapping,
   { topics, addresses }: Present,
@@ -34,9 +36,14 @@ export function previewMapping(
     for (const source of sources) {
       const captures = matchPath(from, source);
       if (captures === undefined) continue;
-      if (shown++ < SHOWN) matches.push({ inward, source, target: fillPath(to, captures) });
+      const match = { inward, source, target: fillPath(to, captures), isExample: false };
+      if (shown++ < SHOWN) matches.push(match);
       else more++;
     }
+    if (shown > 0) return;
+    const captures = exampleOf(from);
+    const [source, target] = [fillPath(from, captures), fillPath(to, captures)];
+    matches.push({ inward, source, target, isExample: true });
   };
   if (takesIn(mapping)) add(true, [...addresses].sort());
   if (givesOut(mapping)) add(false, topics.filter((topic) => !isMasterTopic(topic)).sort());
