@@ -6,11 +6,6 @@ import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { oscCodec } from '../src/adapters/osc/osc-codec.ts';
 import type { OscContent } from '../src/adapters/osc/osc-codec.ts';
 import { createOscSystem } from '../src/adapters/osc/osc-system.ts';
-import type {
-  ForeignEvents,
-  ForeignMessage,
-  ForeignState,
-} from '../src/core/ports/foreign-system.ts';
 import { foreignSystemSuite } from '../src/testing/foreign-system-suite.ts';
 import { Inbox } from '../src/testing/inbox.ts';
 import { mappingOf } from '../src/testing/mapping-of.ts';

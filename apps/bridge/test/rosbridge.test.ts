@@ -6,7 +6,6 @@ import { rosCodec } from '../src/adapters/rosbridge/ros-codec.ts';
 import type { RosMessage } from '../src/adapters/rosbridge/ros-message.ts';
 import { ROS_TYPES } from '../src/adapters/rosbridge/ros-types.ts';
 import { createRosbridgeSystem } from '../src/adapters/rosbridge/rosbridge-system.ts';
-import type { ForeignMessage } from '../src/core/ports/foreign-system.ts';
 import { foreignSystemSuite } from '../src/testing/foreign-system-suite.ts';
 import { Inbox } from '../src/testing/inbox.ts';
 import { mappingOf } from '../src/testing/mapping-of.ts';

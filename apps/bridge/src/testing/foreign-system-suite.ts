@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Mapping } from '../core/mapping/mapping.ts';
-import type { ForeignMessage, ForeignState, ForeignSystem } from '../core/ports/foreign-system.ts';
+import type { ForeignMessage, ForeignSystem } from '../core/ports/foreign-system.ts';
 import type { Inbox } from './inbox.ts';
 import { isConnected, SystemEvents } from './system-events.ts';
 
