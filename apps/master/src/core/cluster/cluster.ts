@@ -12,7 +12,6 @@ import {
 import { readRecordPart, TextCache } from '@ubii/proto/wire';
 import type { Cancel } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
-import { LOST_AFTER_MS } from '../clients/liveness.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
@@ -20,11 +19,11 @@ import type { BusListener } from '../ports/cluster-bus.ts';
 import type { NodeReports } from '../sessions/node-reports.ts';
 import type { SessionNews } from '../sessions/session-news.ts';
 import { quote } from '../texts/quote.ts';
-import { endForeign } from '../topics/foreign-records.ts';
 import { Calls, type Answer } from './calls.ts';
 import { ClientNews } from './client-news.ts';
 import { Directory, type DirectoryContext } from './directory.ts';
 import { ForeignTopics } from './foreign-topics.ts';
+import { ForeignValues } from './foreign-values.ts';
 import { HeardAddresses } from './heard-addresses.ts';
 import { LostMasters } from './lost-masters.ts';
 import { HELLO_MS, Members, type Member, type OwnMember } from './members.ts';
@@ -32,6 +31,7 @@ import { MeteredBus } from './metered-bus.ts';
 import { OwnInterest, type InterestContext } from './own-interest.ts';
 import type { PeerContext } from './peer-subscriber.ts';
 import { Peer } from './peer.ts';
+import { Peers } from './peers.ts';
 import { SessionMirror, type MirrorContext } from './session-mirror.ts';
 import { Takeover, type TakeoverContext } from './takeover.ts';
 import { ToldRecords, type ToldContext } from './told-records.ts';
@@ -76,12 +76,8 @@ export class Cluster implements BusListener {
   readonly #calls: Calls;
   readonly #topics: ForeignTopics;
   readonly #takeover: Takeover;
-  readonly #peers = new Map<string, Peer>();
-  /** Masters whose values end when they stay away, with that time; monotonic milliseconds. */
-  readonly #absent = new Map<string, number>();
-  /** Of masters that are not there any more. */
-  #gapsBefore = 0;
-  #droppedBefore = 0;
+  readonly peers = new Peers();
+  readonly #values: ForeignValues;
   readonly #cancelSweep: Cancel;
   #isClosed = false;
   /** Whether the bus can be reached. */
@@ -110,24 +106,25 @@ export class Cluster implements BusListener {
     this.#calls = new Calls(context);
     this.#topics = new ForeignTopics({
       ...context,
-      masterIds: () => this.#peers.keys(),
+      masterIds: () => this.peers.ids(),
       call: (id, request, facts) =>
         this.#calls.call(id, request, facts, GATHER_MS).catch(() => undefined),
     });
+    this.#values = new ForeignValues(context);
     this.#takeover = new Takeover(context, this.members);
     this.#clientNews = new ClientNews({
       clock,
       clients,
       tell: (changed, gone) => {
-        for (const peer of this.#peers.values()) peer.tellClients(changed, gone);
+        for (const peer of this.peers) peer.tellClients(changed, gone);
       },
     });
     context.onSessionNews.add((topic, session) => {
-      for (const peer of this.#peers.values()) peer.tellSession({ topic, session });
+      for (const peer of this.peers) peer.tellSession({ topic, session });
     });
     this.#interest.onChange.add((wanted, unwanted) => {
-      for (const peer of this.#peers.values()) peer.tellInterest(wanted, unwanted);
-      if (unwanted.length > 0) this.#endUnwanted();
+      for (const peer of this.peers) peer.tellInterest(wanted, unwanted);
+      if (unwanted.length > 0) this.#values.endUnwanted();
     });
     this.members.onJoined.add(({ addresses }) => {
       this.heardAddresses.add(addresses);
@@ -141,24 +138,9 @@ export class Cluster implements BusListener {
     context.info.onClientGone.add(({ id }) => this.#clientNews.note(id));
     context.reports.onBytes.add((node, message) => this.#handleNodeMessage(node, message));
     clients.sendForeign = ({ id, home }, frame) =>
-      this.#peers.get(home?.masterId ?? '')?.sendFrame(id, frame);
+      this.peers.get(home?.masterId ?? '')?.sendFrame(id, frame);
     this.#cancelSweep = clock.every(HELLO_MS, () => this.#sweep());
     bus.listen(context.id, this);
-  }
-
-  /** Times that something was missing of what other masters sent. */
-  get gaps(): number {
-    return this.#sumOf((peer) => peer.gaps, this.#gapsBefore);
-  }
-
-  /** Records that other masters did not get, because they could not be sent as fast as they were published. */
-  get dropped(): number {
-    return this.#sumOf((peer) => peer.dropped, this.#droppedBefore);
-  }
-
-  /** Masters of which all that they have was received. */
-  get completeCount(): number {
-    return this.#sumOf((peer) => (peer.isComplete ? 1 : 0));
   }
 
   /** Bytes of all messages to and from other masters; what goes to all counts once. */
@@ -174,11 +156,6 @@ export class Cluster implements BusListener {
   /** Whether the id is that of another master, which may be lost. */
   isMaster(id: string): boolean {
     return this.members.get(id) !== undefined || this.lost.has(id);
-  }
-
-  /** Another master that is there. */
-  peer(masterId: string): Peer | undefined {
-    return this.#peers.get(masterId);
   }
 
   /** Of other masters that clients can go to, of each the best first. [CU-26] */
@@ -218,8 +195,7 @@ export class Cluster implements BusListener {
     this.#cancelSweep();
     this.#clientNews.close();
     this.#calls.close();
-    for (const peer of this.#peers.values()) peer.close();
-    this.#peers.clear();
+    this.peers.close();
   }
 
   /** Has a service request answered by another master. @throws ServiceError when it does not answer */
@@ -238,9 +214,9 @@ export class Cluster implements BusListener {
    * @returns the replies of those that answered within a second
    */
   async callAll(request: ServiceRequest, facts: CallerFacts): Promise<ServiceReply[]> {
-    const asked = [...this.#peers.keys()].map((id) =>
-      this.#calls.call(id, request, facts, GATHER_MS).catch(() => undefined),
-    );
+    const asked = this.peers
+      .ids()
+      .map((id) => this.#calls.call(id, request, facts, GATHER_MS).catch(() => undefined));
     const replies = await Promise.all(asked);
     return replies.filter(
       (reply) => reply !== undefined && reply.error === undefined,
@@ -251,7 +227,7 @@ export class Cluster implements BusListener {
   #handleNodeMessage({ id: nodeId, home }: Client, message: Uint8Array): void {
     if (home !== undefined) return;
     for (const masterId of this.#context.foreignSessions.mastersUsing(nodeId)) {
-      this.#peers.get(masterId)?.tellNodeMessage(nodeId, message);
+      this.peers.get(masterId)?.tellNodeMessage(nodeId, message);
     }
   }
 
@@ -274,7 +250,7 @@ export class Cluster implements BusListener {
   /** @returns undefined for one that has not said who it is */
   #handleSign(from: string): Peer | undefined {
     if (!this.members.handleSign(from)) return undefined;
-    return this.#peers.get(from) ?? this.#join(from);
+    return this.peers.get(from) ?? this.#join(from);
   }
 
   #join(id: string): Peer {
@@ -292,10 +268,10 @@ export class Cluster implements BusListener {
       },
     };
     const peer = new Peer({ ...this.#context, ...parts }, id);
-    this.#peers.set(id, peer);
+    this.peers.add(peer);
     const text = `The master ${quote(this.members.get(id)?.name ?? id)} is there`;
     this.#context.events.add(StatusEventKind.MASTER_JOINED, text);
-    this.#absent.delete(id);
+    this.#values.handleJoined(id);
     this.lost.delete(id);
     // It may not have heard of this master yet.
     this.members.sayHello();
@@ -308,56 +284,20 @@ export class Cluster implements BusListener {
     const text = `The master ${quote(name)} ${hasEnded ? 'ended' : 'is lost'}`;
     this.#context.events.add(StatusEventKind.MASTER_LOST, text);
     this.lost.add({ member, hasEnded, sinceMs: this.#context.clock.nowMs() });
-    this.#endPeer(id);
+    this.peers.end(id);
+    this.#bus.unfollow(id);
     this.#directory.handleLost(id);
     this.#calls.handleLost(id);
     this.#takeover.handleLost(id);
-    this.#absent.set(id, this.#context.clock.monotonicMs() + LOST_AFTER_MS);
-  }
-
-  #endPeer(id: string): void {
-    const peer = this.#peers.get(id);
-    if (peer === undefined) return;
-    this.#gapsBefore += peer.gaps;
-    this.#droppedBefore += peer.dropped;
-    peer.close();
-    this.#peers.delete(id);
-    this.#bus.unfollow(id);
-  }
-
-  #sumOf(read: (peer: Peer) => number, before = 0): number {
-    let sum = before;
-    for (const peer of this.#peers.values()) sum += read(peer);
-    return sum;
+    this.#values.handleLost(id);
   }
 
   #sweep(): void {
     this.members.sayHello();
     this.members.sweep();
-    for (const peer of this.#peers.values()) peer.sweep();
+    for (const peer of this.peers) peer.sweep();
     this.#takeover.look();
-    const nowMs = this.#context.clock.monotonicMs();
-    for (const [id, endMs] of this.#absent) {
-      if (nowMs < endMs) continue;
-      this.#absent.delete(id);
-      this.#endValuesOf(id);
-    }
-  }
-
-  /** The values of a master that stays away end. [CU-14] */
-  #endValuesOf(id: string): void {
-    const { topics } = this.#context;
-    for (const entry of topics.values()) endForeign(topics, entry, id);
-  }
-
-  /** Deletes values without subscribers here: they would not be kept up to date. [CU-13] */
-  #endUnwanted(): void {
-    const { topics } = this.#context;
-    for (const entry of topics.values()) {
-      if (entry.originId === '') continue;
-      const { ownDirect, ownSampled } = topics.targetsOf(entry);
-      if (ownDirect + ownSampled === 0) topics.dropForeign(entry);
-    }
+    this.#values.sweep();
   }
 
   #publishAddresses(): void {

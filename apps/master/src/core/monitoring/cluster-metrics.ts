@@ -17,7 +17,7 @@ export function readClusterMetrics({
     gauge(
       'ubii_cluster_masters_complete',
       'Other masters of which all that they have was received.',
-      masters.completeCount,
+      masters.peers.completeCount,
     ),
     gauge('ubii_cluster_reachable', '1 when the bus can be reached.', masters.isReachable ? 1 : 0),
     gauge('ubii_cluster_clients', 'Clients of other masters that are heard.', elsewhere),
@@ -39,7 +39,7 @@ export function readClusterMetrics({
     counter(
       'ubii_cluster_records_dropped_total',
       'Records dropped from the queues to other masters.',
-      masters.dropped,
+      masters.peers.dropped,
     ),
     counter(
       'ubii_cluster_sent_bytes_total',
@@ -59,7 +59,7 @@ export function readClusterMetrics({
     counter(
       'ubii_cluster_gaps_total',
       'Times that something was missing of what other masters sent, and was asked for again.',
-      masters.gaps,
+      masters.peers.gaps,
     ),
   ];
 }

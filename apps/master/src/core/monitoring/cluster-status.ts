@@ -34,7 +34,7 @@ export function readClusterStatus(core: ClusterStatusParts): Init<ClusterStatus>
     reachable: masters.isReachable,
     reachableSinceMs: masters.reachSinceMs ?? startedMs,
     queuedBytes: masters.queuedBytes,
-    gaps: masters.gaps,
+    gaps: masters.peers.gaps,
     masters: [describeSelf(core), ...present(masters), ...absent(core, masters)].map(withCounts),
   };
 }
@@ -67,7 +67,7 @@ function describeSelf({ id, settings, startedMs }: ClusterStatusParts): Describe
 
 function present(masters: Cluster): DescribedMaster[] {
   return masters.members.list().map((member) => ({
-    ...masters.peer(member.id)?.describe(),
+    ...masters.peers.get(member.id)?.describe(),
     ...member,
     state: ClusterMasterState.PRESENT,
   }));
