@@ -16,7 +16,7 @@ if (reason !== undefined) console.warn(`The test of a node in a cluster is left 
 async function untilKnown({ port, dataDir }: StartedMaster): Promise<void> {
   const joinToken = readFileSync(join(dataDir, 'admin-token'), 'utf8').trim();
   const url = `http://127.0.0.1:${port}`;
-  const client = createClient({ url, joinToken, identity: createMemoryIdentity() });
+  const client = createClient({ url, name: 'guest', joinToken, identity: createMemoryIdentity() });
   onTestFinished(() => client.close());
   await client.connect();
   await expect.poll(() => client.otherMasters.length).toBeGreaterThan(0);

@@ -65,6 +65,6 @@ function stampOf({ header }: RosMessage): number | undefined {
   const { stamp } = (header ?? {}) as { readonly stamp?: Readonly<Record<string, unknown>> };
   const seconds = Number(stamp?.['sec'] ?? stamp?.['secs']);
   const nanoseconds = Number(stamp?.['nanosec'] ?? stamp?.['nsecs'] ?? 0);
-  // Messages without a time stamp have 0.
+  // Messages without a timestamp have 0.
   return seconds > 0 && nanoseconds >= 0 ? seconds * 1_000 + nanoseconds / 1e6 : undefined;
 }
