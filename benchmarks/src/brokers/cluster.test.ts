@@ -3,6 +3,7 @@ import { createRecordRing } from '../load/record-ring.ts';
 import { measureFanOut } from '../workloads/fan-out.ts';
 import { measureLegs } from '../workloads/round-trip.ts';
 import { startNatsPart, type NatsPart } from './cluster.ts';
+import { startRelays } from './relays.ts';
 
 const OPTIONS = { warmUpMs: 10, measureMs: 50 };
 
@@ -29,5 +30,24 @@ describe('NATS alone', () => {
     const { faults, deliveries } = await measureFanOut(fan, nats, ring, OPTIONS);
     expect(faults).toEqual([]);
     expect(deliveries).toBeGreaterThan(0);
+  });
+
+  it('passes everything on between the clients of two relays', async () => {
+    const relays = await startRelays(nats, undefined);
+    try {
+      const legs = relays.accesses.map((access, index) => ({
+        access,
+        ring: createRecordRing(`relay-leg-${index}`, 100),
+      }));
+      const { faults, deliveries } = await measureLegs(legs, relays.accesses[0]!.pids, {
+        ...OPTIONS,
+        // They have just started.
+        measureMs: 300,
+      });
+      expect(faults).toEqual([]);
+      expect(deliveries).toBeGreaterThan(0);
+    } finally {
+      await relays.stop();
+    }
   });
 });

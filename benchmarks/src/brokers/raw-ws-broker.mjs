@@ -9,9 +9,9 @@
  */
 import { createServer } from 'node:http';
 import { WebSocketServer } from 'ws';
+import { binaryFrameOf } from './binary-frame.mjs';
 
 const MAX_PAYLOAD_BYTES = 16 * 1024 * 1024;
-const OPCODE_BINARY_FINAL = 0x82;
 
 /** @type {Set<import('node:net').Socket>} */
 const subscribers = new Set();
@@ -29,34 +29,8 @@ function setSubscribers() {
   sockets = [...subscribers];
 }
 
-/** One unmasked binary frame that holds `payload`. */
-function frameOf(payload) {
-  const length = payload.length;
-  let frame;
-  let start;
-  if (length < 126) {
-    start = 2;
-    frame = Buffer.allocUnsafe(start + length);
-    frame[1] = length;
-  } else if (length < 0x10000) {
-    start = 4;
-    frame = Buffer.allocUnsafe(start + length);
-    frame[1] = 126;
-    frame.writeUInt16BE(length, 2);
-  } else {
-    start = 10;
-    frame = Buffer.allocUnsafe(start + length);
-    frame[1] = 127;
-    frame.writeUInt32BE(0, 2);
-    frame.writeUInt32BE(length, 6);
-  }
-  frame[0] = OPCODE_BINARY_FINAL;
-  frame.set(payload, start);
-  return frame;
-}
-
 function broadcast(payload) {
-  const frame = frameOf(payload);
+  const frame = binaryFrameOf(payload);
   // Waiting for the end of the turn pays when there are several sockets; for one it only adds to the
   // round trip.
   if (!isCorked && sockets.length > 1) {

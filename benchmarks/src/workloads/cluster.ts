@@ -6,6 +6,7 @@ import {
   type RunningCluster,
 } from '../brokers/cluster.ts';
 import { startMasterProcess } from '../brokers/master-process.ts';
+import { startRelays, type Relays } from '../brokers/relays.ts';
 import type { Access } from '../brokers/target.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { createPictureRing, createRecordRing, type RecordRing } from '../load/record-ring.ts';
@@ -17,14 +18,19 @@ import type {
   Workload,
   WorkloadSetting,
 } from '../measuring/workload.ts';
+import { warmed } from '../measuring/warmed.ts';
 import { measureFanOut } from './fan-out.ts';
 import { measureLegs, type Leg } from './round-trip.ts';
 
 const NATS = 'nats';
+const RELAYS = 'two-relays';
 const CLUSTER_SUBJECT = 'ubii-cluster';
 const SINGLE = 'ubii-single';
 const ALONE = 'alone';
 const TOGETHER = 'in a cluster';
+
+/** The figure that shows whether V8 has compiled what runs. */
+const CPU_KEY = 'cpuUs';
 
 const SMALL_BYTES = 100;
 const LARGE_BYTES = 100_000;
@@ -52,18 +58,48 @@ function across(name: string, size: string, createRing: (name: string) => Record
   return {
     ...{ name, group: 'cluster', reference: NATS, placement: 'one-core', roundShare: 1 },
     title: `Round trip from one master of a cluster to another, ${size} record, closed loop`,
-    figures: roundTripFigures({ p50Us: { [CLUSTER_SUBJECT]: 1.2 } }),
+    figures: [
+      ...roundTripFigures({ p50Us: { [CLUSTER_SUBJECT]: 1.2 } }),
+      besideRelays('p50Us', 'p50 / that of two relays', { [CLUSTER_SUBJECT]: 1.2 }),
+      besideRelays('cpuUs', 'broker CPU / that of two relays', {}),
+    ],
+    derive: deriveBesideRelays,
     open: async (setting) => {
       const cluster = await clusterOf(setting);
+      const relays = await relaysOf(setting, cluster.nats);
       const { nats, pids } = cluster;
       const rings = Array.from({ length: PASSES }, (_, index) => createRing(`${name}-${index}`));
+      // All are placed, so that those that wait take no time on another core.
+      const placed = [...new Set([...pids, ...relays.accesses[0]!.pids])];
       const atMasters = [1, 0].map((index) => accessTo(cluster, index, pids));
       return [
-        subject(NATS, pids, legsOf(rings, [nats]), nats.pids),
-        subject(CLUSTER_SUBJECT, pids, legsOf(rings.slice(0, 2), atMasters), pids),
+        subject(NATS, placed, legsOf(rings, [nats])),
+        subject(RELAYS, placed, legsOf(rings.slice(0, 2), relays.accesses)),
+        subject(CLUSTER_SUBJECT, placed, legsOf(rings.slice(0, 2), atMasters)),
       ];
     },
   };
+}
+
+/** The cluster's figure divided by that of the relays in the same round. */
+function besideRelays(key: string, label: string, bounds: Record<string, number>): FigureInfo {
+  return { key: relaysKey(key), label, unit: 'x', isHigherBetter: false, goals: {}, bounds };
+}
+
+function relaysKey(key: string): string {
+  return `${key}BesideRelays`;
+}
+
+function deriveBesideRelays(
+  round: Readonly<Record<string, Measurement>>,
+): Record<string, Measurement> {
+  const cluster = round[CLUSTER_SUBJECT]!;
+  const ratios = ['p50Us', 'cpuUs'].map((key): [string, number] => [
+    relaysKey(key),
+    (cluster.figures[key] ?? Number.NaN) / (round[RELAYS]!.figures[key] ?? Number.NaN),
+  ]);
+  const figures = { ...cluster.figures, ...Object.fromEntries(ratios) };
+  return { [CLUSTER_SUBJECT]: { ...cluster, figures } };
 }
 
 function fanOutAcross(): Workload {
@@ -96,7 +132,7 @@ function localRoundTrip(): Workload {
     open: (setting) =>
       localSubjects(setting, (name, pids, access) => {
         const ring = createRecordRing('cluster-local', SMALL_BYTES);
-        return subject(name, pids, [{ access, ring }], access.pids);
+        return subject(name, pids, [{ access, ring }]);
       }),
   };
 }
@@ -133,6 +169,10 @@ function clusterOf({ parts, master, profileDir }: WorkloadSetting): Promise<Runn
   return parts.get('cluster', () => startCluster(master, profileDir));
 }
 
+function relaysOf({ parts, profileDir }: WorkloadSetting, nats: NatsPart): Promise<Relays> {
+  return parts.get('relays', () => startRelays(nats, profileDir));
+}
+
 async function aloneOf({ parts, master, profileDir }: WorkloadSetting): Promise<Access> {
   const running = await parts.get('master-alone', () =>
     startMasterProcess({ master, profileDir, name: 'ubii-alone' }),
@@ -148,21 +188,19 @@ function legsOf(rings: readonly RecordRing[], accesses: readonly (Access | NatsP
   return rings.map((ring, index) => ({ access: accesses[index % accesses.length]!, ring }));
 }
 
-/** @param pids processes to be placed @param measured processes whose CPU time is counted */
-function subject(
-  name: string,
-  pids: readonly number[],
-  legs: readonly Leg[],
-  measured: readonly number[],
-): Subject {
-  return { name, pids, measure: (options) => measureLegs(legs, measured, options) };
+/** @param pids processes to be placed; those of the legs are measured */
+function subject(name: string, pids: readonly number[], legs: readonly Leg[]): Subject {
+  const measured = legs[0]!.access.pids;
+  const measure = (options: MeasureOptions): Promise<Measurement> =>
+    measureLegs(legs, measured, options);
+  return warmed({ name, pids, measure }, CPU_KEY);
 }
 
 function fanOut(name: string, pids: readonly number[], access: Access, ring: RecordRing): Subject {
   const fan = { subscribers: SUBSCRIBERS, window: WINDOW };
   const measure = (options: MeasureOptions): Promise<Measurement> =>
     measureFanOut(fan, access, ring, options);
-  return { name, pids, measure };
+  return warmed({ name, pids, measure }, CPU_KEY);
 }
 
 function roundTripFigures(goals: Record<string, FigureInfo['goals']>): FigureInfo[] {
