@@ -6,6 +6,7 @@ import { createConfig, MASTER_PROGRAM } from './adapters/config/config.ts';
 import { LinesAfter } from './adapters/log/lines-after.ts';
 import { StreamLog } from './adapters/log/stream-log.ts';
 import { FaultGuard } from './adapters/process/fault-guard.ts';
+import { allowHeapGrowth } from './adapters/process/heap-growth.ts';
 import { bestPhoneUrl, formatBanner, joinUrl } from './adapters/terminal/banner.ts';
 import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
 import { formatFarewell } from './adapters/terminal/farewell.ts';
@@ -31,6 +32,7 @@ const decodeWorkerFile = findBuilt('decode-worker.js', import.meta.url);
 const recorderWorkerFile = findBuilt('recorder-worker.js', import.meta.url);
 const replayWorkerFile = findBuilt('replay-worker.js', import.meta.url);
 
+allowHeapGrowth();
 await runProgram(MASTER_PROGRAM, (options) => run(createConfig(options)), { version });
 
 async function run(config: Config): Promise<void> {
