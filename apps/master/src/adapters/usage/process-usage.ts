@@ -3,8 +3,8 @@ import { monitorEventLoopDelay, performance, type EventLoopUtilization } from 'n
 
 import type { ResourceUsage, UsageMeasurement } from '../../core/ports/index.ts';
 
-/** Resolution of the histogram of the event-loop delay, milliseconds. */
-const DELAY_RESOLUTION_MS = 20;
+/** Resolution of the histogram of the event-loop delay, milliseconds. An idle process wakes once for each. */
+const DELAY_RESOLUTION_MS = 50;
 
 interface Moment {
   readonly cpuMicroseconds: number;
