@@ -77,7 +77,7 @@ export class MachineRun {
     this.send(
       { type: this.state.phase === 'waiting' ? 'retry-due' : 'connect' },
       { type: 'identity-loaded', clientId: '' },
-      { type: 'registered', membership },
+      { type: 'registered', membership, isAnswered: true },
       { type: 'link-up' },
       { type: 'known' },
       { type: 'restored' },
@@ -94,7 +94,7 @@ export class MachineRun {
 export const EVENTS: readonly RunEvent[] = [
   { type: 'connect' },
   { type: 'identity-loaded', clientId: '' },
-  { type: 'registered', membership: membershipOf() },
+  { type: 'registered', membership: membershipOf(), isAnswered: true },
   { type: 'link-up' },
   { type: 'known' },
   { type: 'restored' },

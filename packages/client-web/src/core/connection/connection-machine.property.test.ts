@@ -78,7 +78,11 @@ const OPEN = {
 /** Event that each phase waits for, so that random events make progress often enough. */
 const DUE: Record<keyof typeof OPEN, RunEvent> = {
   idle: { type: 'connect' },
-  registering: { type: 'registered', membership: membershipOf({ isExtended: false }) },
+  registering: {
+    type: 'registered',
+    membership: membershipOf({ isExtended: false }),
+    isAnswered: true,
+  },
   opening: { type: 'link-up' },
   checking: { type: 'known' },
   restoring: { type: 'restored' },
@@ -102,8 +106,13 @@ const steps = fc.record({
     { weight: 2, arbitrary: fc.constantFrom(...EVENTS) },
     failures.map((failure): RunEvent => ({ type: 'failed', failure })),
     fc
-      .record({ clientId: fc.constantFrom('client-1', 'client-2'), isExtended: fc.boolean() })
-      .map((change): RunEvent => ({ type: 'registered', membership: membershipOf(change) })),
+      .record({
+        membership: fc
+          .record({ clientId: fc.constantFrom('client-1', 'client-2'), isExtended: fc.boolean() })
+          .map(membershipOf),
+        isAnswered: fc.boolean(),
+      })
+      .map((registered): RunEvent => ({ type: 'registered', ...registered })),
   ),
   /** Number of attempts by which the event is late. */
   late: fc.constantFrom(0, 0, 0, 0, 1, 2),

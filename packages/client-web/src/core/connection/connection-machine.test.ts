@@ -11,8 +11,16 @@ const CONNECT: readonly RunEvent[] = [
   { type: 'connect' },
   { type: 'identity-loaded', clientId: '' },
 ];
-const ORIGINAL: RunEvent = { type: 'registered', membership: membershipOf({ isExtended: false }) };
-const OURS: RunEvent = { type: 'registered', membership: membershipOf() };
+const ORIGINAL: RunEvent = {
+  type: 'registered',
+  membership: membershipOf({ isExtended: false }),
+  isAnswered: true,
+};
+const OURS = {
+  type: 'registered',
+  membership: membershipOf(),
+  isAnswered: true,
+} satisfies RunEvent;
 const UP: RunEvent = { type: 'link-up' };
 
 /** The events that lead to each phase. */
@@ -64,7 +72,7 @@ describe('transition()', () => {
     expect(moves.filter((move) => move !== '')).toEqual([
       'idle + connect = registering: register, announce',
       'idle + close = closed: settle, announce',
-      'registering + registered = opening: open-link',
+      'registering + registered = opening: cancel-patience, open-link',
       'registering + failed = waiting: cancel-patience, start-retry, announce',
       'registering + patience-over = waiting: cancel-registration, cancel-patience, start-retry, announce',
       'registering + retry-now = waiting: cancel-registration, cancel-patience, start-retry, announce',
@@ -254,6 +262,14 @@ describe('an attempt', () => {
     expect(run.send({ type: 'retry-due' })[0]).toMatchObject({ patienceMs: 2_000 });
   });
 
+  it('may take as long as its steps once the master has answered [CL-43]', () => {
+    const { isAnswered, ...registered } = OURS;
+    const effectsOf = (answered: boolean) =>
+      types(runTo('registering').send({ ...registered, isAnswered: answered }));
+    expect(effectsOf(isAnswered)).toBe('cancel-patience, open-link');
+    expect(effectsOf(false)).toBe('open-link');
+  });
+
   it('freshens services after a link that fell silent, once [CL-43]', () => {
     const run = runTo('connected');
     const reconnect: readonly RunEvent[] = [{ type: 'retry-due' }, OURS, UP];
@@ -275,7 +291,7 @@ describe('an attempt', () => {
     run.fail();
     run.send(
       { type: 'retry-due' },
-      { type: 'registered', membership: membershipOf({ clientId: 'client-2' }) },
+      { type: 'registered', membership: membershipOf({ clientId: 'client-2' }), isAnswered: true },
     );
     run.fail();
     run.arrive(membershipOf({ clientId: 'client-2' }));

@@ -65,10 +65,14 @@ function advance(state: LiveState, event: AttemptEvent, context: MachineContext)
   if (event.type === 'patience-over') return losePatience(state, event.patienceMs, context);
   const { attempt, type } = event;
   if (state.phase === 'registering' && type === 'registered') {
-    const { membership } = event;
+    const { membership, isAnswered } = event;
     return {
       state: { ...state, phase: 'opening', membership },
-      effects: [{ type: 'open-link', attempt, membership }],
+      effects: [
+        // It is there, and busy: who asks again loses the place that it has. [CL-43]
+        ...(isAnswered ? [{ type: 'cancel-patience' } as const] : []),
+        { type: 'open-link', attempt, membership },
+      ],
     };
   }
   if (state.phase === 'opening' && type === 'link-up') return handleUp(state);

@@ -80,17 +80,19 @@ export interface Farewell {
 }
 
 /** An event of one attempt, or of the connection that it led to. */
-export type AttemptEvent = { readonly attempt: number } & (
-  | { readonly type: 'registered'; readonly membership: Membership }
-  | { readonly type: 'link-up' }
-  /** An original master knows the client. */
-  | { readonly type: 'known' }
-  | { readonly type: 'restored' }
-  /** A step of the attempt failed, or the link ended. */
-  | { readonly type: 'failed'; readonly failure: LinkFailure }
-  /** The attempt took longer than it may. */
-  | { readonly type: 'patience-over'; readonly patienceMs: number }
-);
+export type AttemptEvent = { readonly attempt: number } &
+  /** `isAnswered`: the master was asked, and did not only seem to know the client. */
+  (
+    | { readonly type: 'registered'; readonly membership: Membership; readonly isAnswered: boolean }
+    | { readonly type: 'link-up' }
+    /** An original master knows the client. */
+    | { readonly type: 'known' }
+    | { readonly type: 'restored' }
+    /** A step of the attempt failed, or the link ended. */
+    | { readonly type: 'failed'; readonly failure: LinkFailure }
+    /** The attempt took longer than it may. */
+    | { readonly type: 'patience-over'; readonly patienceMs: number }
+  );
 
 /** Event of the connection. */
 export type MachineEvent =

@@ -25,6 +25,7 @@ import type { Moves } from './moves.ts';
 import type { Outage } from './connection-model.ts';
 import type { Registration } from './registration.ts';
 import type { SendTimes } from './send-times.ts';
+import { atDeadline } from '../time/deadline.ts';
 import { SleepWatch } from './sleep-watch.ts';
 
 /** Dependencies of a connection. */
@@ -219,9 +220,11 @@ export class Connection {
       async () => {
         await registration.load();
         this.#handle({ type: 'identity-loaded', clientId: registration.clientId });
-        return registration.ensure();
+        const before = registration.membership;
+        const membership = await registration.ensure();
+        return { membership, isAnswered: membership !== before };
       },
-      (membership) => ({ type: 'registered', attempt, membership }),
+      (registered) => ({ type: 'registered', attempt, ...registered }),
     );
   }
 
@@ -279,7 +282,7 @@ export class Connection {
   }
 
   #startPatience(attempt: number, patienceMs: number): void {
-    this.#cancelPatience = this.#options.clock.after(patienceMs, () =>
+    this.#cancelPatience = atDeadline(this.#options.clock, patienceMs, () =>
       this.#handle({ type: 'patience-over', attempt, patienceMs }),
     );
   }

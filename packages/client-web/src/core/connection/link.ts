@@ -10,6 +10,7 @@ import type {
 } from '../ports/topic-data-transport.ts';
 import { Probe } from './probe.ts';
 import { readClocks } from '../time/clock-reading.ts';
+import { atDeadline } from '../time/deadline.ts';
 import type { ClockReading } from '../time/clock-reading.ts';
 import type { TimeExchange } from '../time/time-sample.ts';
 
@@ -97,7 +98,7 @@ export class Link {
       usualTripMs: () => this.#tripMs,
       handleDead: (waitedMs) => this.#endSilent(`${Math.round(waitedMs)} ms`),
     });
-    this.#cancelOpenTimer = options.clock.after(options.openTimeoutMs, () =>
+    this.#cancelOpenTimer = atDeadline(options.clock, options.openTimeoutMs, () =>
       this.#endWithTimeout(
         `Expected the topic-data socket to open and answer within ${options.openTimeoutMs} ms`,
       ),

@@ -4,6 +4,7 @@ import type { Outage } from './connection-model.ts';
 import type { ConnectionState } from './connection-state.ts';
 import type { ProofUnderWay } from './master-proof.ts';
 import type { Masters } from './masters.ts';
+import { atDeadline } from '../time/deadline.ts';
 import { reconnectDelayMs, type ReconnectPolicy } from './reconnect-policy.ts';
 
 /** The own master is gone for this long before another one is asked, milliseconds. [CU-81] */
@@ -99,7 +100,7 @@ export class Scout {
       if (isProven) this.#handleAnswer(url);
       else this.#askAfter(this.#pauseMs());
     };
-    const cancelTimer = clock.after(this.#answerMs, () => {
+    const cancelTimer = atDeadline(clock, this.#answerMs, () => {
       this.#answerMs = Math.min(2 * this.#answerMs, LONGEST_ANSWER_MS);
       asked.cancel();
       finish(false);

@@ -11,6 +11,7 @@ import type { Clock } from '@ubii/timing';
 import { ConnectionError } from '../connection/connection-error.ts';
 import { Deferred } from '../callbacks/deferred.ts';
 import type { ServiceTransport } from '../ports/service-transport.ts';
+import { atDeadline } from '../time/deadline.ts';
 
 /** Connections that browsers keep to one origin. */
 const KEPT_CONNECTIONS = 6;
@@ -95,7 +96,7 @@ export class ServiceCalls {
       settled.reject(error);
       exchange.cancel();
     };
-    const cancelTimer = this.#clock.after(timeoutMs, () =>
+    const cancelTimer = atDeadline(this.#clock, timeoutMs, () =>
       giveUp(
         new ConnectionError(
           'timeout',
