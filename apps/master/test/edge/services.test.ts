@@ -1,3 +1,4 @@
+import { once } from 'node:events';
 import { connect } from 'node:net';
 import { decode, encode } from '@ubii/proto';
 import { describe, expect, it, vi } from 'vitest';
@@ -50,6 +51,31 @@ describe('services over HTTP', () => {
     expect(decode('ubii.services.ServiceReply', body).server?.portTopicDataWs).toBe(
       String(master.port),
     );
+  });
+
+  it('[SV-49] do nothing for a sender that is gone already', async () => {
+    const master = await startEdgeMaster();
+    const postOf = (name: string): string => {
+      const body = JSON.stringify({ topic: '/services/client/registration', client: { name } });
+      return `POST /services/json HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`;
+    };
+    const gone = connect(master.port, '127.0.0.1');
+    await once(gone, 'connect');
+    // Both are in the system before the master, in the same thread, reads either.
+    gone.write(postOf('gone'));
+    gone.destroy();
+    const waiting = connect(master.port, '127.0.0.1');
+    waiting.end(postOf('half closed'));
+    await once(waiting, 'close');
+    await postJson(
+      master,
+      '/services',
+      JSON.stringify({ topic: '/services/client/registration', client: { name: 'here' } }),
+      JSON_TYPE,
+    );
+    const list = JSON.stringify({ topic: '/services/client/get_list', clientList: {} });
+    const { reply } = await postJson(master, '/services', list, JSON_TYPE);
+    expect(reply).toMatchObject({ clientList: { elements: [{ name: 'here' }] } });
   });
 
   it('[EX-70] cut or refuse texts that are too long, in either format', async () => {

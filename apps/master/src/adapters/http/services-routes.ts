@@ -85,6 +85,7 @@ function answerTo(
       body: raw,
       declaredBytes: declaredLength(raw),
       encoding: raw.headers['content-encoding'],
+      isAwaited: () => !raw.socket.readableEnded && !raw.socket.destroyed,
       onIdentified: (kind) => doorkeeper.of(raw.socket)?.handleCaller(kind),
     },
     options,

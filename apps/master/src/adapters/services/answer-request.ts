@@ -31,6 +31,8 @@ export interface ArrivingRequest {
   readonly declaredBytes: number | undefined;
   /** Encoding of the body, if the transport has such a thing. */
   readonly encoding?: string | undefined;
+  /** Whether its sender still waits for the reply, if the transport knows. */
+  readonly isAwaited?: () => boolean;
   /** Gets the caller, before the body is read. */
   readonly onIdentified: (kind: IncomingRequest['caller']['kind']) => void;
 }
@@ -46,6 +48,7 @@ export async function answerRequest(
     incoming = master.openRequest(arriving.caller, arriving.connection);
     arriving.onIdentified(incoming.caller.kind);
     const request = await readRequest(arriving, incoming, options);
+    if (arriving.isAwaited !== undefined) await requireSender(arriving.isAwaited);
     return await master.handleServiceRequest(request, arriving.caller, incoming);
   } catch (error) {
     // [SV-7]
@@ -53,6 +56,19 @@ export async function answerRequest(
   } finally {
     incoming?.release();
   }
+}
+
+/**
+ * While many clients come back at once, most requests that have arrived are of those that gave up waiting and have sent
+ * another one: a master that answered all of them would have no time for the others. [SV-49]
+ *
+ * @throws ServiceError when nobody waits for the reply
+ */
+async function requireSender(isAwaited: () => boolean): Promise<void> {
+  // What arrived together with the request, such as the end of its connection, is read before this resolves.
+  await new Promise(setImmediate);
+  if (!isAwaited())
+    throw new ServiceError('unavailable', 'The connection of the request is closed.');
 }
 
 /** @throws ServiceError, DecodeError when it is too much, too slow or no request */
