@@ -320,7 +320,8 @@ describe('the bridge as a process, with Mosquitto', () => {
     const second = startBridge([broker.url], url, file);
     await connected(second);
     const [topic] = announced.split(' ');
-    expect(await got.next((line) => line.startsWith(topic!))).toBe(topic);
+    // The earlier run announces it twice if it finds the master before the broker. [BR-52]
+    expect(await got.next((line) => line === topic)).toBe(topic);
   });
 
   it('never shows the password, and takes it from no flag [BR-43]', async () => {

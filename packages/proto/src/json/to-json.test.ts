@@ -93,6 +93,7 @@ describe('toJson [SV-4]', () => {
       recordLists: false,
       resumeToken: '',
       resumed: false,
+      sentMs: 0,
       masterVersion: '',
       library: '',
       masters: [],
