@@ -21,6 +21,9 @@ const WITHOUT = 'without patterns';
 const WITH = `${PATTERNS} patterns`;
 /** Topics that are published before the master is waited for. */
 const BATCH = 100;
+/** Most batches before and in a measurement: together fewer topics than a client may have (limit `topicsPerClient`). */
+const WARM_UP_BATCHES = 300;
+const MEASURED_BATCHES = 1_000;
 const STALL_MS = 2_000;
 const TOPIC_DATA_RECORD_TAG = 0x12;
 
@@ -77,10 +80,10 @@ async function measure(
   const listener = await join({ patterns }, others!);
   const publisher = await join({ publishes: true }, published!);
   let batches = 0;
-  const publishFor = async (ms: number): Promise<number> => {
+  const publishFor = async (ms: number, mostBatches: number): Promise<number> => {
     const endMs = performance.now() + ms;
     const before = batches;
-    while (performance.now() < endMs) {
+    while (performance.now() < endMs && batches - before < mostBatches) {
       const frames = Array.from({ length: BATCH }, nextFrame);
       const came = new Promise<void>((resolve) => (verifier!.onProgress = resolve));
       publisher.connection.send(Buffer.concat([...frames, ring.published.slice(batches, 1)]));
@@ -89,10 +92,10 @@ async function measure(
     }
     return (batches - before) * BATCH;
   };
-  await publishFor(warmUpMs);
+  await publishFor(warmUpMs, WARM_UP_BATCHES);
   const cpuBeforeUs = mainThreadCpuUs(master.pid);
   const stopLap = startLap([master.pid]);
-  const count = await publishFor(measureMs);
+  const count = await publishFor(measureMs, MEASURED_BATCHES);
   const { otherCpuShare } = stopLap();
   const cpuUs = mainThreadCpuUs(master.pid) - cpuBeforeUs;
   verifier!.finish(batches);
