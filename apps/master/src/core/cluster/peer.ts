@@ -11,7 +11,6 @@ import type { RecordPart } from '@ubii/proto/wire';
 import type { EndOfTurn } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import { RESOURCE } from '../shares/resources.ts';
-import { endForeign } from '../topics/foreign-records.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { Directory } from './directory.ts';
 import { describeClient } from './directory.ts';
@@ -21,6 +20,7 @@ import { PeerSubscriber, type PeerContext } from './peer-subscriber.ts';
 import type { CrossedBytes } from './metered-bus.ts';
 import { PeerRates, type PeerTotals } from './peer-rates.ts';
 import { PeerRoundTrip } from './peer-round-trip.ts';
+import { Resync } from './resync.ts';
 import type { SessionMirror } from './session-mirror.ts';
 import { IncomingStream, OutgoingStream } from './streams.ts';
 import type { ToldRecords } from './told-records.ts';
@@ -29,8 +29,6 @@ import type { ToldRecords } from './told-records.ts';
 const CLIENTS_BYTES = 256 * 1024;
 /** Bytes of a client besides what it registered. */
 const CLIENT_BYTES = 512;
-/** Ticks from the end of the first part of a stream until values that are missing in it are deleted. */
-const VALUES_LOOKS = 4;
 /** Looks in which parts of an earlier stream may still come. */
 const OLD_PARTS_LOOKS = 20;
 /** The longest wait before a stream is asked for that was asked for without effect, looks. */
@@ -55,13 +53,6 @@ export interface PeerParts extends PeerContext {
   readonly onNodeMessage: (clientId: string, message: Uint8Array) => void;
 }
 
-/** What a new stream has announced so far. When it is complete, everything else that is known of the master is deleted. */
-interface FirstTold {
-  readonly clients: Set<string>;
-  readonly interests: Set<string>;
-  readonly sessions: Set<string>;
-}
-
 /** Another master: the messages to it and from it. */
 export class Peer {
   readonly id: string;
@@ -70,16 +61,13 @@ export class Peer {
   readonly #incoming: IncomingStream;
   readonly #subscriber: PeerSubscriber;
   readonly #interests = new Map<string, ClusterInterest>();
-  #first: FirstTold | undefined = undefined;
+  #resync: Resync | undefined = undefined;
   #silentLooks = 0;
   #looksSinceListen = 0;
   /** Streams that ended before they had said all, one after the other. */
   #failures = 0;
   #waitLooks = 0;
   #isToListen = false;
-  /** Topics whose values or records were told in this stream, until the others are ended. */
-  #toldTopics: Set<string> | undefined = undefined;
-  #valuesLooks = 0;
   readonly #roundTrip = new PeerRoundTrip();
   readonly #rates: PeerRates;
   #recordsFrom = 0;
@@ -104,7 +92,7 @@ export class Peer {
 
   /** All that it has was received. */
   get isComplete(): boolean {
-    return this.#first === undefined && !this.#isToListen;
+    return this.#resync?.isComplete !== false && !this.#isToListen;
   }
 
   /** What crosses between it and this master. [CU-73] [CU-74] */
@@ -124,13 +112,7 @@ export class Peer {
 
   /** Asks it for all it has. */
   listen(): void {
-    this.#first = {
-      clients: new Set(),
-      interests: new Set(),
-      sessions: new Set(),
-    };
-    this.#toldTopics = new Set();
-    this.#valuesLooks = 0;
+    this.#resync = new Resync(this.#parts, this.id);
     this.#silentLooks = 0;
     this.#looksSinceListen = 0;
     this.#incoming.listen();
@@ -206,7 +188,7 @@ export class Peer {
     this.#rates.measure(this.#totals(), nowMs);
     this.#subscriber.sweep();
     this.#looksSinceListen++;
-    if (this.#valuesLooks > 0 && --this.#valuesLooks === 0) this.#endOtherValues();
+    this.#resync?.sweep();
     if (this.#waitLooks > 0) this.#waitLooks--;
     if (++this.#silentLooks >= SILENT_LOOKS) this.#listenAgain();
     else if (this.#isToListen && this.#waitLooks === 0) this.#listenNow();
@@ -218,15 +200,15 @@ export class Peer {
 
   #apply(part: ClusterPart): void {
     const { directory, told } = this.#parts;
-    const first = this.#first;
+    const resync = this.#resync;
     for (const id of part.goneClients) directory.delete(this.id, id);
     for (const client of part.clients) {
       directory.set(this.id, client);
-      first?.clients.add(client.client?.id ?? '');
+      resync?.note('clients', client.client?.id ?? '');
     }
     for (const news of part.sessionNews) {
       this.#parts.mirror.handleNews(this.id, news);
-      first?.sessions.add(news.session?.id ?? '');
+      resync?.note('sessions', news.session?.id ?? '');
     }
     for (const { clientId, bytes } of part.frames) this.#parts.onFrame(clientId, bytes);
     for (const { clientId, bytes } of part.nodeMessages) {
@@ -234,15 +216,14 @@ export class Peer {
     }
     for (const interest of part.wanted) this.#want(interest);
     for (const interest of part.unwanted) this.#endWant(interestKey(interest));
-    const topics = this.#toldTopics;
-    if (part.values !== undefined) told.publish(this.id, part.values, true, topics);
+    if (part.values !== undefined) told.publish(this.id, part.values, true, resync?.topics);
     if (part.records !== undefined) this.#publish(part.records);
-    if (part.complete && first !== undefined) this.#endOthers(first);
+    if (part.complete && resync?.isComplete === false) this.#complete(resync);
   }
 
   #publish(records: ClusterRecords): void {
     this.#recordsFrom += records.records.length;
-    this.#parts.told.publish(this.id, records, false, this.#toldTopics);
+    this.#parts.told.publish(this.id, records, false, this.#resync?.topics);
   }
 
   /** Counts a part. @returns whether it is to be read */
@@ -278,7 +259,7 @@ export class Peer {
 
   #want(interest: ClusterInterest): void {
     const key = interestKey(interest);
-    this.#first?.interests.add(key);
+    this.#resync?.note('interests', key);
     this.#interests.set(key, interest);
     this.#subscriber.want(interest);
   }
@@ -290,31 +271,12 @@ export class Peer {
     this.#subscriber.endWant(interest);
   }
 
-  /** Deletes what was known before the stream began and is missing in it. */
-  #endOthers(first: FirstTold): void {
-    this.#first = undefined;
+  #complete(resync: Resync): void {
     this.#failures = 0;
-    // It may learn only now what is wanted here, and has told no value because of that.
-    this.#valuesLooks = VALUES_LOOKS;
-    const { directory, mirror } = this.#parts;
-    for (const id of directory.idsOf(this.id)) {
-      if (!first.clients.has(id)) directory.delete(this.id, id);
-    }
-    for (const id of mirror.idsOf(this.id)) {
-      if (!first.sessions.has(id)) mirror.delete(this.id, id);
-    }
-    for (const key of [...this.#interests.keys()]) {
-      if (!first.interests.has(key)) this.#endWant(key);
-    }
-  }
-
-  #endOtherValues(): void {
-    const told = this.#toldTopics;
-    this.#toldTopics = undefined;
-    const { topics } = this.#parts;
-    for (const entry of topics.values()) {
-      if (told?.has(entry.topic) === false) endForeign(topics, entry, this.id);
-    }
+    resync.complete({
+      keys: [...this.#interests.keys()],
+      end: (key) => this.#endWant(key),
+    });
   }
 }
 

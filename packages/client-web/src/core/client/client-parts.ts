@@ -57,6 +57,7 @@ export class ClientParts {
   readonly #options: ClientOptions;
   readonly #ports: ClientPorts;
   readonly #timeoutMs: number;
+  readonly #sendTimes: SendTimes;
   readonly #proofs = new Proofs();
   #hearsOfMasters = false;
 
@@ -112,8 +113,6 @@ export class ClientParts {
       link: () => this.connection.link,
     });
   }
-
-  readonly #sendTimes: SendTimes;
 
   readonly #handleProblem = (problem: ClientProblem): void => this.problemListeners.emit(problem);
 
