@@ -266,20 +266,41 @@ describe.skipIf(process.platform !== 'linux' || process.getuid?.() !== 0)(
       if (bearer) headers.authorization = 'Bearer ' + bearer;
       fetch('http://127.0.0.1:' + port + '/services/json', { method: 'POST', headers, body })
         .then((reply) => reply.text()).then((text) => process.stdout.write(text));`;
-    const ask = (uid: number, ...words: string[]): Promise<Reply> =>
+    const UPGRADE = `
+      const [port, path] = process.argv.slice(1);
+      const key = Buffer.alloc(16).toString('base64');
+      const headers = { connection: 'Upgrade', upgrade: 'websocket', 'sec-websocket-version': '13', 'sec-websocket-key': key };
+      const end = ({ statusCode }) => { process.stdout.write(String(statusCode)); process.exit(); };
+      require('http').get({ host: '127.0.0.1', port, path, headers }).on('upgrade', end).on('response', end);`;
+    const runAs = (uid: number, program: string, words: string[]): Promise<string> =>
       new Promise((resolve, reject) => {
         const options = { uid, cwd: '/', env: { PATH: process.env['PATH'] } };
-        const args = ['-e', REQUEST, ...words];
-        execFile(process.execPath, args, options, (error, stdout) => {
-          if (error === null) resolve(JSON.parse(stdout) as Reply);
+        execFile(process.execPath, ['-e', program, ...words], options, (error, stdout) => {
+          if (error === null) resolve(stdout);
           else reject(error);
         });
       });
+    const ask = async (uid: number, ...words: string[]) =>
+      JSON.parse(await runAs(uid, REQUEST, words)) as Reply;
+    const upgradeAs = (uid: number, port: number, query: string) =>
+      runAs(uid, UPGRADE, [String(port), `/topicdata${query}`]);
 
     it.each([['--trust-loopback'], DEFAULT])('is a stranger: %s', async (...flags) => {
       const { port } = await startEdgeMaster({ flags });
       expect((await ask(OTHER_USER, String(port), LISTING)).error?.code).toBe('unauthenticated');
       expect(await ask(0, String(port), LISTING)).toHaveProperty('clientList');
+    });
+
+    it('opens a socket with the resume token of its client, and no other [AC-27]', async () => {
+      const { port } = await startEdgeMaster({ flags: DEFAULT });
+      const registration = { client: { name: 'page', extension: {} } };
+      const { reply } = await call(port, '/services/client/registration', {}, registration);
+      const { id, extension } = reply.client!;
+      const query = `?clientID=${id}`;
+      expect(await upgradeAs(OTHER_USER, port, query)).toBe('403');
+      expect(await upgradeAs(OTHER_USER, port, `${query}&token=nonsense`)).toBe('403');
+      const proven = `${query}&token=${extension['resumeToken']}`;
+      expect(await upgradeAs(OTHER_USER, port, proven)).toBe('101');
     });
 
     it('cannot use what is good on this machine for its operator [AC-43]', async () => {

@@ -117,6 +117,24 @@ describe('a caller', () => {
     }
   });
 
+  it('with the resume token of a client is here, whoever runs its program [AC-27]', () => {
+    const request = {
+      socket: { remoteAddress: '127.0.0.1', remotePort: STRANGE_PORT },
+      isProven: true,
+    };
+    expect(reader.prepare({ ...request, headers: {} })).toBeUndefined();
+    expect(reader.read({ ...request, headers: {} })).toMatchObject({
+      standing: 'local',
+      isHere: true,
+    });
+    const elsewhere = [
+      reader.read({ ...request, headers: { 'x-real-ip': '127.0.0.1' } }),
+      reader.read({ ...request, headers: {}, httpVersion: '1.0' }),
+      reader.read({ ...request, headers: {}, socket: { remoteAddress: '192.168.1.6' } }),
+    ];
+    expect(elsewhere.map(({ standing }) => standing)).toEqual(['other', 'other', 'other']);
+  });
+
   it('of this machine alone is looked for before it is read [AC-1]', async () => {
     const prepare = (remoteAddress: string | undefined, rest = {}) =>
       reader.prepare({ socket: { remoteAddress, remotePort: 4711 }, headers: {}, ...rest });

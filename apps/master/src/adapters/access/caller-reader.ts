@@ -12,6 +12,8 @@ export interface CallerRequest {
   readonly headers: IncomingHttpHeaders;
   readonly httpVersion?: string;
   readonly socket: PeerSocket;
+  /** It shows the resume token of a client: the user of its program need not be known. [AC-27] */
+  readonly isProven?: boolean;
 }
 
 /** Role of callers on this computer without a token. [AC-40] */
@@ -54,7 +56,8 @@ export class CallerReader {
    *
    * @returns undefined when nothing has to be waited for; the promise is never rejected
    */
-  prepare({ headers, socket, httpVersion }: CallerRequest): Promise<void> | undefined {
+  prepare({ headers, socket, httpVersion, isProven }: CallerRequest): Promise<void> | undefined {
+    if (isProven === true) return undefined;
     const address = plainAddress(socket.remoteAddress);
     if (address === undefined || httpVersion === '1.0' || isPassedOn(headers)) return undefined;
     return this.#isThisMachine(address) ? this.#options.owners.learn(socket) : undefined;
@@ -69,7 +72,7 @@ export class CallerReader {
     return { standing, isHere, place, address, bearer };
   }
 
-  #whereaboutsOf({ headers, socket, httpVersion }: CallerRequest): Whereabouts {
+  #whereaboutsOf({ headers, socket, httpVersion, isProven }: CallerRequest): Whereabouts {
     const { isLegacyAddress, isTrustedProxy, owners } = this.#options;
     const address = plainAddress(socket.remoteAddress);
     const elsewhere: Whereabouts = { address, standing: 'other', isHere: false };
@@ -86,7 +89,8 @@ export class CallerReader {
     // Proxies that say nothing of whom they serve speak HTTP/1.0 by default; programs of today do not.
     if (httpVersion === '1.0') return { ...elsewhere, isUnknown: true };
     if (this.#isThisMachine(address)) {
-      if (!owners.isOperators(socket)) return { ...elsewhere, isUnknown: true };
+      const isOurs = isProven === true || owners.isOperators(socket);
+      if (!isOurs) return { ...elsewhere, isUnknown: true };
       const standing = isProxy ? 'other' : this.#localStanding(headers);
       return { address, standing, isHere: true };
     }

@@ -35,6 +35,15 @@ export interface TopicDataSocketsOptions {
   readonly maxMessageBytes: number;
 }
 
+/** An upgrade request whose caller is known. */
+interface Upgrade {
+  readonly request: IncomingMessage;
+  readonly socket: Duplex;
+  readonly head: Buffer;
+  readonly claim: ClientClaim;
+  readonly caller: CallerFacts;
+}
+
 /** Turns upgrade requests, on any path of any port, into connections of the master. [TD-1] */
 export class TopicDataSockets {
   readonly #options: TopicDataSocketsOptions;
@@ -57,38 +66,42 @@ export class TopicDataSockets {
 
   /** To be called for the `upgrade` event of every HTTP server. */
   handleUpgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
-    const verdict = this.#options.policy.judge(request.headers);
+    const { callers, master, policy } = this.#options;
+    const verdict = policy.judge(request.headers);
+    const claim = claimOf(request.url ?? '');
     // A page without a name proves to be a client: browsers let it send no header here. [AC-46]
-    const isUnproven = verdict.kind === 'nameless' && !claimOf(request.url ?? '').token;
+    const isUnproven = verdict.kind === 'nameless' && !claim.token;
     if (verdict.kind === 'refused' || isUnproven) {
       refuseUpgrade(socket, 403, verdict.reason, this.#options.clock);
       return;
     }
     if (this.#options.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
-    const prepared = this.#options.callers.prepare(request);
-    if (prepared === undefined) {
-      this.#admit(request, socket, head);
-      return;
-    }
+    const { headers, httpVersion } = request;
+    const isProven = master.provesClient(claim);
+    const asked = { headers, httpVersion, socket: request.socket, isProven };
+    const prepared = callers.prepare(asked);
+    // Read before anything else: of a connection that is gone nothing is known any more.
+    const admit = (): void =>
+      this.#admit({ request, socket, head, claim, caller: callers.read(asked) });
+    if (prepared === undefined) return admit();
     // The only listener meanwhile: Node.js throws an error without a listener.
     const ignore = (): void => undefined;
     socket.on('error', ignore);
     void prepared.then(() => {
       socket.off('error', ignore);
-      if (!socket.destroyed) this.#admit(request, socket, head);
+      if (!socket.destroyed) admit();
     });
   }
 
-  #admit(request: IncomingMessage, socket: Duplex, head: Buffer): void {
-    // Read before anything else: of a connection that is gone nothing is known any more.
-    const caller = this.#options.callers.read(request);
-    const reason = this.#options.master.refuseConnection(claimOf(request.url ?? ''), caller);
+  #admit(upgrade: Upgrade): void {
+    const { request, socket, head, claim, caller } = upgrade;
+    const reason = this.#options.master.refuseConnection(claim, caller);
     if (reason !== undefined) {
       refuseUpgrade(socket, 403, reason, this.#options.clock); // [AC-27]
       return;
     }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {
-      this.#open(webSocket, socket, request, caller);
+      this.#open(webSocket, upgrade);
     });
   }
 
@@ -98,10 +111,10 @@ export class TopicDataSockets {
     this.#options.preflights?.terminate();
   }
 
-  #open(webSocket: WebSocket, socket: Duplex, request: IncomingMessage, caller: CallerFacts): void {
+  #open(webSocket: WebSocket, { request, socket, claim, caller }: Upgrade): void {
     const { master, log, maxMessageBytes } = this.#options;
     const opened = master.openConnection(
-      claimOf(request.url ?? ''),
+      claim,
       new WebSocketConnection(webSocket, socket),
       caller,
       {

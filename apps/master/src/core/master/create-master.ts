@@ -44,6 +44,9 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     refuseServiceRequest(cause: unknown): ServiceAnswer {
       return refuse(core, cause);
     },
+    provesClient(claim: ClientClaim): boolean {
+      return core.sockets.isProven(claim);
+    },
     refuseConnection(claim: ClientClaim, caller: CallerFacts): string | undefined {
       return core.sockets.refuse(claim, caller);
     },

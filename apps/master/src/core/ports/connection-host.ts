@@ -5,6 +5,8 @@ import type { ConnectionHandle } from './connection-handle.ts';
 
 /** The master, as the adapter of a transport for topic data sees it. No method throws. */
 export interface ConnectionHost {
+  /** Whether a connection proves by its resume token which client it is of. [EX-4] */
+  provesClient(claim: ClientClaim): boolean;
   /**
    * Reason to refuse a connection before it opens, one sentence; undefined: it is allowed. For transports that
    * can answer before there is a connection; `openConnection` refuses the same ones. [AC-27]

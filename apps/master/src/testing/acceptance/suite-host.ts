@@ -41,6 +41,10 @@ export class SuiteHost implements ConnectionHost {
     return this.#opened.next();
   }
 
+  provesClient(): boolean {
+    return false;
+  }
+
   refuseConnection({ clientId }: ClientClaim): string | undefined {
     return clientId === SuiteHost.REFUSED ? 'This client is refused.' : undefined;
   }
