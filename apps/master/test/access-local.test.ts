@@ -52,6 +52,25 @@ describe('callers of this machine without a token [AC-2] [AC-40]', () => {
     expect(refuse(other.id)).toBeUndefined();
     for (const { id } of [operator, trusted, neighbour]) expect(refuse(id)).toBeDefined();
   });
+
+  it('prove that they came in here by the resume token, and others do not [AC-27]', async () => {
+    const master = new TestMaster();
+    const { admin } = await master.master.openTerminal(false);
+    const extension = {};
+    const operator = await joinHere(master, admin.token);
+    const trusted = await master.register({ name: 'trusted', extension }, TRUSTED_CALLER);
+    const neighbour = await master.register({ name: 'neighbour', extension }, NETWORK_CALLER);
+    const local = await master.register({ name: 'local', extension }, LOCAL_CALLER);
+    const proves = (clientId: string, token: string | undefined) =>
+      master.master.provesLocalClient({ clientId, token });
+    const all = [trusted, local, neighbour, operator];
+    expect(all.map(({ id, token }) => proves(id, token))).toEqual([true, true, false, false]);
+    expect(all.map(({ token }) => token === undefined)).toEqual(all.map(() => false));
+    for (const token of [undefined, '', 'nonsense', trusted.token]) {
+      expect(proves(local.id, token)).toBe(false);
+    }
+    expect(proves('nobody', local.token)).toBe(false);
+  });
 });
 
 describe('the leave of the operator [AC-42] [AC-43]', () => {

@@ -117,7 +117,7 @@ describe('a caller', () => {
     }
   });
 
-  it('with the resume token of a client is here, whoever runs its program [AC-27]', () => {
+  it('with the resume token of a client of this machine is here, whoever runs its program [AC-27]', () => {
     const request = {
       socket: { remoteAddress: '127.0.0.1', remotePort: STRANGE_PORT },
       isProven: true,

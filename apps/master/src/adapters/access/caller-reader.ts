@@ -12,7 +12,7 @@ export interface CallerRequest {
   readonly headers: IncomingHttpHeaders;
   readonly httpVersion?: string;
   readonly socket: PeerSocket;
-  /** It shows the resume token of a client: the user of its program need not be known. [AC-27] */
+  /** It shows the resume token of a client of this machine: the user of its program need not be known. [AC-27] */
   readonly isProven?: boolean;
 }
 

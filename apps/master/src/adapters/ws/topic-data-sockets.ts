@@ -77,7 +77,7 @@ export class TopicDataSockets {
     }
     if (this.#options.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
     const { headers, httpVersion } = request;
-    const isProven = master.provesClient(claim);
+    const isProven = master.provesLocalClient(claim);
     const asked = { headers, httpVersion, socket: request.socket, isProven };
     const prepared = callers.prepare(asked);
     // Read before anything else: of a connection that is gone nothing is known any more.

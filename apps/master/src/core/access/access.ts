@@ -91,6 +91,11 @@ export class Access {
     }
   }
 
+  /** Whether a resume token proves a client that came in from this machine without an invitation. [AC-27] */
+  provesLocalClient(clientId: string, token: string): boolean {
+    return this.#context.accessOf(clientId)?.kind === 'local' && this.#isProven(clientId, token);
+  }
+
   /**
    * Whether a socket is opened for this client [AC-27].
    * @returns why not
@@ -101,14 +106,12 @@ export class Access {
     token: string,
   ): ServiceError | undefined {
     if (standing === 'trusted') return undefined;
-    const { tokens, accessOf } = this.#context;
-    const access = accessOf(clientId);
+    const access = this.#context.accessOf(clientId);
     const mayTry = access === undefined || access.kind === 'grant';
     if (standing === 'local' && isLike(access, LOCAL)) return undefined;
     if (standing === 'network' && isLike(access, NETWORK)) return undefined;
     // Only a client that proves its former id learns the reason.
-    const isProven = clientId !== '' && token !== '' && tokens.verify(clientId, token);
-    if (!mayTry || !isProven) return joinRefusal(JOIN_PROBLEM_MISSING);
+    if (!mayTry || !this.#isProven(clientId, token)) return joinRefusal(JOIN_PROBLEM_MISSING);
     const isOver = access !== undefined && access.expiresMs <= this.#context.clock.nowMs();
     return isOver ? joinRefusal(JOIN_PROBLEM_EXPIRED) : undefined;
   }
@@ -141,6 +144,10 @@ export class Access {
     const { secrets } = this.#context;
     const credential = writeCredential(secrets, { clientId, grantId: grant.id, expiresMs });
     return { credential, credentialExpiresMs: expiresMs };
+  }
+
+  #isProven(clientId: string, token: string): boolean {
+    return clientId !== '' && token !== '' && this.#context.tokens.verify(clientId, token);
   }
 
   #identifyBearer(bearer: string, facts: CallerFacts): Caller {

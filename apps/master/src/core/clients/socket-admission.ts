@@ -45,11 +45,6 @@ export class SocketAdmission {
     return this.#open;
   }
 
-  /** Whether a socket shows the resume token of its client. */
-  isProven({ clientId = '', token = '' }: ClientClaim): boolean {
-    return clientId !== '' && token !== '' && this.#context.tokens.verify(clientId, token);
-  }
-
   /** Returns the reason to refuse a socket [AC-27]. */
   refuse({ clientId = '', token = '' }: ClientClaim, caller: CallerFacts): string | undefined {
     return this.#context.access.refuseSocket(caller, clientId, token)?.message;

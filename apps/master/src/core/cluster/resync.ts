@@ -28,7 +28,7 @@ interface Interests {
 
 /**
  * Brings what is known of another master up to date with a new stream of it: when the stream has announced all, everything
- * else that is known of the master is deleted; values a little later. [CU-5]
+ * else that is known of the master is deleted; values a little later. [CU-7]
  */
 export class Resync {
   readonly #context: ResyncContext;

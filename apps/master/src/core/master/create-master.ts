@@ -44,8 +44,8 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     refuseServiceRequest(cause: unknown): ServiceAnswer {
       return refuse(core, cause);
     },
-    provesClient(claim: ClientClaim): boolean {
-      return core.sockets.isProven(claim);
+    provesLocalClient({ clientId = '', token = '' }: ClientClaim): boolean {
+      return core.access.provesLocalClient(clientId, token);
     },
     refuseConnection(claim: ClientClaim, caller: CallerFacts): string | undefined {
       return core.sockets.refuse(claim, caller);

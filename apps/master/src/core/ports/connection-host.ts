@@ -5,8 +5,11 @@ import type { ConnectionHandle } from './connection-handle.ts';
 
 /** The master, as the adapter of a transport for topic data sees it. No method throws. */
 export interface ConnectionHost {
-  /** Whether a connection proves by its resume token which client it is of. [EX-4] */
-  provesClient(claim: ClientClaim): boolean;
+  /**
+   * Whether a connection proves by its resume token that it is of a client which came in from this machine. A transport
+   * need not find out the user of its program then. [AC-27]
+   */
+  provesLocalClient(claim: ClientClaim): boolean;
   /**
    * Reason to refuse a connection before it opens, one sentence; undefined: it is allowed. For transports that
    * can answer before there is a connection; `openConnection` refuses the same ones. [AC-27]

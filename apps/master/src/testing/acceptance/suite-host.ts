@@ -41,7 +41,7 @@ export class SuiteHost implements ConnectionHost {
     return this.#opened.next();
   }
 
-  provesClient(): boolean {
+  provesLocalClient(): boolean {
     return false;
   }
 
