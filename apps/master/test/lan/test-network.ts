@@ -53,6 +53,7 @@ export class TestNetwork {
       ip('-n', name, 'link', 'set', 'lo', 'up');
       ip('-n', name, 'link', 'set', device, 'up');
     }
+    for (const [name, device] of sides) waitUntilSettled(name, device);
   }
 
   /** A folder until the network closes. */
@@ -119,6 +120,25 @@ export class TestNetwork {
   }
 }
 
-function ip(...args: readonly string[]): void {
-  execFileSync('ip', args, { stdio: 'pipe' });
+/** Time for the system to finish with a new cable, milliseconds. */
+const SETTLED_MS = 10_000;
+const LOOK_MS = 50;
+
+/**
+ * The system works on a cable after it is up: it notices the other end, and tries out a link-local address for one to two
+ * seconds. Browsers end what they load at each such change (`ERR_NETWORK_CHANGED`).
+ */
+function waitUntilSettled(name: string, device: string): void {
+  const endMs = performance.now() + SETTLED_MS;
+  const sleeper = new Int32Array(new SharedArrayBuffer(4));
+  while (performance.now() < endMs) {
+    const shown = ip('-n', name, 'addr', 'show', 'dev', device);
+    const isUp = shown.includes('state UP');
+    if (isUp && shown.includes('inet6 fe80:') && !shown.includes('tentative')) return;
+    Atomics.wait(sleeper, 0, 0, LOOK_MS);
+  }
+}
+
+function ip(...args: readonly string[]): string {
+  return execFileSync('ip', args, { stdio: 'pipe', encoding: 'utf8' });
 }
