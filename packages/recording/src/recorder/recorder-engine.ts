@@ -124,12 +124,17 @@ export class RecorderEngine implements Recorder {
   async list(): Promise<RecorderList> {
     await this.#files.scan();
     const freeBytes = await this.#context.folder.freeBytes();
-    const recordings = [...this.#running.toMessages(), ...this.#files.values()];
-    return { recordings, sizeBytes: this.#files.sizeBytes + this.#running.sizeBytes, freeBytes };
+    // While its file is being closed, a recording is neither among those that run nor in the list.
+    return this.#inOrder(() => {
+      const recordings = [...this.#running.toMessages(), ...this.#files.values()];
+      const sizeBytes = this.#files.sizeBytes + this.#running.sizeBytes;
+      return Promise.resolve({ recordings, sizeBytes, freeBytes });
+    });
   }
 
   async get(id: string): Promise<KeptRecording> {
-    return this.#running.get(id) ?? this.#files.get(id);
+    const running = await this.#inOrder(() => Promise.resolve(this.#running.get(id)));
+    return running ?? this.#files.get(id);
   }
 
   async change(id: string, texts: RecordingTexts): Promise<Recording> {

@@ -60,6 +60,23 @@ describe('RecorderEngine', () => {
     for (const { state } of recordings) expect(state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
   });
 
+  it('[RC-5] has a recording in its list, and to read, while its file is being closed', async () => {
+    const { recorder } = openEngine();
+    await recorder.start(runningJob('a'));
+    recorder.add(batchOf(recordsToKeep('/x', 10)));
+    const stopped = recorder.stop('a');
+    for (let turn = 0; turn < 100; turn++) {
+      await Promise.resolve();
+      const [{ recordings }, { recording }] = await Promise.all([
+        recorder.list(),
+        recorder.get('a'),
+      ]);
+      expect(recordings.map(({ id }) => id)).toEqual(['a']);
+      expect(recording.id).toBe('a');
+    }
+    expect(await stopped).toMatchObject({ id: 'a', recordCount: 10 });
+  });
+
   it('[RC-17] keeps what was written before the disk was full, and records others', async () => {
     const { recorder, folder, clock } = openEngine();
     folder.maxBytes = 40_000;
