@@ -6,6 +6,7 @@ export type { MemoryChannel, MemoryDial, MemoryPeer } from './memory-channel.ts'
 export { MemoryDocuments, MemoryStorage, MemoryStudyStorage } from './memory-documents.ts';
 export { MemoryOwners, MemoryOwnerTable } from './memory-owners.ts';
 export { FixedUsage } from './fixed-usage.ts';
+export { PlainSeal } from './plain-seal.ts';
 export { PlainSecrets } from './plain-secrets.ts';
 export { PlainTokens } from './plain-tokens.ts';
 export { RecordingConnection, type Sent } from './recording-connection.ts';

@@ -4,6 +4,7 @@ import {
   MemoryDocuments,
   MemoryHub,
   MemoryStorage,
+  PlainSeal,
   TestMaster,
   type TestMasterOptions,
 } from '../../src/testing/index.ts';
@@ -31,7 +32,7 @@ export class ClusterWorld {
       idsGiven: number * IDS_PER_MASTER,
       grants: this.grants,
       storage: this.storage,
-      cluster: { name: 'test', bus: this.hub.bus(), owners },
+      cluster: { name: 'test', bus: this.hub.bus(), seal: new PlainSeal(), owners },
       name: `master ${number + 1}`,
       ...options,
     });

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { decode, encode } from '@ubii/proto';
+import { decode } from '@ubii/proto';
 import { clusterOf, ClusterWorld, publisherAndSubscriber } from './cluster-world.ts';
-import { TestMaster } from '../../src/testing/index.ts';
+import { ProvenBus } from '../../src/core/cluster/proven-bus.ts';
+import { PlainSeal, TestMaster } from '../../src/testing/index.ts';
 
 describe('masters of a cluster', () => {
   it('[CU-1] [CU-2] [CU-5] hear of each other, and do not listen to other versions', async () => {
@@ -10,14 +11,14 @@ describe('masters of a cluster', () => {
     const future = world.hub.bus();
     future.listen('future', {
       handleMessage: (_from, bytes) => {
-        const message = decode('ubii.extension.ClusterMessage', bytes);
+        const { proof: _proof, ...message } = decode('ubii.extension.ClusterMessage', bytes);
         told.push(Object.keys(message).find((key) => message[key as 'hello'] !== undefined)!);
       },
       handleReach() {},
     });
-    future.broadcast(
-      encode('ubii.extension.ClusterMessage', { hello: { version: 99, name: 'future' } }),
-    );
+    const { clock } = world;
+    const proven = { bus: future, seal: new PlainSeal(), id: 'future', clock, log: a!.log };
+    new ProvenBus(proven).broadcast({ hello: { version: 99, name: 'future' } });
     await world.pass(3_000);
     expect(new Set(told)).toEqual(new Set(['hello']));
     const gauge = a!.master.metrics().find(({ name }) => name === 'ubii_cluster_masters');

@@ -153,6 +153,8 @@ export const AuditEntryWay = {
   LOCAL: 1,
   /** As an existing client of a network that is admitted. */
   NETWORK: 2,
+  /** As a caller that another master of the cluster admits without a token. Rule CU-28. */
+  CLUSTER: 3,
 } as const;
 export type AuditEntryWay = (typeof AuditEntryWay)[keyof typeof AuditEntryWay];
 
@@ -1570,6 +1572,8 @@ export interface AuditEntry {
   addressKind: ClientActivityAddressKind;
   /** Entries of the same caller that were left out before this one, because there were too many. */
   leftOut: number;
+  /** Name of the master that the caller called, when that is another one of the cluster; empty for this one. */
+  masterName: string;
 }
 
 /**
@@ -2063,6 +2067,8 @@ export interface ClusterHello {
   masterVersion: string;
   /** When it started: milliseconds since the Unix epoch, its own clock. */
   startedMs: number;
+  /** Distinguishes its installation from others of the cluster, the same in later runs. Rule AC-43. */
+  installation: string;
 }
 
 /**
@@ -2159,6 +2165,11 @@ export interface ClusterMessage {
   call?: ClusterCall | undefined;
   /** To one: the reply to it. */
   reply?: ClusterReply | undefined;
+  /**
+   * Last of all: HMAC-SHA-256 of what stands before it, by which a master proves that it has the key of the cluster.
+   * Parts with records and nothing else have none. Rule CU-65.
+   */
+  proof: Uint8Array;
 }
 
 /**

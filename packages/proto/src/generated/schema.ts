@@ -49,6 +49,7 @@ enum ubii.extension.AuditEntry.Way
 0 GRANT
 1 LOCAL
 2 NETWORK
+3 CLUSTER
 enum ubii.extension.BridgeOutcome
 0 BRIDGE_OUTCOME_UNSPECIFIED
 1 BRIDGE_OUTCOME_SAVED
@@ -489,6 +490,7 @@ message ubii.extension.AuditEntry
 11 grant_label string
 12 address_kind ubii.extension.ClientActivity.AddressKind
 13 left_out int32
+14 master_name string
 message ubii.extension.AuditLog
 1 entries ubii.extension.AuditEntry *
 2 more bool
@@ -653,6 +655,7 @@ message ubii.extension.ClusterHello
 3 addresses string *
 4 master_version string
 5 started_ms double
+6 installation string
 message ubii.extension.ClusterInterest
 1 topic string
 2 pattern string
@@ -689,6 +692,7 @@ message ubii.extension.ClusterMessage
 4 part ubii.extension.ClusterPart type
 5 call ubii.extension.ClusterCall type
 6 reply ubii.extension.ClusterReply type
+15 proof bytes
 message ubii.extension.ClusterPart
 1 stream int32
 2 number int32

@@ -17,6 +17,7 @@ const entry = (changes: Partial<AuditEntry> = {}): AuditEntry =>
     grantLabel: 'Class 7b',
     addressKind: 0,
     leftOut: 0,
+    masterName: '',
     ...changes,
   }) as AuditEntry;
 
@@ -27,6 +28,9 @@ it('an entry is told in words [EX-91]', () => {
   expect(standingOf(entry())).toBe('participant, invitation Class 7b');
   expect(standingOf(entry({ grantLabel: '' }))).toBe('participant, invitation 12345678');
   expect(standingOf(entry({ grantId: '', role: AccessRole.ACCESS_ROLE_ADMIN }))).toBe('admin');
+  expect(standingOf(entry({ masterName: 'Foyer' }))).toBe(
+    'participant, invitation Class 7b, through the master Foyer',
+  );
 });
 
 it('the actor has a name, the beginning of an id, or a kind of access [EX-91]', () => {
@@ -34,6 +38,8 @@ it('the actor has a name, the beginning of an id, or a kind of access [EX-91]', 
   expect(whoOf(entry({ clientName: '', clientId: '9b2f9c1e-3f0a' }))).toBe('Client 9b2f9c1e');
   const unnamed = { clientName: '', clientId: '', way: AuditEntryWay.LOCAL };
   expect(whoOf(entry(unnamed))).toContain('on the computer of the master');
+  const elsewhere = { ...unnamed, way: AuditEntryWay.CLUSTER, masterName: 'Foyer' };
+  expect(whoOf(entry(elsewhere))).toBe('A program at the master Foyer');
 });
 
 it('the actor has its display name while its own name is the same [EX-91]', () => {

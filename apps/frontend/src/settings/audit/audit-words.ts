@@ -50,12 +50,13 @@ export type Area = (typeof AREAS)[number]['value'];
  * @param client the client, if known: its display name is used while its own name is unchanged
  */
 export function whoOf(
-  { clientName, clientId, way }: AuditEntry,
+  { clientName, clientId, way, masterName }: AuditEntry,
   client?: { readonly ownName: string | undefined; readonly displayName: string | undefined },
 ): string {
   if (client?.displayName !== undefined && client.ownName === clientName) return client.displayName;
   if (clientName !== '') return clientName;
   if (clientId !== '') return unnamedClient(clientId);
+  if (way === AuditEntryWay.CLUSTER) return `A program at the master ${masterName}`;
   if (way === AuditEntryWay.LOCAL) return 'A program on the computer of the master';
   return way === AuditEntryWay.NETWORK ? 'A program in an admitted network' : 'A client';
 }
@@ -67,8 +68,9 @@ export function deedOf({ service, object, error }: AuditEntry): string {
   return [error === '' ? done : `tried to ${tried}`, object].filter(Boolean).join(' ');
 }
 
-/** `participant, invitation Class 7b`. */
-export function standingOf({ role, grantId, grantLabel }: AuditEntry): string {
+/** `participant, invitation Class 7b, through the master Foyer`. */
+export function standingOf({ role, grantId, grantLabel, masterName }: AuditEntry): string {
   const invitation = grantId === '' ? undefined : `invitation ${grantLabel || grantId.slice(0, 8)}`;
-  return [ROLES[role], invitation].filter(Boolean).join(', ');
+  const master = masterName === '' ? undefined : `through the master ${masterName}`;
+  return [ROLES[role], invitation, master].filter(Boolean).join(', ');
 }

@@ -5,6 +5,7 @@ import type { ClusterPorts } from '../../core/areas/settings.ts';
 import type { ClusterAddress } from '../config/cluster-address.ts';
 import { bucketOf, openClusterStorage, type Storage } from './cluster-storage.ts';
 import { keepClusterKey, readOrCreateClusterKey } from './cluster-key.ts';
+import { HmacMessageSeal } from './hmac-message-seal.ts';
 import { readAuthorities, readCredentials } from './credentials.ts';
 import { NatsBus } from './nats-bus.ts';
 import { NatsLink } from './nats-link.ts';
@@ -68,7 +69,7 @@ export async function openCluster(options: ClusterOptions): Promise<OpenCluster>
     return {
       key,
       storage,
-      cluster: { name, bus, owners },
+      cluster: { name, bus, seal: new HmacMessageSeal(key), owners },
       async close() {
         cancelKeep();
         await Promise.all([storage.settled(), bus.close()]);

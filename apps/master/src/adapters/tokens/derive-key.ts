@@ -1,7 +1,8 @@
 import { hkdfSync } from 'node:crypto';
 
 /** Purpose of a key; each purpose has its own key. */
-export type KeyPurpose = 'resume tokens' | 'credentials' | 'join secrets' | 'installation';
+export type KeyPurpose =
+  'resume tokens' | 'credentials' | 'join secrets' | 'installation' | 'cluster messages';
 
 const KEY_BYTES = 32;
 /** Tells keys of this program, made in this way, from all others. */

@@ -27,11 +27,12 @@ export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'>
 export function createCluster(dependencies: ClusterDependencies): ClusterArea {
   const { cluster, settings, access, sessionNews } = dependencies;
   if (cluster === undefined) return { masters: undefined };
-  const { name, bus, owners } = cluster;
+  const { name, bus, seal, owners } = cluster;
   const masters = new Cluster({
     ...dependencies,
     name,
     bus,
+    seal,
     owners,
     grants: access.grants,
     onSessionNews: sessionNews.onNews,
@@ -39,6 +40,7 @@ export function createCluster(dependencies: ClusterDependencies): ClusterArea {
       name: nameOf(settings),
       version: settings.version,
       startedMs: dependencies.startedMs,
+      installation: access.grants.installation,
       addresses: settings.endpoints().addresses.flatMap(({ url }) => url ?? []),
     }),
   });

@@ -12,6 +12,7 @@ import type { AssetSets } from '../ports/asset-sets.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { ClusterBus } from '../ports/cluster-bus.ts';
+import type { MessageSeal } from '../ports/message-seal.ts';
 import type { OwnerStore } from '../ports/owner-store.ts';
 import type { DocumentStore, SessionStorage, StudyStorage } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';
@@ -67,6 +68,7 @@ export interface MasterPorts {
 export interface ClusterPorts {
   readonly name: string;
   readonly bus: ClusterBus;
+  readonly seal: MessageSeal;
   readonly owners: OwnerStore;
 }
 

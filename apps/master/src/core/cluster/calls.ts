@@ -2,9 +2,8 @@ import { decode, encode, ServiceError, type ClusterCall, type ClusterReply } fro
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
-import type { CallerFacts, CallerStanding } from '../ports/caller-facts.ts';
-import type { ClusterBus } from '../ports/cluster-bus.ts';
-import { sendTo } from './streams.ts';
+import type { CalledMaster, CallerFacts, CallerStanding } from '../ports/caller-facts.ts';
+import type { ProvenBus } from './proven-bus.ts';
 
 /** Calls to other masters at once. */
 const MAX_CALLS = 10_000;
@@ -21,7 +20,7 @@ export type Answer = (
 export interface CallsContext {
   readonly clock: Clock;
   readonly limits: Limits;
-  readonly bus: ClusterBus;
+  readonly bus: Pick<ProvenBus, 'send'>;
 }
 
 interface Pending {
@@ -59,7 +58,7 @@ export class Calls {
         this.#fail(number, 'did not answer in time'),
       );
       this.#pending.set(number, { masterId, resolve, reject, cancel });
-      sendTo(this.#context.bus, masterId, { call: { number, ...encodeCall(request, facts) } });
+      this.#context.bus.send(masterId, { call: { number, ...encodeCall(request, facts) } });
     });
   }
 
@@ -73,11 +72,11 @@ export class Calls {
   }
 
   /** Another master asks. @throws DecodeError when it asks nothing that can be read */
-  handleCall(from: string, call: ClusterCall, answer: Answer): void {
+  handleCall(from: CalledMaster, call: ClusterCall, answer: Answer): void {
     const request = decode('ubii.services.ServiceRequest', call.request);
-    void answer(request, factsOf(call)).then(({ reply, afterReply }) => {
+    void answer(request, factsOf(call, from)).then(({ reply, afterReply }) => {
       const bytes = encode('ubii.services.ServiceReply', reply);
-      sendTo(this.#context.bus, from, { reply: { number: call.number, reply: bytes } });
+      this.#context.bus.send(from.id, { reply: { number: call.number, reply: bytes } });
       afterReply();
     });
   }
@@ -118,8 +117,12 @@ function encodeCall(
 }
 
 /** What the other master says of the caller: it has judged its connection. */
-function factsOf({ standing, place, address, bearer, isHere }: ClusterCall): CallerFacts {
+function factsOf(
+  { standing, place, address, bearer, isHere }: ClusterCall,
+  calledMaster: CalledMaster,
+): CallerFacts {
   return {
+    calledMaster,
     standing: STANDINGS.find((one) => one === standing) ?? 'other',
     isHere,
     place,

@@ -1,9 +1,8 @@
 import {
-  decode,
   DecodeError,
   MASTERS_TOPIC,
   StatusEventKind,
-  type ClusterMessage,
+  type ClusterCall,
   type Init,
   type ServiceReply,
   type ServiceRequest,
@@ -12,52 +11,30 @@ import {
 import { readRecordPart, TextCache } from '@ubii/proto/wire';
 import type { Cancel } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
-import type { MasterPublisher } from '../info/master-publisher.ts';
-import type { InfoTopics } from '../info/info-topics.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { BusListener } from '../ports/cluster-bus.ts';
-import type { NodeReports } from '../sessions/node-reports.ts';
-import type { SessionNews } from '../sessions/session-news.ts';
 import { quote } from '../texts/quote.ts';
 import { Calls, type Answer } from './calls.ts';
 import { ClientNews } from './client-news.ts';
-import { Directory, type DirectoryContext } from './directory.ts';
+import type { ClusterContext } from './cluster-context.ts';
+import { Directory } from './directory.ts';
 import { ForeignTopics } from './foreign-topics.ts';
 import { ForeignValues } from './foreign-values.ts';
 import { HeardAddresses } from './heard-addresses.ts';
 import { LostMasters } from './lost-masters.ts';
-import { HELLO_MS, Members, type Member, type OwnMember } from './members.ts';
+import { HELLO_MS, Members, type Member } from './members.ts';
 import { MeteredBus } from './metered-bus.ts';
-import { OwnInterest, type InterestContext } from './own-interest.ts';
+import { OwnInterest } from './own-interest.ts';
 import type { PeerContext } from './peer-subscriber.ts';
 import { Peer } from './peer.ts';
 import { Peers } from './peers.ts';
-import { SessionMirror, type MirrorContext } from './session-mirror.ts';
-import { Takeover, type TakeoverContext } from './takeover.ts';
-import { ToldRecords, type ToldContext } from './told-records.ts';
+import { ProvenBus } from './proven-bus.ts';
+import { SessionMirror } from './session-mirror.ts';
+import { Takeover } from './takeover.ts';
+import { ToldRecords } from './told-records.ts';
 
 /** Time that other masters have to add to a reply, milliseconds. */
 const GATHER_MS = 1_000;
-
-/** Dependencies of a cluster. */
-export interface ClusterContext
-  extends
-    PeerContext,
-    ToldContext,
-    Omit<DirectoryContext, 'log' | 'grants'>,
-    InterestContext,
-    Omit<MirrorContext, 'publisher' | 'isThere'>,
-    Omit<TakeoverContext, 'grants'> {
-  readonly grants: DirectoryContext['grants'] & TakeoverContext['grants'];
-  readonly info: Pick<InfoTopics, 'onClient' | 'onClientGone'>;
-  readonly publisher: Pick<MasterPublisher, 'publish' | 'publishChange'>;
-  readonly onSessionNews: SessionNews['onNews'];
-  readonly reports: Pick<NodeReports, 'handleMessage' | 'onBytes'>;
-  readonly subscriptions: PeerContext['subscriptions'];
-  /** Name of the cluster. */
-  readonly name: string;
-  readonly self: () => OwnMember;
-}
 
 /** This master among the masters of its cluster: clients and topics of all of them are one world. [CU-1] */
 export class Cluster implements BusListener {
@@ -65,7 +42,7 @@ export class Cluster implements BusListener {
   readonly members: Members;
   readonly lost = new LostMasters();
   readonly heardAddresses = new HeardAddresses();
-  readonly #context: ClusterContext;
+  readonly #context: Omit<ClusterContext, 'bus'> & Pick<PeerContext, 'bus'>;
   readonly #bus: MeteredBus;
   readonly #texts = new TextCache();
   readonly #clientNews: ClientNews;
@@ -89,10 +66,10 @@ export class Cluster implements BusListener {
     Promise.reject(new Error('nothing answers the requests of other masters yet'));
 
   constructor(dependencies: ClusterContext) {
-    const bus = new MeteredBus(dependencies.bus);
+    this.#bus = new MeteredBus(dependencies.bus);
+    const bus = new ProvenBus({ ...dependencies, bus: this.#bus });
     const context = { ...dependencies, bus };
     this.#context = context;
-    this.#bus = bus;
     this.name = context.name;
     const { clock, clients, self } = context;
     this.members = new Members({ clock, bus, self });
@@ -140,7 +117,7 @@ export class Cluster implements BusListener {
     clients.sendForeign = ({ id, home }, frame) =>
       this.peers.get(home?.masterId ?? '')?.sendFrame(id, frame);
     this.#cancelSweep = clock.every(HELLO_MS, () => this.#sweep());
-    bus.listen(context.id, this);
+    this.#bus.listen(context.id, this);
   }
 
   /** Bytes of all messages to and from other masters; what goes to all counts once. */
@@ -177,7 +154,7 @@ export class Cluster implements BusListener {
     if (this.#isClosed || from === this.#context.id) return;
     try {
       const records = readRecordPart(bytes, this.#texts);
-      if (records === undefined) this.#handle(from, decode('ubii.extension.ClusterMessage', bytes));
+      if (records === undefined) this.#handle(from, bytes);
       else this.#handleSign(from)?.handleRecords(records);
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
@@ -231,7 +208,13 @@ export class Cluster implements BusListener {
     }
   }
 
-  #handle(from: string, message: ClusterMessage): void {
+  /** @throws DecodeError when it cannot be read */
+  #handle(from: string, bytes: Uint8Array): void {
+    const message = this.#context.bus.read(from, bytes);
+    if (message === undefined) {
+      this.#context.counters.protocolErrors++;
+      return;
+    }
     const { hello, goodbye, listen, part, call, reply } = message;
     if (goodbye !== undefined) return this.members.handleGoodbye(from);
     if (hello !== undefined) this.members.handleHello(from, hello);
@@ -244,7 +227,13 @@ export class Cluster implements BusListener {
     if (listen !== undefined) peer.handleListen(listen.stream);
     if (part !== undefined) peer.handlePart(part);
     if (reply !== undefined) this.#calls.handleReply(from, reply);
-    if (call !== undefined) this.#calls.handleCall(from, call, (...asked) => this.answer(...asked));
+    if (call !== undefined) this.#handleCall(from, call);
+  }
+
+  #handleCall(from: string, call: ClusterCall): void {
+    const member = this.members.get(from);
+    if (member === undefined) return;
+    this.#calls.handleCall(member, call, (...asked) => this.answer(...asked));
   }
 
   /** @returns undefined for one that has not said who it is */

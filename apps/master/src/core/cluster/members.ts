@@ -1,14 +1,14 @@
-import { encode, type ClusterHello, type ClusterMessage, type Init } from '@ubii/proto';
+import type { ClusterHello } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
-import type { ClusterBus } from '../ports/cluster-bus.ts';
+import type { ProvenBus } from './proven-bus.ts';
 
 /** Interval at which a master says that it is there, milliseconds. [CU-2] */
 export const HELLO_MS = 500;
 /** Silence after which a master counts as lost, milliseconds. [CU-3] */
 export const LOST_MS = 2_500;
 /** Version of the messages of a cluster. */
-export const CLUSTER_VERSION = 1;
+export const CLUSTER_VERSION = 2;
 
 /** Another master. */
 export interface Member {
@@ -20,6 +20,8 @@ export interface Member {
   readonly version: string;
   /** By its own clock, epoch milliseconds. */
   readonly startedMs: number;
+  /** Tells its installation apart from others of the cluster. [AC-43] */
+  readonly installation: string;
   /** Since when it is there, epoch milliseconds. */
   readonly sinceMs: number;
 }
@@ -30,7 +32,7 @@ export type OwnMember = Omit<Member, 'id' | 'sinceMs'>;
 /** Dependencies of members. */
 export interface MembersContext {
   readonly clock: Clock;
-  readonly bus: ClusterBus;
+  readonly bus: Pick<ProvenBus, 'broadcast'>;
   readonly self: () => OwnMember;
 }
 
@@ -73,23 +75,23 @@ export class Members {
 
   /** Says to all that this master is there. */
   sayHello(): void {
-    const { name, addresses, version: masterVersion, startedMs } = this.#context.self();
-    const said = { name, addresses: [...addresses], masterVersion, startedMs };
-    this.#broadcast({ hello: { ...said, version: CLUSTER_VERSION } });
+    const { addresses, version: masterVersion, ...others } = this.#context.self();
+    const said = { ...others, addresses: [...addresses], masterVersion };
+    this.#context.bus.broadcast({ hello: { ...said, version: CLUSTER_VERSION } });
   }
 
   /** Says to all that it ends. */
   sayGoodbye(): void {
-    this.#broadcast({ goodbye: {} });
+    this.#context.bus.broadcast({ goodbye: {} });
   }
 
   handleHello(id: string, hello: ClusterHello): void {
     if (hello.version !== CLUSTER_VERSION) return;
     const before = this.#members.get(id);
     const { clock } = this.#context;
-    const { name, addresses, masterVersion: version, startedMs } = hello;
+    const { name, addresses, masterVersion: version, startedMs, installation } = hello;
     const sinceMs = before?.member.sinceMs ?? clock.nowMs();
-    const member = { id, name, addresses, version, startedMs, sinceMs };
+    const member = { id, name, addresses, version, startedMs, installation, sinceMs };
     this.#members.set(id, { member, heardMs: clock.monotonicMs() });
     this.#silent.delete(id);
     if (before === undefined || !isSame(before.member, member)) this.onJoined.emit(member);
@@ -125,10 +127,6 @@ export class Members {
     const heard = this.#members.get(id);
     if (heard === undefined || !this.#members.delete(id)) return;
     this.onLost.emit(heard.member, hasEnded);
-  }
-
-  #broadcast(message: Init<ClusterMessage>): void {
-    this.#context.bus.broadcast(encode('ubii.extension.ClusterMessage', message));
   }
 }
 

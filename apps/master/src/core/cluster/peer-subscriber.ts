@@ -3,7 +3,6 @@ import { prepareRecordsForMasters, type RecordsForMasters } from '@ubii/proto/wi
 import type { Cancel, Clock, EndOfTurn, TurnTask } from '@ubii/timing';
 import type { Counters } from '../counters/counters.ts';
 import type { BatchEncoder, RecordBatch } from '../ports/record-batch.ts';
-import type { ClusterBus } from '../ports/cluster-bus.ts';
 import type { Log } from '../ports/log.ts';
 import type { Accounts } from '../shares/accounts.ts';
 import { crosses } from '../topics/crossing.ts';
@@ -16,6 +15,7 @@ import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Receiver, TopicEntry } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import { describeRecords } from './describe-records.ts';
+import type { ProvenBus } from './proven-bus.ts';
 import type { OutgoingStream } from './streams.ts';
 
 /** Time until what waits for the bus is tried again, milliseconds. */
@@ -29,7 +29,7 @@ const EVERYTHING = 'everything';
 export interface PeerContext {
   readonly clock: Clock;
   readonly log: Log;
-  readonly bus: ClusterBus;
+  readonly bus: ProvenBus;
   readonly endOfTurn: EndOfTurn;
   readonly counters: Counters;
   readonly accounts: Accounts;

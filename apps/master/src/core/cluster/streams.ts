@@ -1,18 +1,18 @@
-import { encode, type ClusterMessage, type ClusterPart, type Init } from '@ubii/proto';
+import type { ClusterPart, Init } from '@ubii/proto';
 import { encodeRecordPart, type RecordsForMasters } from '@ubii/proto/wire';
-import type { ClusterBus } from '../ports/cluster-bus.ts';
+import type { ProvenBus } from './proven-bus.ts';
 
 /** Content of one message of a stream. */
 export type PartContent = Omit<Init<ClusterPart>, 'stream' | 'number'>;
 
 /** What this master tells another one, in numbered parts. [CU-6] */
 export class OutgoingStream {
-  readonly #bus: ClusterBus;
+  readonly #bus: ProvenBus;
   readonly #peerId: string;
   #stream = 0;
   #next = 0;
 
-  constructor(bus: ClusterBus, peerId: string) {
+  constructor(bus: ProvenBus, peerId: string) {
     this.#bus = bus;
     this.#peerId = peerId;
   }
@@ -31,13 +31,13 @@ export class OutgoingStream {
   send(content: PartContent): void {
     if (!this.isOpen) return;
     const part = { ...content, stream: this.#stream, number: this.#next++ };
-    sendTo(this.#bus, this.#peerId, { part });
+    this.#bus.send(this.#peerId, { part });
   }
 
   /** Sends records that were just published. The hot path between masters. */
   sendRecords(records: RecordsForMasters): void {
     if (!this.isOpen) return;
-    this.#bus.send(this.#peerId, encodeRecordPart(this.#stream, this.#next++, records));
+    this.#bus.sendRecords(this.#peerId, encodeRecordPart(this.#stream, this.#next++, records));
   }
 }
 
@@ -46,12 +46,12 @@ export type PartPlace = 'next' | 'old' | 'gap';
 
 /** What another master tells this one. */
 export class IncomingStream {
-  readonly #bus: ClusterBus;
+  readonly #bus: ProvenBus;
   readonly #peerId: string;
   #stream = 0;
   #next = 0;
 
-  constructor(bus: ClusterBus, peerId: string) {
+  constructor(bus: ProvenBus, peerId: string) {
     this.#bus = bus;
     this.#peerId = peerId;
   }
@@ -60,7 +60,7 @@ export class IncomingStream {
   listen(): void {
     this.#stream++;
     this.#next = 0;
-    sendTo(this.#bus, this.#peerId, { listen: { stream: this.#stream } });
+    this.#bus.send(this.#peerId, { listen: { stream: this.#stream } });
   }
 
   /** Counts a part. @returns whether it is the next one, of an earlier stream, or others are missing before it */
@@ -70,9 +70,4 @@ export class IncomingStream {
     this.#next++;
     return 'next';
   }
-}
-
-/** Sends a message to one master. */
-export function sendTo(bus: ClusterBus, masterId: string, message: Init<ClusterMessage>): void {
-  bus.send(masterId, encode('ubii.extension.ClusterMessage', message));
 }

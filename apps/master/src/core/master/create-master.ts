@@ -23,7 +23,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
   core.events.add(StatusEventKind.MASTER_STARTED, 'The master started');
   const { masters } = core;
   if (masters !== undefined) {
-    masters.answer = (request, facts) => answerRequest(core, request, facts, undefined, true); // [CU-28]
+    masters.answer = (request, facts) => answerRequest(core, request, facts); // [CU-28]
   } else core.sessions.restore((grantId) => core.access.grants.isGood(grantId)); // [SE-24]
   core.onClose.add(watchGrants(core));
   return {

@@ -5,6 +5,14 @@
  */
 export type CallerStanding = 'trusted' | 'local' | 'network' | 'other';
 
+/** Another master of the cluster, which a caller has called. [CU-28] */
+export interface CalledMaster {
+  readonly id: string;
+  readonly name: string;
+  /** Tells its installation apart from others of the cluster. */
+  readonly installation: string;
+}
+
 /** Facts that a transport knows about a caller or a connecting client. */
 export interface CallerFacts {
   readonly standing: CallerStanding;
@@ -19,6 +27,8 @@ export interface CallerFacts {
   readonly address?: string | undefined;
   /** The token, code or credential that it shows; undefined without one [AC-3]. */
   readonly bearer: string | undefined;
+  /** The master that was called, and has judged the connection. Default: this one. */
+  readonly calledMaster?: CalledMaster;
 }
 
 /** A caller of this machine, without a token. */

@@ -50,4 +50,5 @@ export type {
 } from './document-store.ts';
 export type { ConnectionHandle } from './connection-handle.ts';
 export type { BusListener, ClusterBus } from './cluster-bus.ts';
+export type { MessageSeal } from './message-seal.ts';
 export type { OwnerStore } from './owner-store.ts';

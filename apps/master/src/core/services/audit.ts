@@ -2,9 +2,11 @@ import { AuditEntryWay, ServiceError, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import { wireRole } from '../access/roles.ts';
 import { wireAddressKind } from '../monitoring/client-report.ts';
+import type { CalledMaster } from '../ports/caller-facts.ts';
 import type { Core } from '../areas/core.ts';
 import { oneLine } from '../texts/one-line.ts';
 import type { Service } from './define-service.ts';
+import type { ServiceCall } from './service-call.ts';
 
 /** What an entry is about. */
 interface AuditedAction {
@@ -14,6 +16,8 @@ interface AuditedAction {
   readonly object: string;
   /** Client that the request names. Only callers that need no credential may do so. [AC-22] */
   readonly subject?: string;
+  /** The master that was called. Default: this one. */
+  readonly calledMaster?: CalledMaster | undefined;
 }
 
 /** Writes how an action ended: the code of its error, empty when it was done. */
@@ -24,13 +28,14 @@ export function openAuditOf(
   core: Core,
   service: Service | undefined,
   request: ServiceRequest,
-  caller: Caller,
+  { caller, facts }: Pick<ServiceCall, 'caller' | 'facts'>,
 ): WriteAudit | undefined {
   if (service?.audited !== true) return undefined;
   const object = service.auditObjectOf(core, request);
   return openAudit(core, caller, {
     ...{ service: request.topic, object },
     subject: service.subjectOf(request),
+    calledMaster: facts.calledMaster,
   });
 }
 
@@ -41,12 +46,13 @@ export function openAuditOf(
 export function openAudit(
   core: Core,
   caller: Caller,
-  { service, object, subject = '' }: AuditedAction,
+  { service, object, subject = '', calledMaster }: AuditedAction,
 ): WriteAudit | undefined {
   // Those who have not joined can do nothing, and would fill the log with trying.
   if (caller.kind === 'stranger' || caller.kind === 'joining') return undefined;
   const { clients, audit, limits } = core;
   const line = oneLine(object, limits.reasonCharacters);
+  const isOfThisMachine = caller.kind === 'local' && calledMaster === undefined;
   return (error) => {
     const id = caller.kind === 'client' ? caller.clientId : subject;
     const client = clients.get(id);
@@ -58,10 +64,11 @@ export function openAudit(
       clientId: caller.kind === 'client' ? id : (client?.id ?? ''),
       clientName: client?.spec.name ?? '',
       role: wireRole(caller.role),
-      way: wayOf(caller),
+      way: wayOf(caller, calledMaster),
       grantId: grant?.id ?? '',
       grantLabel: grant?.label ?? '',
-      addressKind: wireAddressKind(caller.kind === 'local' ? 'loopback' : client?.peer.addressKind),
+      addressKind: wireAddressKind(isOfThisMachine ? 'loopback' : client?.peer.addressKind),
+      masterName: calledMaster?.name ?? '',
     });
   };
 }
@@ -81,7 +88,9 @@ export async function writeResult<T>(
   }
 }
 
-function wayOf({ kind }: Caller): AuditEntryWay {
+function wayOf({ kind }: Caller, calledMaster: CalledMaster | undefined): AuditEntryWay {
+  if (kind === 'client') return AuditEntryWay.GRANT;
+  if (calledMaster !== undefined) return AuditEntryWay.CLUSTER;
   if (kind === 'local') return AuditEntryWay.LOCAL;
   return kind === 'network' ? AuditEntryWay.NETWORK : AuditEntryWay.GRANT;
 }

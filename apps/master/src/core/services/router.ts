@@ -19,17 +19,15 @@ const MAX_TURN_MS = 8;
  * Answers a request, whatever it holds; never rejects [SV-2].
  *
  * @param known who called, when that was found before the body was read
- * @param isOfMaster another master asks for its caller
  */
 export function answerRequest(
   core: Core,
   request: ServiceRequest,
   facts: CallerFacts,
   known?: Caller,
-  isOfMaster = false,
 ): Promise<ServiceAnswer> {
   core.counters.countRequest(request.topic);
-  const call = new Call(core, facts, known, isOfMaster);
+  const call = new Call(core, facts, known);
   const { serviceTimeoutMs } = core.limits;
   return new Promise((resolve) => {
     const cancel = core.clock.after(serviceTimeoutMs, () => {
@@ -73,7 +71,7 @@ async function audited(core: Core, request: ServiceRequest, call: Call): Promise
   const service = findService(request.topic);
   const answered = service && forwarded(core, service, request, call);
   if (answered !== undefined) return answered;
-  const write = openAuditOf(core, service, request, call.caller);
+  const write = openAuditOf(core, service, request, call);
   return writeResult(write, () => handle(core, service, request, call));
 }
 
@@ -174,9 +172,7 @@ function unknownService(topic: string): ServiceError {
 /** One call on its way through its handler. */
 class Call implements ServiceCall {
   readonly place: string;
-  readonly isHere: boolean;
   readonly address: string | undefined;
-  readonly isOfMaster: boolean;
   readonly #core: Core;
   readonly facts: CallerFacts;
   #caller: Caller | undefined = undefined;
@@ -184,16 +180,22 @@ class Call implements ServiceCall {
   #isFinished = false;
   #lastYieldMs: number;
 
-  constructor(core: Core, facts: CallerFacts, known: Caller | undefined, isOfMaster: boolean) {
+  constructor(core: Core, facts: CallerFacts, known: Caller | undefined) {
     this.#core = core;
     this.facts = facts;
     // Admitted callers are identified again: their access may have been revoked while the body arrived.
     if (known?.kind === 'stranger') this.#caller = known;
     this.place = facts.place;
-    this.isHere = facts.isHere;
     this.address = facts.address;
-    this.isOfMaster = isOfMaster;
     this.#lastYieldMs = core.clock.monotonicMs();
+  }
+
+  get isHere(): boolean {
+    return this.facts.isHere && !this.isOfMaster;
+  }
+
+  get isOfMaster(): boolean {
+    return this.facts.calledMaster !== undefined;
   }
 
   /** Found once: a wrong code counts once. */

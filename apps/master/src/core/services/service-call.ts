@@ -11,7 +11,7 @@ export interface ServiceCall {
   readonly facts: CallerFacts;
   /** Another master asks for its caller: what other masters have is not of interest [CU-29]. */
   readonly isOfMaster: boolean;
-  /** True when the caller is on this machine, without a proxy in between [AC-43]. */
+  /** True when the caller is on the machine of this master, without a proxy in between [AC-43]. */
   readonly isHere: boolean;
   /** Its address, where `place` is a network. */
   readonly address: string | undefined;
