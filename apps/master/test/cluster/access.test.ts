@@ -1,9 +1,36 @@
-import { AccessRole, JoinProblem } from '@ubii/proto';
+import { AccessRole, JoinProblem, type JsonObject } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { LOCAL_CALLER } from '../../src/index.ts';
+import type { TestClient, TestMaster } from '../../src/testing/index.ts';
 import { createGrant, join, NETWORK_CALLER, problemOf, revoke, stranger } from '../access-world.ts';
 import { ClusterWorld, clusterOf } from './cluster-world.ts';
 
 const { ACCESS_ROLE_PLAYER } = AccessRole;
+
+/** Two masters with a terminal each, and what that of the first one shows its operator. */
+async function twoTerminals() {
+  const world = new ClusterWorld();
+  const a = await world.add({ installation: 'a' });
+  const b = await world.add({ installation: 'b' });
+  const { admin } = await a.master.openTerminal(true);
+  await b.master.openTerminal(true);
+  world.tellGrants();
+  return { world, a, b, admin };
+}
+
+/** Has a client disconnected. @returns the code of the error; empty when that is done */
+async function disconnect(world: ClusterWorld, by: TestClient, targetId: string): Promise<string> {
+  const replied = by.call({
+    topic: '/services/ubii/client_disconnect',
+    clientDisconnectRequest: { clientId: by.id, targetId },
+  });
+  await world.pass(100);
+  return (await replied).error?.code ?? '';
+}
+
+function auditOf({ audit }: TestMaster): JsonObject[] {
+  return audit.lines.map((line) => JSON.parse(line) as JsonObject);
+}
 
 /** A world whose two masters do not hear each other any more, after they did. */
 async function apart(world: ClusterWorld): Promise<void> {
@@ -86,6 +113,47 @@ describe('access in a cluster', () => {
     await again.master.openTerminal(true);
     world.tellGrants();
     expect(await problemOf(b, stranger(atA!.token))).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
+  });
+
+  it('[AC-43] [CU-27] the token and code of a terminal are worth nothing at other masters, on their machines too', async () => {
+    const { a, b, admin } = await twoTerminals();
+    for (const bearer of [admin.token, admin.code]) {
+      const caller = { ...LOCAL_CALLER, bearer };
+      expect(await problemOf(b, caller)).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+      const operator = await a.register({ name: 'desk', extension: {} }, caller);
+      const { credential, role } = operator.registered.extension!;
+      expect(role).toBe(AccessRole.ACCESS_ROLE_ADMIN);
+      const copied = await b.call(
+        { topic: '/services/ubii/log_tail' },
+        { ...LOCAL_CALLER, bearer: credential },
+      );
+      expect(copied.error?.join?.problem).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    }
+  });
+
+  it('[AC-43] [CU-28] [EX-91] the operator of one master disconnects a client of another, whose audit log says from where', async () => {
+    const { world, a, b, admin } = await twoTerminals();
+    const robot = await b.extension('robot');
+    const operator = await a.register(
+      { name: 'desk', extension: {} },
+      { ...LOCAL_CALLER, bearer: admin.token },
+    );
+    await world.pass();
+    expect(await disconnect(world, operator, robot.id)).toBe('');
+    expect(robot.closed?.reason).toBe('disconnected');
+    expect(auditOf(b)).toMatchObject([{ way: 'GRANT', masterName: 'master 1' }]);
+    expect(auditOf(a)).toEqual([]);
+  });
+
+  it('[EX-91] a caller without a token that another master trusts is no caller of this machine in the audit log', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const robot = await b!.extension('robot');
+    const program = await a!.extension('program');
+    await world.pass();
+    expect(await disconnect(world, program, robot.id)).toBe('');
+    const [entry] = auditOf(b!);
+    expect(entry).toMatchObject({ way: 'CLUSTER', masterName: 'master 1' });
+    expect(entry?.addressKind).not.toBe('LOOPBACK');
   });
 
   it('[CU-28] a request is refused where the caller asks, before it is carried', async () => {

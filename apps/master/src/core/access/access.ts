@@ -24,6 +24,9 @@ export interface AccessContext {
   readonly accessOf: (clientId: string) => ClientAccess | undefined;
 }
 
+/** Where a caller is, and which master it called. */
+type CallerPlace = Pick<CallerFacts, 'isHere' | 'calledMaster'>;
+
 /** Meaning of a token, code or credential. */
 type Found =
   | { readonly problem: JoinProblem; readonly grant?: undefined }
@@ -117,13 +120,13 @@ export class Access {
   }
 
   /** Describes a token or code for any caller [AC-16]. */
-  check(secret: string, source: GuessSource & Pick<CallerFacts, 'isHere'>): Found {
-    const { isHere } = source;
+  check(secret: string, source: GuessSource & CallerPlace): Found {
     const code = readJoinCode(secret);
-    if (code === undefined) return this.#usable(here(this.grants.findByToken(secret), isHere));
+    if (code === undefined)
+      return this.#usable(this.#here(this.grants.findByToken(secret), source));
     const { guesses } = this.#context;
     if (!guesses.mayTry(source)) return { problem: JOIN_PROBLEM_GUESSING };
-    const grant = here(this.grants.findByCode(code), isHere);
+    const grant = this.#here(this.grants.findByCode(code), source);
     if (grant === undefined) guesses.countWrong(source);
     return this.#usable(grant, grant?.codeExpiresMs);
   }
@@ -159,13 +162,20 @@ export class Access {
     if (credential === undefined) return stranger(JOIN_PROBLEM_WRONG);
     const grant = this.grants.get(credential.grantId);
     const { clientId, expiresMs } = credential;
-    if (grant !== undefined && here(grant, facts.isHere) === undefined) {
+    if (grant !== undefined && this.#here(grant, facts) === undefined) {
       return stranger(JOIN_PROBLEM_WRONG);
     }
     if (grant === undefined || grant.revokedMs > 0) return stranger(JOIN_PROBLEM_REVOKED);
     const endMs = Math.min(expiresMs, grant.staysUntilMs);
     if (endMs <= this.#context.clock.nowMs()) return stranger(JOIN_PROBLEM_EXPIRED);
     return { kind: 'client', role: grant.role, clientId, grant, expiresMs };
+  }
+
+  /** The grant where it may be used: that of a terminal is as good as none elsewhere, also at another master [AC-43]. */
+  #here(grant: Grant | undefined, { isHere, calledMaster }: CallerPlace): Grant | undefined {
+    if (grant?.hereOnly !== true) return grant;
+    const installation = calledMaster?.installation ?? this.grants.installation;
+    return isHere && grant.terminalOf === installation ? grant : undefined;
   }
 
   /** Whether a client came in like this caller, without a token; one that is not there may have. */
@@ -184,11 +194,6 @@ export class Access {
 
 function isLike(access: ClientAccess | undefined, { kind, role }: Caller): boolean {
   return access === undefined || (access.kind === kind && access.role === role);
-}
-
-/** The grant where it may be used: one for this machine is as good as none elsewhere [AC-43]. */
-function here(grant: Grant | undefined, isHere: boolean): Grant | undefined {
-  return grant?.hereOnly === true && !isHere ? undefined : grant;
 }
 
 /** True when another client may join with the grant [AC-18]. */

@@ -122,7 +122,7 @@ interface Checked {
 }
 
 function ofToken({ access }: Parts, token: string, call: ServiceCall): Checked {
-  const { grant, problem } = access.check(token, call);
+  const { grant, problem } = access.check(token, call.facts);
   if (grant === undefined) return { problem };
   if (isUsedUp(grant) && !isOfGrant(call, grant)) return { problem: JoinProblem.JOIN_PROBLEM_USED };
   return { grant, role: wireRole(grant.role), expiresMs: grant.closedMs };
