@@ -45,6 +45,7 @@ export async function openStores(
     name: config.clusterName,
     credentialsFile: config.clusterCredentials,
     caFile: config.clusterCa,
+    isInsecureAccepted: config.clusterInsecure,
     masterName: config.name,
     frameBytes,
     clock,

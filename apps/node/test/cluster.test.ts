@@ -1,6 +1,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
+import { AccessRole } from '@ubii/proto';
 import { temporaryFolder, type StartedMaster } from '@ubii/program/testing';
 import { reasonAgainstNats, startNats } from '@ubii/program/testing/brokers';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
@@ -12,15 +13,18 @@ vi.setConfig({ testTimeout: 120_000 });
 const reason = reasonAgainstNats();
 if (reason !== undefined) console.warn(`The test of a node in a cluster is left out: ${reason}`);
 
-/** Resolves when a master tells its clients of another one. */
-async function untilKnown({ port, dataDir }: StartedMaster): Promise<void> {
+/** Waits until a master tells its clients of another one. @returns the token of an invitation, which is good at both */
+async function inviteWhenKnown({ port, dataDir }: StartedMaster): Promise<string> {
   const joinToken = readFileSync(join(dataDir, 'admin-token'), 'utf8').trim();
   const url = `http://127.0.0.1:${port}`;
   const client = createClient({ url, name: 'guest', joinToken, identity: createMemoryIdentity() });
   onTestFinished(() => client.close());
   await client.connect();
   await expect.poll(() => client.otherMasters.length).toBeGreaterThan(0);
+  const role = AccessRole.ACCESS_ROLE_PARTICIPANT;
+  const { token } = await client.call('accessGrantCreate', { role });
   await client.close();
+  return token;
 }
 
 describe.skipIf(reason !== undefined)('a node in a cluster', () => {
@@ -34,7 +38,8 @@ describe.skipIf(reason !== undefined)('a node in a cluster', () => {
     const certificate = join(temporaryFolder(), 'ca.pem');
     writeFileSync(certificate, await (await fetch(`http://127.0.0.1:${a.port}/ca.pem`)).text());
 
-    await untilKnown(a);
+    const tokenFile = join(temporaryFolder(), 'token');
+    writeFileSync(tokenFile, await inviteWhenKnown(a));
     const node = startNode(
       [
         ...[
@@ -45,7 +50,7 @@ describe.skipIf(reason !== undefined)('a node in a cluster', () => {
           '--print-endpoints',
           'json',
         ],
-        ...['--token-file', join(a.dataDir, 'admin-token'), '--log-level', 'debug'],
+        ...['--token-file', tokenFile, '--log-level', 'debug'],
       ],
       { env: { NODE_EXTRA_CA_CERTS: certificate } },
     );

@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { AccessRole, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
 import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
 
+import { hasFlag } from '../master/built-master.ts';
 import { MasterProcess, type MasterStart } from '../master/master-process.ts';
 import { mib } from '../master/process-figures.ts';
 import { CrowdHandle } from './crowd/crowd-handle.ts';
@@ -55,6 +56,8 @@ export class TestCluster {
     try {
       for (let index = 0; index < count; index += 1) {
         const flags = ['--cluster', ground.natsUrl(index), '--name', `master ${index + 1}`];
+        // In network namespaces, NATS is at another address, which only the masters of the test reach.
+        if (hasFlag(program, '--cluster-insecure')) flags.push('--cluster-insecure');
         const start: MasterStart = {
           ...{ program, within: ground.within(index), network: ground.network },
           dataDir: join(folder, `data-${index + 1}`),

@@ -170,6 +170,7 @@ describe('a wrong value is explained in one sentence', () => {
     [['--cluster', 'nats://a', '--cluster-name', 'a.b'], '1 to 32 lower-case letters'],
     [['--cluster-name', 'lab'], '--cluster-name is of use with --cluster only'],
     [['--cluster-ca', 'ca.pem'], '--cluster-ca is of use with --cluster only'],
+    [['--cluster-insecure'], '--cluster-insecure is of use with --cluster only'],
     [['--cluster', 'nats://a:b@c', '--cluster-credentials', 'f'], 'have a login for NATS'],
     [['--name', ' '], '1 to 100 characters'],
     [['--port'], 'needs a value: --port <number>'],

@@ -197,7 +197,7 @@ export const OPTIONS = {
       fallback: undefined,
       fallbackText: 'none',
       description:
-        'NATS servers with JetStream, by which several masters work as one: nats://10.0.0.7:4222, or tls:// for encryption. Sessions, modules, invitations and studies of the cluster are kept there instead of in the data directory.',
+        'NATS servers with JetStream, by which several masters work as one: tls://10.0.0.7:4222, or nats:// on this machine. Sessions, modules, invitations and studies of the cluster are kept there instead of in the data directory.',
       parse: parseCluster,
     }),
     isSecret: true,
@@ -221,6 +221,14 @@ export const OPTIONS = {
     "the system's",
     'Certificates of the authorities of the NATS servers, PEM. With it, connections to NATS are encrypted.',
   ),
+  clusterInsecure: option({
+    placeholder: '[on|off]',
+    fallback: false,
+    fallbackText: 'off',
+    description:
+      'Uses NATS servers without TLS on other machines, and those that programs of other machines can use without a login. Each such program can act as a master. Use it only in a network of the machines of the cluster alone.',
+    parse: parseSwitch,
+  }),
   name: option({
     placeholder: '<text>',
     fallback: hostname().split('.')[0] || 'master-node',
@@ -306,9 +314,9 @@ them that is set applies.
         '--trust-loopback makes callers of this machine admins, and --loopback none gives them no access. Remove one of them.',
       );
     }
-    const needsCluster = (['clusterName', 'clusterCredentials', 'clusterCa'] as const).find(
-      (name) => given.has(name),
-    );
+    const needsCluster = (
+      ['clusterName', 'clusterCredentials', 'clusterCa', 'clusterInsecure'] as const
+    ).find((name) => given.has(name));
     if (needsCluster !== undefined && values.cluster === undefined) {
       throw new ConfigError(
         `${flagName(needsCluster)} is of use with --cluster only. Give --cluster with the addresses of the NATS servers.`,

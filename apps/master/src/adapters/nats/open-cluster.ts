@@ -8,6 +8,7 @@ import { keepClusterKey, readOrCreateClusterKey } from './cluster-key.ts';
 import { HmacMessageSeal } from './hmac-message-seal.ts';
 import { readAuthorities, readCredentials } from './credentials.ts';
 import { NatsBus } from './nats-bus.ts';
+import { requireTls, watchExposure } from './nats-exposure.ts';
 import { NatsLink } from './nats-link.ts';
 import { NatsOwners } from './nats-owners.ts';
 
@@ -20,6 +21,8 @@ export interface ClusterOptions {
   readonly name: string;
   readonly credentialsFile: string | undefined;
   readonly caFile: string | undefined;
+  /** NATS may be open to programs of other machines. [CU-64] Default: false */
+  readonly isInsecureAccepted?: boolean;
   /** Name of this master, which NATS shows. */
   readonly masterName: string;
   /** Largest message of a client, bytes. */
@@ -41,17 +44,20 @@ export interface OpenCluster {
 }
 
 /**
- * Connects to NATS and opens what the masters of a cluster share. [CU-60] [CU-61]
+ * Connects to NATS and opens what the masters of a cluster share. [CU-60] [CU-61] [CU-64]
  *
  * @throws ConfigError that says what to do when NATS cannot be used
  */
 export async function openCluster(options: ClusterOptions): Promise<OpenCluster> {
-  const { address, name, clock, log, startMs } = options;
+  const { address, name, clock, log, startMs, isInsecureAccepted = false } = options;
+  const authorities = options.caFile === undefined ? undefined : readAuthorities(options.caFile);
+  const exposure = { address, authorities, isAccepted: isInsecureAccepted };
+  requireTls(exposure);
   const link = await NatsLink.open({
     settings: {
       address,
       authenticator: readCredentials(options.credentialsFile, address),
-      authorities: options.caFile === undefined ? undefined : readAuthorities(options.caFile),
+      authorities,
       clientName: `ubii-master ${options.masterName}`,
     },
     clock,
@@ -59,6 +65,7 @@ export async function openCluster(options: ClusterOptions): Promise<OpenCluster>
     ...(startMs !== undefined && { startMs }),
   });
   try {
+    const cancelWatch = watchExposure(link, exposure);
     const [storage, owners] = await Promise.all([
       openClusterStorage(link, name),
       NatsOwners.open(link, bucketOf(name, 'owners')),
@@ -71,6 +78,7 @@ export async function openCluster(options: ClusterOptions): Promise<OpenCluster>
       storage,
       cluster: { name, bus, seal: new HmacMessageSeal(key), owners },
       async close() {
+        cancelWatch();
         cancelKeep();
         await Promise.all([storage.settled(), bus.close()]);
         storage.close();
