@@ -9,6 +9,7 @@ import { inRoot } from './repository.mjs';
  * @property {string} name
  * @property {string} version
  * @property {string} integrity as npm writes it, such as `sha512-…`; empty when the lockfile has none
+ * @property {string} nodeRange the versions of Node that it asks for, as npm writes a range; empty when it asks for none
  * @property {boolean} isForSomeSystems it, or all that needs it, is for some systems or processors only
  * @property {string[]} dependencies `name@version` of what it needs
  */
@@ -40,10 +41,11 @@ export function parseLock(text) {
   const packages = new Map();
   for (const key of Object.keys(lock.packages).sort()) {
     const { name, version } = splitKey(key);
-    const { resolution, os, cpu } = lock.packages[key];
+    const { resolution, engines = '', os, cpu } = lock.packages[key];
     const [, integrity = ''] = /integrity: ([^,}]+)/.exec(resolution) ?? [];
+    const [, quoted, nodeRange = quoted ?? ''] = nodeOfEngines.exec(engines) ?? [];
     const isForSomeSystems = os !== undefined || cpu !== undefined;
-    packages.set(key, { name, version, integrity, isForSomeSystems, dependencies: [] });
+    packages.set(key, { name, version, integrity, nodeRange, isForSomeSystems, dependencies: [] });
   }
   for (const [key, snapshot] of Object.entries(lock.snapshots)) {
     const entry = packages.get(withoutPeers(key));
@@ -92,6 +94,9 @@ export function neededBy(lock, start, isMeant = () => true) {
   }
   return found;
 }
+
+/** `{node: '>=18', npm: '>=9'}`, where quotes stand only around what needs them. */
+const nodeOfEngines = /[{ ]node: (?:'([^']*)'|([^',}]+))/;
 
 /** Folders of ours that people get; the others are tools and tests. */
 const handedOn = /^(?:apps|packages)\//;

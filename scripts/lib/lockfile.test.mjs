@@ -26,6 +26,7 @@ packages:
 
   '@scope/lib@2.1.0':
     resolution: {integrity: sha512-AAAA}
+    engines: {npm: '>=9', node: ^20.19.0 || >=22}
     peerDependencies:
       peer: '*'
 
@@ -38,6 +39,7 @@ packages:
 
   peer@3.0.0:
     resolution: {integrity: sha512-DDDD}
+    engines: {node: '>= 18'}
 
   tool@1.0.0:
     resolution: {integrity: sha512-EEEE}
@@ -67,6 +69,7 @@ test('a lockfile is read with what each package needs', () => {
     name: '@scope/lib',
     version: '2.1.0',
     integrity: 'sha512-AAAA',
+    nodeRange: '^20.19.0 || >=22',
     isForSomeSystems: false,
     dependencies: ['binding@1.0.0', 'peer@3.0.0'],
   });
@@ -74,6 +77,12 @@ test('a lockfile is read with what each package needs', () => {
     production: ['@scope/lib@2.1.0'],
     development: [],
   });
+});
+
+test('a package says which versions of Node it asks for', () => {
+  const { packages } = parseLock(SMALL);
+  assert.equal(packages.get('peer@3.0.0').nodeRange, '>= 18');
+  assert.equal(packages.get('tool@1.0.0').nodeRange, '');
 });
 
 test('what people get is told from tools', () => {
