@@ -39,15 +39,29 @@ describe('headers of proxies', () => {
     'x-peer-ip',
     'x-source-address',
     'via',
+    'x-client-port',
+    'x-nginx-proxy',
+    'x-proxyuser-ip',
+    'x-ms-proxy',
+    'x-ms-client-principal',
+    'front-end-https',
+    'x-ssl-client-cert',
+    'ssl-client-verify',
+    'client-cert-chain',
+    // Clients send it to a proxy; those that pass on what they get send nothing else that tells them.
+    'proxy-connection',
+    'x-coder-session',
+    'x-github-token',
     // Not invented yet.
     'x-some-new-tunnel-forwarded-client',
+    'some-new-proxy-session',
   ])('%s is one [AC-1]', (name) => {
     expect(isPassedOn({ host: 'localhost', [name]: '' })).toBe(true);
   });
 
   it('has no name of what browsers, existing clients and programs send [AC-1]', () => {
     const names = [
-      ...['host', 'connection', 'proxy-connection', 'user-agent', 'accept', 'accept-encoding'],
+      ...['host', 'connection', 'https', 'user-agent', 'accept', 'accept-encoding'],
       ...['accept-language', 'content-type', 'content-length', 'origin', 'referer', 'cookie'],
       ...['authorization', 'cache-control', 'pragma', 'dnt', 'sec-gpc', 'sec-fetch-site'],
       ...['sec-fetch-mode', 'sec-fetch-dest', 'sec-ch-ua', 'sec-ch-ua-platform', 'priority'],
@@ -55,6 +69,7 @@ describe('headers of proxies', () => {
       ...['sec-websocket-extensions', 'sec-websocket-protocol', 'x-requested-with', 'te'],
       ...['transfer-encoding', 'if-none-match', 'range', 'purpose', 'sec-purpose', 'expect'],
       ...['x-request-id', 'x-client-version', 'x-user-agent', 'traceparent', 'client-id'],
+      ...['x-frontend-version', 'x-client-name', 'x-user-id', 'x-csrf-token', 'keep-alive'],
     ];
     expect(names.filter((name) => isPassedOn({ [name]: 'x' }))).toEqual([]);
   });

@@ -11,18 +11,20 @@ import { plainAddress } from '../addresses/address-kinds.ts';
 const FORWARDING = new RegExp(
   [
     'forward',
-    'proxied',
+    // Also `proxy-connection`: a client that sends it was told to use a proxy.
+    'prox(y|ied)',
     '^via$',
     '^x-original-',
     '^x-real-',
     '^x-remote-',
     '^remote-',
-    '^x-proxy-',
-    '^proxy-(?!connection$)',
-    '(^|-)(client|connecting|cluster|peer|source|user|end-?user|visitor|true)-?(ip|addr(ess)?)$',
+    '(^|-)(client|connecting|cluster|peer|source|user|end-?user|visitor|true)-?(ip|addr(ess)?|port)$',
     '-clientip$',
-    '^x-(host|scheme|ssl|https)$',
-    '^(cf|cdn|fastly|fly|akamai|tailscale|ngrok|x-ngrok|incap|x-sucuri|x-arr|x-envoy|x-amzn?|x-azure|x-appengine|x-goog|x-vercel|x-nf|x-akamai|x-varnish|x-cluster|x-authentik|x-auth-request)-',
+    '^x-(host|scheme)$',
+    '-https$',
+    '(^|-)(ssl|tls|client-cert)(-|$)',
+    '^(x-)?(cf|cdn|fastly|fly|akamai|tailscale|ngrok|incap|coder|github)-',
+    '^x-(sucuri|arr|envoy|amzn?|azure|ms|appengine|goog|vercel|nf|varnish|cluster|authentik|auth-request)-',
     '^x-varnish$',
   ].join('|'),
 );
