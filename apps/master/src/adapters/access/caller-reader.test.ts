@@ -150,7 +150,7 @@ describe('a caller', () => {
     expect([others, learnt.length]).toEqual([others.map(() => undefined), 3]);
   });
 
-  it('is the client that a trusted proxy names, and never local [AC-41]', () => {
+  it('is the client that a trusted proxy names, and never local [AC-4] [AC-41]', () => {
     const behind = (remoteAddress: string, list: string) => {
       const { standing, place, isHere } = read(remoteAddress, { 'x-forwarded-for': list });
       return [standing, place, isHere];
