@@ -188,7 +188,7 @@ export default ts.config(
   },
   { files: ['packages/{client-program,client-web}/**'], rules: restrict(noApps, noVue, noModules) },
   {
-    files: ['packages/{discovery,patterns,program,recording,timing,words}/**'],
+    files: ['packages/{discovery,patterns,pictures,program,recording,timing,words}/**'],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
   { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },

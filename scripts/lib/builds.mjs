@@ -11,6 +11,7 @@ const everywhere = [
   'tsconfig.base.json',
   'packages/proto',
   'packages/patterns',
+  'packages/pictures',
   'packages/words',
   'packages/timing',
   'packages/recording',
@@ -52,7 +53,13 @@ const builds = {
   },
   vision: {
     output: 'packages/vision/dist/vision.js',
-    inputs: ['pnpm-lock.yaml', 'tsconfig.base.json', 'packages/vision', 'scripts/lib/builds.mjs'],
+    inputs: [
+      'pnpm-lock.yaml',
+      'tsconfig.base.json',
+      'packages/pictures',
+      'packages/vision',
+      'scripts/lib/builds.mjs',
+    ],
     build: async () =>
       expectSuccess(await runNode(inRoot('packages/vision/scripts/build.mjs'), [])),
   },

@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs';
+import { jpegFile, jpegFrame, jpegWithDecoy } from '@ubii/pictures/testing';
 import { encode } from 'jpeg-js';
 import { describe, expect, it } from 'vitest';
 import { readPhoto } from '../../test/photos.ts';
@@ -155,6 +156,14 @@ describe('decodePicture: JPEG', () => {
       expect(found[where]).toBe(true);
     },
   );
+
+  it.each([
+    ['a marker without a length', jpegWithDecoy('marker'), 'The JPEG file is damaged.'],
+    ['a fill byte', jpegWithDecoy('fill'), '20000 × 20000 pixels is too large.'],
+    ['a second frame', jpegFile(9, 9, { after: jpegFrame(20_000, 20_000) }), 'several frames'],
+  ])('refuses a size that %s hides [EX-98]', async (_what, file, message) => {
+    await expect(decodePicture(file)).rejects.toThrow(message);
+  });
 
   it('refuses cut files', async () => {
     const file = photo('coffee.jpg');

@@ -1,12 +1,6 @@
-import {
-  checkSize,
-  compressionOf,
-  type Image2DLike,
-  type Picture,
-  type PictureFileFormat,
-  pictureOfImage2D,
-} from '../picture.ts';
-import { decodeJpeg, readJpegHead } from './jpeg.ts';
+import { checkSize, pictureFormatOf, type PictureFile, readPictureFile } from '@ubii/pictures';
+import { type Image2DLike, type Picture, pictureOfImage2D } from '../picture.ts';
+import { decodeJpeg } from './jpeg.ts';
 import { decodePng } from './png.ts';
 
 /**
@@ -19,7 +13,7 @@ export async function readImage2D(image: Image2DLike): Promise<Picture> {
   try {
     return pictureOfImage2D(image);
   } catch (error) {
-    if (compressionOf(data) === undefined) throw error;
+    if (pictureFormatOf(data) === undefined) throw error;
   }
   return decodePicture(data);
 }
@@ -28,24 +22,20 @@ export async function readImage2D(image: Image2DLike): Promise<Picture> {
  * Decodes a JPEG, PNG or WebP file: by the browser where that is possible in a worker, which is faster,
  * otherwise by JavaScript, which does not decode WebP.
  *
- * @throws RangeError for damaged, too large and unknown files
+ * @throws RangeError for damaged, animated, too large and unknown files [EX-98]
  */
-export async function decodePicture(file: Uint8Array): Promise<Picture> {
-  const format = compressionOf(file);
-  if (format === undefined) {
-    throw new RangeError('The file is not a picture. Send JPEG, PNG or WebP.');
-  }
-  if (typeof createImageBitmap === 'function' && typeof OffscreenCanvas === 'function') {
-    return decodeByBrowser(file, format);
-  }
-  if (format === 'WebP') {
+export async function decodePicture(data: Uint8Array): Promise<Picture> {
+  const hasBrowser =
+    typeof createImageBitmap === 'function' && typeof OffscreenCanvas === 'function';
+  if (!hasBrowser && pictureFormatOf(data) === 'WebP') {
     throw new RangeError('WebP files cannot be decoded here. Send JPEG or PNG.');
   }
-  return format === 'JPEG' ? decodeJpeg(file) : decodePng(file);
+  const file = readPictureFile(data);
+  if (hasBrowser) return decodeByBrowser(file);
+  return file.format === 'JPEG' ? decodeJpeg(file) : decodePng(file);
 }
 
-async function decodeByBrowser(file: Uint8Array, format: PictureFileFormat): Promise<Picture> {
-  checkSizeInFile(file, format);
+async function decodeByBrowser({ data: file, format }: PictureFile): Promise<Picture> {
   const bitmap = await createImageBitmap(new Blob([file.slice()]), {
     premultiplyAlpha: 'none',
   }).catch(() => {
@@ -61,16 +51,5 @@ async function decodeByBrowser(file: Uint8Array, format: PictureFileFormat): Pro
     return { width, height, format: 'RGBA8', data: context.getImageData(0, 0, width, height).data };
   } finally {
     bitmap.close();
-  }
-}
-
-/** A small file may claim a size that fills the memory; browsers limit that of WebP (16 383 pixels a side). */
-function checkSizeInFile(file: Uint8Array, format: PictureFileFormat): void {
-  if (format === 'JPEG') {
-    const { width, height } = readJpegHead(file);
-    checkSize(width, height);
-  } else if (format === 'PNG' && file.length >= 24) {
-    const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
-    checkSize(view.getUint32(16), view.getUint32(20));
   }
 }

@@ -1,4 +1,5 @@
-import { checkSize, type OwnPicture } from '../picture.ts';
+import type { PictureFile } from '@ubii/pictures';
+import type { OwnPicture } from '../picture.ts';
 
 /** Length of the signature, and of a chunk without its data. RFC 2083, 3. */
 const SIGNATURE_BYTES = 8;
@@ -21,9 +22,9 @@ interface Header {
  *
  * Source: RFC 2083.
  *
- * @throws RangeError for damaged, too large and interlaced files
+ * @throws RangeError for damaged and interlaced files
  */
-export async function decodePng(file: Uint8Array): Promise<OwnPicture> {
+export async function decodePng({ data: file }: PictureFile): Promise<OwnPicture> {
   const chunks = readChunks(file);
   const header = readHeader(chunks[0]);
   const { width, height, bitDepth, colorType } = header;
@@ -59,10 +60,6 @@ function readHeader(chunk: { type: string; data: Uint8Array } | undefined): Head
   const view = new DataView(chunk.data.buffer, chunk.data.byteOffset, chunk.data.byteLength);
   const [width, height] = [view.getUint32(0), view.getUint32(4)];
   const [bitDepth, colorType, , , interlace] = chunk.data.subarray(8);
-  checkSize(width, height);
-  if (COLOR_TYPES[colorType!] === undefined || ![1, 2, 4, 8, 16].includes(bitDepth!)) {
-    throw damaged();
-  }
   if (interlace !== 0) {
     throw new RangeError('The PNG file is interlaced, which is not supported. Save it without.');
   }

@@ -1,4 +1,5 @@
-import { CHANNELS, checkPicture, checkSize, type OwnPicture, type Picture } from '../picture.ts';
+import { checkSize } from '@ubii/pictures';
+import { CHANNELS, checkPicture, type OwnPicture, type Picture } from '../picture.ts';
 
 /** A square in a picture that may be turned and may reach beyond its borders. */
 export interface TurnedSquare {

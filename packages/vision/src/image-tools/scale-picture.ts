@@ -1,4 +1,5 @@
-import { CHANNELS, checkPicture, checkSize, type OwnPicture, type Picture } from '../picture.ts';
+import { checkSize } from '@ubii/pictures';
+import { CHANNELS, checkPicture, type OwnPicture, type Picture } from '../picture.ts';
 
 /**
  * Returns a picture of another size: bilinear, with pixels as areas (the middle of the first one is
