@@ -30,10 +30,11 @@ async function startHunt(): Promise<readonly [ScriptedPhone, ScriptedPhone]> {
 const hunt = (): HuntState =>
   (party.states.at(-1)?.state.state ?? ({ hunted: [] } as unknown)) as HuntState;
 
-/** The first bytes of a JPEG file of 480 x 270 pixels, filled up. */
+/** A JPEG file of 480 x 270 pixels without tables: a frame of one component, and a scan of zeros. */
 function photoAt(atMs: number, bytes = 100): Photo {
   const jpeg = new Uint8Array(bytes);
-  jpeg.set([0xff, 0xd8, 0xff, 0xc0, 0, 17, 8, 1, 14, 1, 224]);
+  const frame = [0xff, 0xc0, 0, 11, 8, 1, 14, 1, 224, 1, 1, 0x11, 0];
+  jpeg.set([0xff, 0xd8, ...frame, 0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0]);
   return { jpeg, width: 480, height: 270, atMs };
 }
 

@@ -1,7 +1,7 @@
 import type { UbiiClient } from '@ubii/client-web';
 import { decodeRecord } from '@ubii/proto';
 import { PHONE_DEVICE, phoneOf } from '../topics.ts';
-import { isPhoto } from './check-photo.ts';
+import { photoFile } from './check-photo.ts';
 import { isHidden, photoId, type HiddenPhotos, type Photo } from './photo.ts';
 
 /** Photos that were taken down are remembered, the newest so many. */
@@ -89,7 +89,9 @@ export class PhotoBoard {
 function readPhoto(bytes: Uint8Array): Photo | undefined {
   const record = decodeRecord(bytes);
   if (record.format !== 'image2D' || record.timestampMs === undefined) return undefined;
-  const { data, width, height } = record.value;
-  if (!isPhoto(data)) return undefined;
-  return { jpeg: new Uint8Array(data), width, height, atMs: Math.round(record.timestampMs) };
+  const file = photoFile(record.value.data);
+  if (!file) return undefined;
+  // The size of the record may differ from that of the file.
+  const { width, height } = file;
+  return { jpeg: new Uint8Array(file.data), width, height, atMs: Math.round(record.timestampMs) };
 }

@@ -1,4 +1,5 @@
 // @vitest-environment happy-dom
+import { jpegFile } from '@ubii/pictures/testing';
 import { flushPromises } from '@vue/test-utils';
 import { afterAll, afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Feedback, Question } from '../../sim/index.ts';
@@ -77,10 +78,10 @@ async function open(party: Partial<FakeParty>) {
   return link;
 }
 
-async function handIn(): Promise<void> {
+async function handIn(file = jpegFile(40, 30)): Promise<void> {
   const input = page.get('input[type=file]');
   Object.defineProperty(input.element, 'files', {
-    value: [new File(['x'], 'cup.jpg')],
+    value: [new File([file], 'cup.jpg')],
     configurable: true,
   });
   await input.trigger('change');
@@ -151,6 +152,15 @@ test('a picture with nothing in it is handed in as nothing', async () => {
   const link = await open(hunting());
   await handIn();
   expect(link.answers.at(-1)).toMatchObject({ text: 'nothing', score: 0 });
+});
+
+test('a file of more pixels than a photo has is not decoded [EX-98]', async () => {
+  const decode = vi.fn();
+  vi.stubGlobal('createImageBitmap', decode);
+  await open(hunting());
+  await handIn(jpegFile(20_000, 20_000, { scanBytes: 9 }));
+  expect(decode).not.toHaveBeenCalled();
+  expect(page.text).toContain('A picture of 20000 × 20000 pixels is too large.');
 });
 
 test('without a camera the page says what to do, and pictures can be handed in', async () => {
