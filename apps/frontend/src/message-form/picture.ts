@@ -1,4 +1,6 @@
+import { MAX_CHOSEN_PIXELS } from '@ubii/pictures';
 import type { JsonObject } from '@ubii/proto';
+import { pictureBitmap } from '../formats/picture-bitmap.ts';
 import { base64Of } from './base64.ts';
 
 /** Longer side to which larger pictures are scaled down, pixels. */
@@ -26,15 +28,15 @@ export async function pictureOf(
 }
 
 /**
- * Returns the members of an Image2D: the file itself if it is a small JPEG, PNG or WebP; otherwise re-encoded as JPEG.
+ * Returns the members of an Image2D: the file itself if it is small; otherwise re-encoded as JPEG.
+ *
+ * @throws RangeError that says why the file is refused [EX-98], or the error of the browser, which has no reason
  */
 export async function pictureOfFile(file: File): Promise<JsonObject> {
-  const bitmap = await createImageBitmap(file);
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const bitmap = await pictureBitmap(bytes, undefined, MAX_CHOSEN_PIXELS);
   const { width, height } = bitmap;
-  const isAsIs =
-    file.size <= MAX_AS_IS &&
-    Math.max(width, height) <= MAX_SIDE &&
-    /^image\/(jpeg|png|webp)$/.test(file.type);
+  const isAsIs = file.size <= MAX_AS_IS && Math.max(width, height) <= MAX_SIDE;
   const picture = isAsIs ? members(width, height, file) : pictureOf(bitmap, width, height);
   return picture.finally(() => bitmap.close());
 }

@@ -1,8 +1,10 @@
+import { MAX_CHOSEN_PIXELS } from '@ubii/pictures';
 import { useEventListener } from '@vueuse/core';
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { PictureSource } from '../../devices/camera/encode-picture.ts';
 import { useCamera } from '../../devices/camera/useCamera.ts';
 import { useFrameTimes } from '../../devices/camera/useFrameTimes.ts';
+import { pictureBitmap } from '../../formats/picture-bitmap.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import type { ClipName } from './clips/clips.ts';
 import { useClip } from './clips/useClip.ts';
@@ -92,7 +94,8 @@ export function usePictureSource(firstClip: ClipName = 'photos'): PictureSources
   async function takeFile(file: File): Promise<void> {
     fileProblem.value = undefined;
     try {
-      const bitmap = await createImageBitmap(file);
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const bitmap = await pictureBitmap(bytes, undefined, MAX_CHOSEN_PIXELS);
       const scale = Math.min(1, MAX_PHOTO_SIDE / Math.max(bitmap.width, bitmap.height));
       const canvas = document.createElement('canvas');
       canvas.width = Math.max(1, Math.round(bitmap.width * scale));
@@ -102,8 +105,11 @@ export function usePictureSource(firstClip: ClipName = 'photos'): PictureSources
       photo.value = canvas;
       fileName.value = file.name;
       kind.value = 'photo';
-    } catch {
-      fileProblem.value = `${file.name} is not an image that this browser can read. Choose a JPEG, PNG or WebP file.`;
+    } catch (error) {
+      fileProblem.value =
+        error instanceof RangeError
+          ? error.message
+          : `${file.name} is not an image that this browser can read. Choose a JPEG, PNG or WebP file.`;
     }
   }
 

@@ -1,4 +1,6 @@
+import { sizeProblem } from '@ubii/pictures';
 import { isCompressedImage, type Image2D } from '@ubii/proto';
+import { pictureBitmap } from '../../formats/picture-bitmap.ts';
 import { rgbaPixels } from '../../topics/viewers/picture/image-pixels.ts';
 
 /** Largest width, pixels: the drawn width on a screen of double density. */
@@ -28,11 +30,9 @@ export function shrunk(image: Image2D, maxWidth = THUMB_WIDTH): Image2D {
 /** Converts a picture to a thumbnail that a canvas can draw; encoded pictures are decoded off the main thread. */
 export async function thumbnail(image: Image2D): Promise<ImageBitmap | ImageData | undefined> {
   if (isCompressedImage(image.data)) {
-    return createImageBitmap(new Blob([image.data as Uint8Array<ArrayBuffer>]), {
-      resizeWidth: THUMB_WIDTH,
-      resizeQuality: 'low',
-    });
+    return pictureBitmap(image.data, { resizeWidth: THUMB_WIDTH, resizeQuality: 'low' });
   }
+  if (sizeProblem(image.width, image.height) !== undefined) return undefined;
   const small = shrunk(image);
   const pixels = rgbaPixels(small);
   return pixels && new ImageData(pixels, small.width, small.height);

@@ -1,6 +1,7 @@
+import { jpegFile } from '@ubii/pictures/testing';
 import { Image2DDataFormat } from '@ubii/proto';
-import { describe, expect, it } from 'vitest';
-import { rgbaPixels } from './image-pixels.ts';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { rgbaPixels, toDrawable } from './image-pixels.ts';
 
 const pixelsOf = (dataFormat: Image2DDataFormat, bytes: readonly number[], width = 2, height = 1) =>
   rgbaPixels({ width, height, dataFormat, data: Uint8Array.from(bytes) });
@@ -25,5 +26,24 @@ describe('rgbaPixels', () => {
     expect(pixelsOf(Image2DDataFormat.GRAY8, [1, 2, 3])).toHaveLength(8);
     expect(pixelsOf(Image2DDataFormat.RGB8, [1, 2, 3])).toBeUndefined();
     expect(pixelsOf(Image2DDataFormat.RGB8, [], 0, 0)).toBeUndefined();
+  });
+
+  it('refuses sides longer than a canvas has, and negative ones [EX-98]', () => {
+    const data = Array.from({ length: 16_385 }, () => 0);
+    expect(pixelsOf(Image2DDataFormat.GRAY8, data, 16_385, 1)).toBeUndefined();
+    expect(pixelsOf(Image2DDataFormat.GRAY8, data, -2, -2)).toBeUndefined();
+  });
+});
+
+describe('toDrawable', () => {
+  afterEach(() => void vi.unstubAllGlobals());
+
+  it('does not decode a small file of many pixels [EX-98]', async () => {
+    const decode = vi.fn();
+    vi.stubGlobal('createImageBitmap', decode);
+    const data = jpegFile(20_000, 20_000, { scanBytes: 9 });
+    const image = { width: 640, height: 480, dataFormat: Image2DDataFormat.RGB8, data };
+    await expect(toDrawable(image)).rejects.toThrow('20000 × 20000 pixels is too large.');
+    expect(decode).not.toHaveBeenCalled();
   });
 });

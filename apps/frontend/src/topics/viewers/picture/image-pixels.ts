@@ -1,8 +1,10 @@
+import { sizeProblem } from '@ubii/pictures';
 import { Image2DDataFormat, isCompressedImage, type Image2D } from '@ubii/proto';
+import { pictureBitmap } from '../../../formats/picture-bitmap.ts';
 
 /**
  * Converts a raw picture to RGBA for a canvas, row by row from the top left.
- * @returns `undefined` when there are fewer bytes than its size needs
+ * @returns `undefined` when there are fewer bytes than its size needs, and for more pixels than a picture has [EX-98]
  */
 export function rgbaPixels({
   width,
@@ -12,7 +14,8 @@ export function rgbaPixels({
 }: Image2D): Uint8ClampedArray<ArrayBuffer> | undefined {
   const channels = CHANNELS[dataFormat];
   const count = width * height;
-  if (!channels || count <= 0 || data.length < count * channels) return undefined;
+  if (!channels || sizeProblem(width, height) !== undefined) return undefined;
+  if (data.length < count * channels) return undefined;
   const pixels = new Uint8ClampedArray(count * 4);
   if (channels === 4) {
     pixels.set(data.subarray(0, count * 4));
@@ -37,7 +40,7 @@ const CHANNELS: Readonly<Record<number, number>> = {
 /** Converts a picture to a source that a canvas can draw. The caller closes a bitmap. */
 export async function toDrawable(image: Image2D): Promise<ImageBitmap | ImageData | undefined> {
   if (isCompressedImage(image.data)) {
-    return createImageBitmap(new Blob([image.data as Uint8Array<ArrayBuffer>]));
+    return pictureBitmap(image.data);
   }
   const pixels = rgbaPixels(image);
   return pixels && new ImageData(pixels, image.width, image.height);

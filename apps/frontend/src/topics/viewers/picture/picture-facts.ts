@@ -1,4 +1,6 @@
+import { sizeProblem } from '@ubii/pictures';
 import { Image2DDataFormat, isCompressedImage, type Image2D } from '@ubii/proto';
+import { pictureFileProblem } from '../../../formats/picture-bitmap.ts';
 import { formatNumber } from '../../../ui/readouts/format-number.ts';
 
 const CHANNELS: Readonly<Record<number, number>> = {
@@ -15,11 +17,11 @@ export function encodingOf({ data, dataFormat }: Image2D): string {
   return name ?? `layout ${dataFormat}`;
 }
 
-/** Returns why raw bytes do not match the declared size; undefined if decoding can be tried. */
+/** Returns why a file, or raw bytes of the declared size, are not decoded; undefined if it can be tried [EX-98]. */
 export function pictureProblem(image: Image2D): string | undefined {
   const { width, height, dataFormat, data } = image;
   if (data.length === 0) return 'This record has no picture: its data is empty.';
-  if (isCompressedImage(data)) return undefined;
+  if (isCompressedImage(data)) return pictureFileProblem(data);
   const channels = CHANNELS[dataFormat];
   if (channels === undefined) {
     return `The pixel layout ${dataFormat} is not GRAY8, RGB8 or RGBA8, and the data is not a JPEG, PNG or WebP file.`;
@@ -28,7 +30,7 @@ export function pictureProblem(image: Image2D): string | undefined {
     return `The record says ${width} × ${height} pixels, and the data is not a JPEG, PNG or WebP file.`;
   }
   const needed = width * height * channels;
-  if (data.length >= needed) return undefined;
+  if (data.length >= needed) return sizeProblem(width, height);
   return (
     `The data is too short for the size of the picture: ${width} × ${height} ${encodingOf(image)} needs ` +
     `${formatNumber(needed)} bytes, and the record has ${formatNumber(data.length)}.${guess(image)}`

@@ -1,3 +1,4 @@
+import { jpegFile } from '@ubii/pictures/testing';
 import { Image2DDataFormat, type Image2D } from '@ubii/proto';
 import { expect, it } from 'vitest';
 import { overlayTopics } from './overlay-topics.ts';
@@ -24,6 +25,18 @@ it('says what the size needs, what there is, and what it would fit', () => {
   expect(pictureProblem(image(2, 2, 9, 4))).toMatch(/layout 9 is not GRAY8/);
   expect(pictureProblem(image(0, 2, GRAY8, 4))).toMatch(/0 × 2 pixels/);
   expect(pictureProblem(image(2, 2, GRAY8, 0))).toMatch(/empty/);
+});
+
+it('says why a picture is refused [EX-98]', () => {
+  const file = (data: Uint8Array): Image2D => image(9, 9, RGB8, [...data]);
+  expect(pictureProblem(file(jpegFile(9, 9)))).toBeUndefined();
+  expect(pictureProblem(file(jpegFile(20_000, 20_000, { scanBytes: 9 })))).toBe(
+    'A picture of 20000 × 20000 pixels is too large. At most 16 megapixels (2^20) and 16384 pixels a side are possible.',
+  );
+  expect(pictureProblem(file(jpegFile(9, 9).subarray(0, 20)))).toBe(
+    'The JPEG file is damaged. Send the complete file.',
+  );
+  expect(pictureProblem(image(20_000, 1, GRAY8, 20_000))).toMatch(/^A picture of 20000 × 1 pixels/);
 });
 
 it('knows files by their first bytes, and says when the record says another size', () => {
