@@ -8,6 +8,10 @@ export const BRIDGE_LIMITS = {
   /** Topics, or addresses of the other system, that a mapping makes, unless it says another number. */
   topicsPerMapping: 1_000,
   mostTopicsPerMapping: 10_000,
+  /** Without a value for so long, a topic or address of a full mapping is evicted for a new one. [BR-34] */
+  quietMs: 60_000,
+  /** Evictions of each direction of a mapping in a second. [BR-34] */
+  evictionsPerSecond: 1,
   /** Bytes of a topic [TD-13], and of an address of the other system. */
   addressBytes: 1_024,
   /** Messages of the other system that are looked at in a second, all mappings together. */

@@ -38,7 +38,12 @@ export class InLane<P> {
     this.mapping = mapping;
     this.#world = world;
     this.#counters = counters;
-    this.#sampler = new Sampler(world.clock, mapping.maxRateHz, mapping.maxTopics);
+    this.#sampler = new Sampler({
+      clock: world.clock,
+      maxRateHz: mapping.maxRateHz,
+      maxAddresses: mapping.maxTopics,
+      handleEvicted: (topic) => this.#handleEvicted(topic),
+    });
   }
 
   get counters(): LaneCounters {
@@ -133,6 +138,12 @@ export class InLane<P> {
     this.#world.master.endTopic(topic);
     this.#counters.handlePassed(topic, 'no value any more', 0, this.#world.clock.nowMs());
     this.onTaken({ topic, address });
+  }
+
+  /** [BR-34] */
+  #handleEvicted(topic: string): void {
+    this.#world.master.endTopic(topic);
+    this.#counters.handleEvicted();
   }
 
   #refuse(address: string, reason: string): void {

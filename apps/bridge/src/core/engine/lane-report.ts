@@ -13,6 +13,8 @@ export interface LaneReport {
   readonly dropped: number;
   /** Not sent back to where it came from. */
   readonly returned: number;
+  /** Topics, or addresses, that were quiet for longest and made room for new ones. [BR-34] */
+  readonly evicted: number;
   /** Topics, or addresses, that the mapping has made. */
   readonly topics: number;
   readonly lastError?: {
@@ -29,6 +31,7 @@ export class LaneCounters {
   #refused = 0;
   #dropped = 0;
   #returned = 0;
+  #evicted = 0;
   #lastError: LaneReport['lastError'];
   #last: { readonly address: string; readonly value: unknown; readonly atMs: number } | undefined;
 
@@ -57,6 +60,10 @@ export class LaneCounters {
     this.#returned++;
   }
 
+  handleEvicted(): void {
+    this.#evicted++;
+  }
+
   report(topics: number): LaneReport {
     const last = this.#last && {
       address: this.#last.address,
@@ -65,7 +72,7 @@ export class LaneCounters {
     };
     return {
       ...{ passed: this.#passed, refused: this.#refused, dropped: this.#dropped },
-      ...{ returned: this.#returned, topics },
+      ...{ returned: this.#returned, evicted: this.#evicted, topics },
       ...(this.#lastError && { lastError: this.#lastError }),
       ...(last && { lastValue: last }),
     };

@@ -28,7 +28,12 @@ export class OutLane<P> {
     this.mapping = mapping;
     this.#world = world;
     this.#counters = counters;
-    this.#sampler = new Sampler(world.clock, mapping.maxRateHz, mapping.maxTopics);
+    this.#sampler = new Sampler({
+      clock: world.clock,
+      maxRateHz: mapping.maxRateHz,
+      maxAddresses: mapping.maxTopics,
+      handleEvicted: (address) => this.#handleEvicted(address),
+    });
   }
 
   get counters(): LaneCounters {
@@ -68,13 +73,7 @@ export class OutLane<P> {
     const address = this.#addressFor(topic);
     if (address === undefined || !this.#sampler.has(address)) return;
     this.#sampler.end(address);
-    if (!this.mapping.retained) return;
-    this.#count(
-      topic,
-      'no value any more',
-      0,
-      this.#world.gate.send({ address, payload: undefined, mapping: this.mapping }, 0),
-    );
+    if (this.mapping.retained) this.#count(topic, 'no value any more', 0, this.#forget(address));
   }
 
   /** The address has a newer value from the other system. */
@@ -121,6 +120,19 @@ export class OutLane<P> {
     if (gate.isOlder(message)) return this.#counters.handleReturned(); // [BR-14]
     const sent = gate.send(message, bytes.byteLength);
     this.#count(address, value, bytes.byteLength, sent);
+  }
+
+  /** Ends what the other system keeps of an address. */
+  #forget(address: string): Sent {
+    return this.#world.gate.send({ address, payload: undefined, mapping: this.mapping }, 0);
+  }
+
+  /** [BR-34] */
+  #handleEvicted(address: string): void {
+    this.#counters.handleEvicted();
+    if (!this.mapping.retained) return;
+    const sent = this.#forget(address);
+    if ('reason' in sent) this.#count(address, undefined, 0, sent);
   }
 
   #count(address: string, value: unknown, sizeBytes: number, sent: Sent): void {

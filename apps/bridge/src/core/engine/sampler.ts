@@ -1,7 +1,11 @@
+import { TokenBucket } from '@ubii/timing';
 import type { Cancel, Clock } from '@ubii/timing';
+import { BRIDGE_LIMITS } from '../limits.ts';
 
 interface Address {
   nextMs: number;
+  /** When the newest value came, or was sent. */
+  usedMs: number;
   waiting: (() => void) | undefined;
   cancel: Cancel | undefined;
 }
@@ -9,18 +13,28 @@ interface Address {
 /** What becomes of a value. `replaced`: it is sent later, in place of one that waited. */
 export type Offered = 'now' | 'later' | 'replaced' | 'full';
 
+export interface SamplerOptions {
+  readonly clock: Clock;
+  /** 0: no limit. */
+  readonly maxRateHz: number;
+  readonly maxAddresses: number;
+  /** The address was quiet for longest, and made room for a new one. [BR-34] */
+  readonly handleEvicted?: (address: string) => void;
+}
+
 /** Addresses that a mapping makes, each with values at most so often; the newest value is always sent in the end. [BR-31] */
 export class Sampler {
-  readonly #clock: Clock;
+  readonly #options: SamplerOptions;
   readonly #intervalMs: number;
-  readonly #maxAddresses: number;
+  readonly #evictions: TokenBucket;
+  /** In the order of their use: the first has been quiet for longest. */
   readonly #addresses = new Map<string, Address>();
 
-  /** @param maxRateHz 0: no limit */
-  constructor(clock: Clock, maxRateHz: number, maxAddresses: number) {
-    this.#clock = clock;
+  constructor(options: SamplerOptions) {
+    const { clock, maxRateHz } = options;
+    this.#options = options;
     this.#intervalMs = maxRateHz > 0 ? 1000 / maxRateHz : 0;
-    this.#maxAddresses = maxAddresses;
+    this.#evictions = new TokenBucket(BRIDGE_LIMITS.evictionsPerSecond, clock.monotonicMs());
   }
 
   get size(): number {
@@ -29,13 +43,10 @@ export class Sampler {
 
   /** Sends the value now, or when its time has come. */
   offer(address: string, send: () => void): Offered {
-    const nowMs = this.#clock.monotonicMs();
-    let entry = this.#addresses.get(address);
-    if (entry === undefined) {
-      if (this.#addresses.size >= this.#maxAddresses) return 'full';
-      entry = { nextMs: nowMs, waiting: undefined, cancel: undefined };
-      this.#addresses.set(address, entry);
-    }
+    const nowMs = this.#options.clock.monotonicMs();
+    const entry = this.#addresses.get(address) ?? this.#add(nowMs);
+    if (entry === undefined) return 'full';
+    this.#use(address, entry, nowMs);
     if (nowMs >= entry.nextMs && entry.waiting === undefined) {
       entry.nextMs = nowMs + this.#intervalMs;
       send();
@@ -43,7 +54,9 @@ export class Sampler {
     }
     const isReplaced = entry.waiting !== undefined;
     entry.waiting = send;
-    entry.cancel ??= this.#clock.after(entry.nextMs - nowMs, () => this.#sendWaiting(entry));
+    entry.cancel ??= this.#options.clock.after(entry.nextMs - nowMs, () =>
+      this.#sendWaiting(address, entry),
+    );
     return isReplaced ? 'replaced' : 'later';
   }
 
@@ -61,11 +74,38 @@ export class Sampler {
     for (const address of [...this.#addresses.keys()]) this.end(address);
   }
 
-  #sendWaiting(entry: Address): void {
+  /** Room for a new address; undefined: all are in use. */
+  #add(nowMs: number): Address | undefined {
+    const isFull = this.#addresses.size >= this.#options.maxAddresses;
+    if (isFull && !this.#evictQuietest(nowMs)) return undefined;
+    return { nextMs: nowMs, usedMs: nowMs, waiting: undefined, cancel: undefined };
+  }
+
+  /** Evicts slowly, and never what is in use, so that a flood cannot take the place of what was there. [BR-34] */
+  #evictQuietest(nowMs: number): boolean {
+    for (const [address, { usedMs, waiting }] of this.#addresses) {
+      const isQuiet = waiting === undefined && nowMs - usedMs >= BRIDGE_LIMITS.quietMs;
+      if (!isQuiet || !this.#evictions.take(1, nowMs)) return false;
+      this.end(address);
+      this.#options.handleEvicted?.(address);
+      return true;
+    }
+    return false;
+  }
+
+  #use(address: string, entry: Address, nowMs: number): void {
+    entry.usedMs = nowMs;
+    this.#addresses.delete(address);
+    this.#addresses.set(address, entry);
+  }
+
+  #sendWaiting(address: string, entry: Address): void {
     const { waiting } = entry;
+    const nowMs = this.#options.clock.monotonicMs();
     entry.waiting = undefined;
     entry.cancel = undefined;
-    entry.nextMs = this.#clock.monotonicMs() + this.#intervalMs;
+    entry.nextMs = nowMs + this.#intervalMs;
+    this.#use(address, entry, nowMs);
     waiting?.();
   }
 }

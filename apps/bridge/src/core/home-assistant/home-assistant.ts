@@ -42,7 +42,11 @@ export class HomeAssistant {
     this.#discovery = new Discovery({ prefix: settings.prefix, availability }, (message) =>
       world.send(message),
     );
-    this.#repeats = new Sampler(world.clock, MAX_REPEATS_HZ, 1);
+    this.#repeats = new Sampler({
+      clock: world.clock,
+      maxRateHz: MAX_REPEATS_HZ,
+      maxAddresses: 1,
+    });
     this.#subscriptions = [
       listening('Home Assistant: earlier run', this.#discovery.filter, true),
       listening('Home Assistant: birth', BIRTH.topic, false),

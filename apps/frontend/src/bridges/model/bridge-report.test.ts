@@ -20,7 +20,7 @@ describe('report of a bridge', () => {
     expect(read()?.mappings).toEqual([
       {
         name: 'lamps',
-        in: { ...lane, lastError: undefined, lastValue: undefined },
+        in: { ...lane, evicted: 0, lastError: undefined, lastValue: undefined },
         out: undefined,
       },
     ]);

@@ -24,6 +24,7 @@ const lane = v.object({
   refused: number,
   dropped: number,
   returned: number,
+  evicted: number,
   topics: number,
   lastError: v.fallback(
     v.optional(v.object({ message: text, atMs: number, address: text })),

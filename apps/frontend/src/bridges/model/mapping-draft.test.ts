@@ -49,7 +49,7 @@ describe('words for a mapping', () => {
   });
 
   it('count what was lost, with the newest reason of both directions', () => {
-    const lane = { passed: 0, refused: 0, dropped: 0, returned: 0, topics: 0 };
+    const lane = { passed: 0, refused: 0, dropped: 0, returned: 0, evicted: 0, topics: 0 };
     const error = (message: string, atMs: number) => ({ message, atMs, address: 'a' });
     const report = {
       name: 'heat',
@@ -65,11 +65,12 @@ describe('words for a mapping', () => {
         passed: 4,
         refused: 1,
         dropped: 3,
+        evicted: 2,
         lastError: error('full', 9),
         lastValue: undefined,
       },
     };
-    expect(lossesOf(report)).toBe('3 refused, 3 dropped');
+    expect(lossesOf(report)).toBe('3 refused, 3 dropped, 2 evicted');
     expect(lastErrorOf(report)?.message).toBe('full');
     expect(lossesOf(undefined)).toBe('');
     expect(passedOf(report)).toBe(6);

@@ -50,13 +50,14 @@ export function passedOf(report: MappingReport | undefined): number {
   return (report?.in?.passed ?? 0) + (report?.out?.passed ?? 0);
 }
 
-/** How many messages were refused and dropped, in words; empty for none. */
+/** How many messages were refused and dropped, and addresses evicted, in words; empty for none. */
 export function lossesOf(report: MappingReport | undefined): string {
-  const sum = (member: 'refused' | 'dropped'): number =>
+  const sum = (member: 'refused' | 'dropped' | 'evicted'): number =>
     (report?.in?.[member] ?? 0) + (report?.out?.[member] ?? 0);
   const parts = [
     [sum('refused'), 'refused'],
     [sum('dropped'), 'dropped'],
+    [sum('evicted'), 'evicted'],
   ] as const;
   return parts
     .filter(([count]) => count > 0)
