@@ -1,5 +1,6 @@
 import { ClientActivityAddressKind, type ClientActivity } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { TRUSTED_CALLER } from '../src/index.ts';
 import { TestMaster, type TestClient } from '../src/testing/index.ts';
 
 async function createRoom() {
@@ -25,6 +26,20 @@ describe('the client report', () => {
       (await report(asked)).clients.map(({ clientId }) => clientId);
     expect(await ids([])).toEqual([ada.id, ben.id]);
     expect(await ids([ben.id, 'unknown'])).toEqual([ben.id]);
+  });
+
+  it('tells who shares an address, and not the address [EX-99]', async () => {
+    const { master, of } = await createRoom();
+    const groups: string[] = [];
+    for (const place of ['192.168.1.50', '192.168.1.50', '192.168.1.51']) {
+      const client = await master.register({ name: 'phone' }, { ...TRUSTED_CALLER, place });
+      client.open();
+      groups.push((await of(client)).addressGroup);
+    }
+    const [first, second, third] = groups;
+    expect(first).not.toBe('');
+    expect(second).toBe(first);
+    expect(third).not.toBe(first);
   });
 
   it('has what a client did and what it does a second [EX-25] [EX-26]', async () => {

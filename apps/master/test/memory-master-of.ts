@@ -10,6 +10,8 @@ export class MemoryMasterOf implements MemoryMaster {
   isDown = false;
   /** The transport's classification of the callers. */
   standing: CallerStanding = 'trusted';
+  /** The address of the callers. */
+  place = '192.168.1.50';
   readonly #test: () => TestMaster;
   readonly #clock: FakeClock;
   readonly #open = new Set<{ peer: MemoryPeer; channel: MemoryChannel }>();
@@ -84,6 +86,6 @@ export class MemoryMasterOf implements MemoryMaster {
 
   #callerWith(bearer: string | undefined): CallerFacts {
     const isHere = this.standing === 'trusted' || this.standing === 'local';
-    return { standing: this.standing, isHere, place: '192.168.1.50', bearer };
+    return { standing: this.standing, isHere, place: this.place, bearer };
   }
 }

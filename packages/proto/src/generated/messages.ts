@@ -1802,6 +1802,11 @@ export interface ClientActivity {
   grantId: string;
   /** What the client says of its clock; absent when it says nothing. Rule TS-10. */
   clock: ClientClock | undefined;
+  /**
+   * The same for all clients whose sockets come from one address, or one IPv6 network of 64 bits; another after a restart
+   * of the master. Empty before the first socket. Rule EX-99.
+   */
+  addressGroup: string;
 }
 
 /**

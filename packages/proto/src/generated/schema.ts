@@ -575,6 +575,7 @@ message ubii.extension.ClientActivity
 40 role ubii.extension.AccessRole
 41 grant_id string
 42 clock ubii.extension.ClientClock
+43 address_group string
 message ubii.extension.ClientClock
 1 offset_ms double
 2 error_ms double

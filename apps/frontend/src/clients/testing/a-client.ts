@@ -18,6 +18,7 @@ const CLIENT = {
 
 const ACTIVITY = {
   addressKind: ClientActivityAddressKind.LOOPBACK,
+  addressGroup: '',
   connected: true,
   userAgent: '',
   library: '',

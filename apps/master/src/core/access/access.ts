@@ -43,6 +43,8 @@ const NETWORK: Caller = { kind: 'network', role: 'participant' };
 export class Access {
   readonly grants: Grants;
   readonly #context: AccessContext;
+  /** Makes groups of addresses others in each run. */
+  #salt: string | undefined;
 
   constructor(context: AccessContext) {
     this.#context = context;
@@ -57,6 +59,13 @@ export class Access {
     if (standing === 'local') return LOCAL;
     if (standing === 'network') return NETWORK;
     return stranger(JOIN_PROBLEM_MISSING);
+  }
+
+  /** A text that callers of one address share, which does not tell the address [EX-99]. */
+  addressGroup({ place }: CallerFacts): string {
+    const { secrets } = this.#context;
+    this.#salt ??= secrets.token();
+    return secrets.fingerprint(`${this.#salt} ${place}`);
   }
 
   /**

@@ -36,6 +36,8 @@ export interface Peer {
   /** Name of its program; empty when it says none. */
   readonly program: string;
   readonly addressKind: AddressKind | undefined;
+  /** The same for clients of one address [EX-99]; empty before the first socket. */
+  readonly addressGroup: string;
 }
 
 /** Another master, which a client is connected to. [CU-20] */
@@ -67,7 +69,7 @@ export class Client implements PublishingClient {
   /** Name and version of its library; empty when it does not say. */
   library = '';
   /** Of its last socket. */
-  peer: Peer = { program: '', addressKind: undefined };
+  peer: Peer = { program: '', addressKind: undefined, addressGroup: '' };
   /** When it opened its socket, epoch milliseconds. */
   socketOpenedMs = 0;
   /** The same by its own clock, later than of every socket before; undefined when it did not say. [EX-51] */

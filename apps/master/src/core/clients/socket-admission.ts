@@ -57,7 +57,7 @@ export class SocketAdmission {
     caller: CallerFacts,
     peer: ConnectionPeer = {},
   ): TopicDataSocket | undefined {
-    const { clients, counters } = this.#context;
+    const { access, clients, counters } = this.#context;
     const client = clients.get(claim.clientId ?? '');
     const isStranger = this.refuse(claim, caller) !== undefined;
     const refusal = isStranger ? NOT_THIS_CLIENT : this.#refusal(client, claim);
@@ -68,7 +68,7 @@ export class SocketAdmission {
       return undefined;
     }
     client.socketSentMs = claim.sentMs;
-    return this.#attach(client, connection, peer);
+    return this.#attach(client, connection, peer, access.addressGroup(caller));
   }
 
   /**
@@ -77,13 +77,14 @@ export class SocketAdmission {
    */
   attach(client: Client, connection: ClientConnection): TopicDataSocket {
     this.#context.accounts.require(client.account, RESOURCE.sockets, 1);
-    return this.#attach(client, connection, {});
+    return this.#attach(client, connection, {}, '');
   }
 
   #attach(
     client: Client,
     connection: ClientConnection,
     { program = '', addressKind }: ConnectionPeer,
+    addressGroup: string,
   ): TopicDataSocket {
     const { clients, counters, topics, subscriptions } = this.#context;
     const before = client.socket;
@@ -96,7 +97,8 @@ export class SocketAdmission {
     client.socket = socket;
     client.socketOpenedMs = this.#context.clock.nowMs();
     const { userAgentCharacters } = this.#context.limits;
-    client.peer = { program: oneLine(program, userAgentCharacters), addressKind }; // [EX-25]
+    // [EX-25] [EX-99]
+    client.peer = { program: oneLine(program, userAgentCharacters), addressKind, addressGroup };
     socket.setRecordLists(client.takesRecordLists); // [TD-3] [TD-4]
     const { outbox } = client.subscriber;
     if (client.heardSequence !== undefined) {

@@ -52,7 +52,7 @@ function activityOf(
   const { traffic, subscriber, socket, peer, throttle } = client;
   const { recordsIn, bytesIn, refused, rates, workShare } = traffic;
   const { outbox, topics, patterns, selections, watchers } = subscriber;
-  const { addressKind } = peer;
+  const { addressKind, addressGroup } = peer;
   const isMeasured = client.latencyMs > 0;
   const { throttledPerSecond: _, ...perSecond } = rates;
   return {
@@ -82,6 +82,7 @@ function activityOf(
     userAgent: peer.program,
     library: client.library,
     addressKind: wireAddressKind(addressKind),
+    addressGroup,
     ...(throttle !== undefined && { throttle: throttleOf(throttle) }),
     workShare,
     ...(client.clock !== undefined && { clock: clockOf(client.clock, clock) }),
