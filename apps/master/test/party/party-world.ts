@@ -51,6 +51,8 @@ export async function buildPartyLibrary(): Promise<FakeAssets> {
 export interface PhoneOptions {
   /** Of an invitation; default: a phone that is trusted as it is. */
   readonly joinToken?: string;
+  /** Network address; by default, all phones have the same one. */
+  readonly address?: string;
   readonly clock?: Clock;
   readonly line?: Line;
 }
@@ -158,7 +160,9 @@ export class PartyWorld {
   /** Opens the page of a phone, or opens it again. */
   async connectPhone(scripted: ScriptedPhone): Promise<void> {
     const { name, identity, options } = scripted;
-    const { joinToken, clock = this.world.clock, line } = options;
+    const { joinToken, address, clock = this.world.clock, line } = options;
+    const { place } = this.world;
+    this.world.place = address ?? place;
     // Clients with an invitation connect from another machine
     this.world.standing = joinToken === undefined ? 'trusted' : 'other';
     const { client, problems } = await this.world.connect(name, {
@@ -168,6 +172,7 @@ export class PartyWorld {
       ...(line && { transports: this.#transportsOver(line) }),
     });
     this.world.standing = 'trusted';
+    this.world.place = place;
     scripted.problems = problems;
     scripted.client = client;
     scripted.phone = new PartyPhone(client, clock);

@@ -19,12 +19,14 @@ export { placeAt, type Track, type TrackPoint } from './race/track.ts';
 export { TRACKS } from './race/tracks.ts';
 export { identityOf, MAX_SEATS, type Identity, type Shape } from './seats/identity.ts';
 export { stateHash } from './state-hash.ts';
+export { crowderOf } from './tournament/crowding.ts';
 export * from './tournament/pace.ts';
 export { MIN_PLAYERS, nextRoom } from './tournament/next-room.ts';
 export * from './tournament/room.ts';
 export {
   cheerOf,
   CHEERS,
+  isFull,
   MAX_SPECTATORS,
   whyNoSeat,
   type Cheer,

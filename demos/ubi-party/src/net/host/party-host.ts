@@ -21,6 +21,7 @@ import {
   settingTopic,
 } from '../topics.ts';
 import { Audience } from './audience.ts';
+import { Crowding } from './crowding.ts';
 import { DelayWatch } from './delay-watch.ts';
 import { GameSessions } from './game-sessions.ts';
 import { EMPTY_MEMORY } from './host-memory.ts';
@@ -90,13 +91,18 @@ export class PartyHost {
       room: () => this.#room,
       handleCheer: (cheer) => options.listener.handleCheer?.(cheer),
     });
+    const crowding = new Crowding({
+      client,
+      room: () => this.#room,
+      remove: (key) => this.#decide(key, { type: 'leave', key }),
+    });
     this.#wishes = new PhoneWishes({
       client,
       drawByte,
       nowMs: () => this.#nowMs(),
       hasSeat: (key) => this.#room.players.some((player) => player.key === key),
-      handleAsked: (key) => this.#presence.hear(key, 0, this.#nowMs()),
       decide: (key, event) => this.#decide(key, event),
+      makeRoom: (key, as) => crowding.makeRoom(key, as),
     });
     this.#sessions = new GameSessions(options.client, (sentence) =>
       options.listener.handleTrouble?.(sentence),
@@ -209,12 +215,19 @@ export class PartyHost {
   #decide(key: string, event: RoomEvent): void {
     this.apply(event);
     if (event.type === 'leave' || event.type === 'away') this.#presence.forget(key);
+    else if (this.#personOf(key)) this.#presence.hear(key, 0, this.#nowMs());
   }
 
+  /** Clients without a place are not remembered: there may be any number of them. */
   #handleHere(key: string, lagMs: number): void {
+    const one = this.#personOf(key);
+    if (!one) return;
     this.#presence.hear(key, lagMs, this.#nowMs());
-    const one = peopleOf(this.#room).find((other) => other.key === key);
-    if (one?.awaySinceMs !== undefined) this.apply({ type: 'back', key });
+    if (one.awaySinceMs !== undefined) this.apply({ type: 'back', key });
+  }
+
+  #personOf(key: string): Pick<Player, 'awaySinceMs'> | undefined {
+    return peopleOf(this.#room).find((one) => one.key === key);
   }
 
   /** A screen that knows of no party continues with the one that another screen has led. */

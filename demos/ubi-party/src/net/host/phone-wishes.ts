@@ -12,10 +12,10 @@ export interface PhoneWishesOptions {
   /** A random integer from 0 to 255. */
   readonly drawByte: () => number;
   hasSeat(key: string): boolean;
-  /** Somebody asks for something. */
-  handleAsked(key: string): void;
   /** @throws RoomRefusal with the sentence for who asked */
   decide(key: string, event: RoomEvent): void;
+  /** Evicts one client of a crowded address for a client that was refused a place. @returns whether it did. Never rejects */
+  makeRoom(key: string, as: 'join' | 'watch'): Promise<boolean>;
 }
 
 /** Receives requests of phones, each at a limited rate, and sends the answers. */
@@ -51,9 +51,18 @@ export class PhoneWishes {
     if (!this.#limit.isAllowed(key, this.#options.nowMs())) return;
     const request = parseRequest(text);
     if (!request) return;
-    this.#options.handleAsked(key);
-    const reply = JSON.stringify(this.#answer(key, request));
-    this.#options.client.publish(phoneTopic(key, 'reply'), 'string', reply, { immediate: true });
+    const reply = this.#answer(key, request);
+    const { type } = request.wish;
+    if ('refusal' in reply && (type === 'join' || type === 'watch')) {
+      void this.#options.makeRoom(key, type).then((isMade) => {
+        this.#reply(key, isMade ? this.#answer(key, request) : reply);
+      });
+    } else this.#reply(key, reply);
+  }
+
+  #reply(key: string, reply: HostReply): void {
+    const text = JSON.stringify(reply);
+    this.#options.client.publish(phoneTopic(key, 'reply'), 'string', text, { immediate: true });
   }
 
   #answer(key: string, { number, wish }: PhoneRequest): HostReply {

@@ -39,11 +39,16 @@ export function withoutSpectators(room: Room, isGone: (one: Spectator) => boolea
     : room;
 }
 
+/** Whether all seats, or all places to watch, are taken by people; false for the seats of a locked game. */
+export function isFull({ isLocked, players, spectators }: Room, as: 'join' | 'watch'): boolean {
+  if (as === 'watch') return spectators.length >= MAX_SPECTATORS;
+  return !isLocked && players.filter(({ key }) => key !== undefined).length >= MAX_SEATS;
+}
+
 /** Why nobody can get a seat now, one sentence; undefined: somebody can. Bots leave when people come. */
-export function whyNoSeat({ isLocked, players }: Room): string | undefined {
-  if (isLocked) return 'The game is locked. Ask the host to let you in.';
-  const people = players.filter(({ key }) => key !== undefined);
-  return people.length >= MAX_SEATS ? `All ${MAX_SEATS} seats are taken.` : undefined;
+export function whyNoSeat(room: Room): string | undefined {
+  if (room.isLocked) return 'The game is locked. Ask the host to let you in.';
+  return isFull(room, 'join') ? `All ${MAX_SEATS} seats are taken.` : undefined;
 }
 
 /** A reaction of somebody who plays or watches; undefined: of nobody here, at no time for it, or of no known kind. */
