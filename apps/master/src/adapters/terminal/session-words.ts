@@ -1,6 +1,5 @@
-import { counted } from '@ubii/words';
+import { counted, oneLine } from '@ubii/words';
 
-import { oneLine } from '../../core/texts/one-line.ts';
 
 /** Names that one line lists. */
 export const MAX_NAMES = 6;

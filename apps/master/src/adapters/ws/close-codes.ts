@@ -1,5 +1,5 @@
+import { isLongerThan } from '@ubii/words';
 import type { ClientEnding, CloseReason } from '../../core/ports/index.ts';
-import { isLongerThan } from '../../core/texts/text-length.ts';
 
 /** Codes of the close frame for each reason of the master. Those from 4000 on are ours: docs/spec/extensions.md. */
 const CODES: Readonly<Record<CloseReason, number>> = {

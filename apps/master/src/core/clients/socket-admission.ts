@@ -1,9 +1,9 @@
+import { oneLine } from '@ubii/words';
 import type { Access } from '../access/access.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientClaim, ConnectionPeer } from '../ports/connection-facts.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { limitOf } from '../shares/shortage.ts';
-import { oneLine } from '../texts/one-line.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ClientEnding } from '../ports/close-reason.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';

@@ -1,8 +1,8 @@
 import { StatusEventKind, type StatusEvent } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
+import { oneLine } from '@ubii/words';
 import type { Limits } from '../limits/index.ts';
 import type { Log } from '../ports/log.ts';
-import { oneLine } from '../texts/one-line.ts';
 
 /** Events kept [EX-17]: what a page can show, usually in some 30 KB. */
 const KEPT_EVENTS = 200;

@@ -1,8 +1,7 @@
 import { TokenBucket } from '@ubii/timing';
+import { firstCharacters, oneLine } from '@ubii/words';
 import type { Limits } from '../limits/index.ts';
 import type { LogFields } from '../ports/log.ts';
-import { oneLine } from '../texts/one-line.ts';
-import { firstCharacters } from '../texts/text-length.ts';
 
 /** Names of levels, from worst to best. */
 export type LevelName = 'error' | 'warn' | 'info' | 'debug';

@@ -1,12 +1,12 @@
 import { StatusProblemSeverity } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
+import { oneLine } from '@ubii/words';
 import type { Client } from '../clients/client.ts';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
 import { clusterProblems } from './cluster-status.ts';
 import { describeThrottle } from '../counters/throttle.ts';
 import type { Core } from '../areas/core.ts';
 import type { LimitName } from '../limits/index.ts';
-import { oneLine } from '../texts/one-line.ts';
 import { quote } from '../texts/quote.ts';
 import type { Problem } from '../checks/problem.ts';
 

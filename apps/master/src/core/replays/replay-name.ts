@@ -1,6 +1,6 @@
 import type { Recording, ReplayStartRequest } from '@ubii/proto';
+import { oneLine } from '@ubii/words';
 import { publicName } from '../recordings/public-name.ts';
-import { oneLine } from '../texts/one-line.ts';
 import type { ReplayWish } from './replay-wish.ts';
 
 /** What a replay is named by. */

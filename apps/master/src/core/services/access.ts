@@ -8,6 +8,7 @@ import {
   type AccessRole,
   type Init,
 } from '@ubii/proto';
+import { isLongerThan, oneLine } from '@ubii/words';
 import { isUsedUp } from '../access/access.ts';
 import { makerOf, type Caller } from '../access/caller.ts';
 import { clientIdsOf, endGrant, withDescendants, workOf, type GrantParts } from './grant-work.ts';
@@ -16,9 +17,7 @@ import { joinRefusal } from '../access/join-refusals.ts';
 import { ADMINS, givenRole, wireRole } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import type { Dismissal } from '../clients/dismissals.ts';
-import { oneLine } from '../texts/one-line.ts';
 import { nameOf } from '../areas/settings.ts';
-import { isLongerThan } from '../texts/text-length.ts';
 import { quote } from '../texts/quote.ts';
 import { byCaller } from './by-caller.ts';
 import { definer } from './define-service.ts';

@@ -1,10 +1,10 @@
 import { AuditEntryWay, ServiceError, type ServiceRequest } from '@ubii/proto';
+import { oneLine } from '@ubii/words';
 import type { Caller } from '../access/caller.ts';
 import { wireRole } from '../access/roles.ts';
 import { wireAddressKind } from '../monitoring/client-report.ts';
 import type { CalledMaster } from '../ports/caller-facts.ts';
 import type { Core } from '../areas/core.ts';
-import { oneLine } from '../texts/one-line.ts';
 import type { Service } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 

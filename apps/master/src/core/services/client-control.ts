@@ -1,10 +1,10 @@
 import { ServiceError, StatusEventKind } from '@ubii/proto';
+import { oneLine } from '@ubii/words';
 import { roleRefusal } from '../access/join-refusals.ts';
 import { ADMINS, PARTICIPANTS } from '../access/roles.ts';
 import type { Client } from '../clients/client.ts';
 import { throttleClient, unthrottleClient } from '../clients/throttling.ts';
 import type { Core } from '../areas/core.ts';
-import { oneLine } from '../texts/one-line.ts';
 import { byCaller, nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';

@@ -1,7 +1,6 @@
 import { messageDescriptor, type MessageDescriptor, type MessageTypes } from '@ubii/proto';
+import { firstCharacters, hasMoreCharacters, isLongerThan, isOneLine, oneLine } from '@ubii/words';
 import { LIMITS, type LimitName, type Limits } from '../limits/index.ts';
-import { isOneLine, oneLine } from './one-line.ts';
-import { firstCharacters, hasMoreCharacters, isLongerThan } from './text-length.ts';
 import { LISTED_TEXTS, TEXT_RULES, type TextRule } from './text-limits.ts';
 
 /** A text, or a list of texts, that is refused because it is too long. */

@@ -1,4 +1,4 @@
-import { isLongerThan } from '../texts/text-length.ts';
+import { isLongerThan } from '@ubii/words';
 
 // eslint-disable-next-line no-control-regex -- control characters are what it looks for
 const CONTROL_CHARACTER = /[\u0000-\u001f\u007f-\u009f]/;

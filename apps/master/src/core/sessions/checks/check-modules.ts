@@ -1,5 +1,5 @@
 import type { ModuleIO, SessionProblem } from '@ubii/proto';
-import { isLongerThan } from '../../texts/text-length.ts';
+import { isLongerThan } from '@ubii/words';
 import { quote } from '../../texts/quote.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem } from '../problems.ts';

@@ -24,3 +24,8 @@ export function firstCharacters(text: string, max: number): string {
   // Do not read the whole of a text that is far too long.
   return [...text.slice(0, 2 * max)].slice(0, max).join('');
 }
+
+/** The text, or as much of it as `max` characters hold with an ellipsis at its end. */
+export function shortened(text: string, max: number): string {
+  return hasMoreCharacters(text, max) ? `${firstCharacters(text, max - 1)}…` : text;
+}
