@@ -1,4 +1,5 @@
 import { DEFAULT_PATTERN_LIMITS } from '@ubii/patterns';
+import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
 import { MIB, limit } from './limit.ts';
 
 /** Limits of messages and of the values in them. */
@@ -28,7 +29,7 @@ export const MESSAGE_LIMITS = {
     'Nesting depth of objects and lists in a JSON request. The deepest request of the protocol has 16 levels.',
   ),
   topicBytes: limit(
-    1024,
+    DEFAULT_TEXT_LIMITS.topicBytes,
     'bytes',
     'messages',
     'UTF-8 bytes of a topic. Usual topics consist of ids and short names and have some 100 bytes. With 1024 bytes, a full topic table still fits into memory.',

@@ -1,35 +1,36 @@
 import { MAX_CHOICE_CHARACTERS, MAX_IO_DESCRIPTION_CHARACTERS } from '@ubii/pm-sandbox';
+import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
 import { KIB, limit } from './limit.ts';
 
 /** Limits of texts from clients, and of the log. */
 export const TEXT_LIMITS = {
   idCharacters: limit(
-    256,
+    DEFAULT_TEXT_LIMITS.idCharacters,
     'characters',
     'texts',
     'Id of a client, device, component, session, module or invitation. Ids of the master have 36 characters; existing programs create ids in their own formats.',
   ),
   identifierCharacters: limit(
-    256,
+    DEFAULT_TEXT_LIMITS.identifierCharacters,
     'characters',
     'texts',
     'Name of a session, module, component, input, output, muxer or data format. Longer names are refused.',
   ),
   nameCharacters: limit(
-    100,
+    DEFAULT_TEXT_LIMITS.nameCharacters,
     'characters',
     'texts',
     'Name of a client or device, label of an invitation, or author. Events, the log and pages show these names. Longer names of clients and devices are cut.',
   ),
   tagCharacters: limit(100, 'characters', 'texts', 'One tag.'),
   textsPerList: limit(
-    256,
+    DEFAULT_TEXT_LIMITS.textsPerList,
     'texts',
     'texts',
     'Tags, authors or libraries of one session, module, device or client, or choices of an input. A handful is usual.',
   ),
   descriptionCharacters: limit(
-    4_096,
+    DEFAULT_TEXT_LIMITS.descriptionCharacters,
     'characters',
     'texts',
     'Description, about two pages of text. Longer descriptions of clients, devices and components are cut, those of sessions and modules refused.',
@@ -78,7 +79,7 @@ export const TEXT_LIMITS = {
     'Metadata of a client, or constant of a session, as JSON.',
   ),
   eventCharacters: limit(
-    500,
+    DEFAULT_TEXT_LIMITS.eventCharacters,
     'characters',
     'texts',
     'Event or problem in the status of the master, which keeps 200 events. Cut when longer.',
