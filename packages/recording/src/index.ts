@@ -26,6 +26,7 @@ export {
   type RecordsQuery,
   type RecordsReader,
 } from './reading/recording-reader.ts';
+export type { MalformedEvents } from './reading/recorded-events.ts';
 export { devicesInSpan, isRecordedDevice } from './reading/devices-in-span.ts';
 export { devicesByTopic, topicsOfProfile } from './reading/recorded-components.ts';
 export {

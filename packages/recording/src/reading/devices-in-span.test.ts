@@ -31,9 +31,3 @@ it('leaves out devices that were gone, and those that came afterwards', () => {
   expect(names(events, 150, 500)).toEqual(['first']);
   expect(names(events, 201, 500)).toEqual([]);
 });
-
-it('leaves out what is no device', () => {
-  const broken = [null, {}, { id: 'x' }, { ...phone('a'), components: [{ topic: 1 }] }];
-  const events = broken.map((value) => told(0, value as RecordedDevice));
-  expect(names(events, 0, 100)).toEqual([]);
-});

@@ -1,8 +1,5 @@
-import type {
-  RecordedComponent,
-  RecordedDevice,
-  RecordingEvent,
-} from '../records/recording-event.ts';
+import { isEventValue } from '../records/parse-event.ts';
+import type { RecordedDevice, RecordingEvent } from '../records/recording-event.ts';
 
 /** A span of times, nanoseconds since the Unix epoch, both ends inclusive. */
 interface Span {
@@ -12,7 +9,7 @@ interface Span {
 
 /**
  * Finds the devices that were registered at any time in a span, in the order of their registration: a device that was registered
- * again with other members has several versions. What is no device is left out.
+ * again with other members has several versions.
  *
  * @param events in the order in which they were written
  */
@@ -23,7 +20,7 @@ export function devicesInSpan(
   const found = new Map<string, RecordedDevice>();
   const known = new Map<string, RecordedDevice>();
   for (const { timeNs, value } of events) {
-    if (!isRecordedDevice(value) || timeNs > untilNs) continue;
+    if (timeNs > untilNs) continue;
     const before = known.get(value.id);
     // The one before ends here, within the span.
     if (before !== undefined && timeNs > fromNs) found.set(JSON.stringify(before), before);
@@ -34,26 +31,7 @@ export function devicesInSpan(
   return [...found.values()];
 }
 
-/** Tells whether a value from a file, which may hold anything, is a device. */
+/** Tells whether a value from outside, which may be anything, is a device. */
 export function isRecordedDevice(value: unknown): value is RecordedDevice {
-  if (!isObject<RecordedDevice>(value)) return false;
-  const { id, clientId, name, tags, state, components } = value;
-  return (
-    [id, clientId, name, state].every(isText) &&
-    isTexts(tags) &&
-    Array.isArray(components) &&
-    components.every(isComponent)
-  );
+  return isEventValue('device', value);
 }
-
-function isComponent(value: unknown): value is RecordedComponent {
-  if (!isObject<RecordedComponent>(value)) return false;
-  const { id, name, topic, format, direction, tags } = value;
-  return [id, name, topic, format, direction].every(isText) && isTexts(tags);
-}
-
-const isObject = <T>(value: unknown): value is Partial<T> =>
-  typeof value === 'object' && value !== null;
-const isText = (value: unknown): value is string => typeof value === 'string';
-const isTexts = (value: unknown): value is readonly string[] =>
-  Array.isArray(value) && value.every(isText);

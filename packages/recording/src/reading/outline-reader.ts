@@ -121,7 +121,7 @@ export class OutlineReader {
       .ofAny(ids)
       .filter(({ messageIndexOffsets }) => messageIndexOffsets.size > 0);
     const first = new ChannelChunks(chunks.slice(0, MAX_MARKER_CHUNKS));
-    return markersOf(await readEvents(this.#file, first, new Map(kinds)));
+    return markersOf((await readEvents(this.#file, first, new Map(kinds))).events);
   }
 }
 

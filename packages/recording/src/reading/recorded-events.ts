@@ -1,5 +1,7 @@
 import type { Channel } from '@mcap/core';
 import type { StoredMessage } from '../mcap/chunk-content.ts';
+import { parseEvent } from '../records/parse-event.ts';
+import { RecordingError } from '../records/recording-error.ts';
 import {
   EVENT_TOPICS,
   type EventKind,
@@ -12,6 +14,21 @@ import type { StoredFile } from './stored-file.ts';
 /** Reads at the same time: events are in many small chunks. */
 const PARALLEL = 16;
 
+/** Events of a file that were left out, because they are not what they should be. [RC-55] */
+export interface MalformedEvents {
+  readonly count: number;
+  /** What is wrong with the first one, and where: a sentence. */
+  readonly first: string;
+}
+
+/** Events of a file. */
+export interface EventsOfFile {
+  /** In the order in which they were written. */
+  readonly events: readonly RecordingEvent[];
+  /** Undefined when there are none. */
+  readonly malformed: MalformedEvents | undefined;
+}
+
 /** The kind of events that a channel holds; undefined for records. */
 export function eventKindOf(channel: Channel, schemaName: string): EventKind | undefined {
   if (!schemaName.startsWith('ubii.recording.')) return undefined;
@@ -19,12 +36,12 @@ export function eventKindOf(channel: Channel, schemaName: string): EventKind | u
   return kinds.find((kind) => EVENT_TOPICS[kind] === channel.topic);
 }
 
-/** Reads all events of some channels, in the order in which they were written. Broken ones are left out. */
+/** Reads all events of some channels. @throws RecordingError when a chunk of them is broken */
 export async function readEvents(
   file: StoredFile,
   channelChunks: ChannelChunks,
   kinds: ReadonlyMap<number, EventKind>,
-): Promise<RecordingEvent[]> {
+): Promise<EventsOfFile> {
   const groups = file.groupsOf(channelChunks.ofAny(new Set(kinds.keys())));
   const messages: StoredMessage[] = [];
   for (let i = 0; i < groups.length; i += PARALLEL) {
@@ -36,7 +53,7 @@ export async function readEvents(
     }
   }
   messages.sort((a, b) => a.sequence - b.sequence);
-  return messages.flatMap((message) => parseEvent(kinds.get(message.channelId)!, message) ?? []);
+  return parseEvents(messages, kinds);
 }
 
 /** The markers among events, by time; without those that were removed. */
@@ -47,14 +64,19 @@ export function markersOf(events: readonly RecordingEvent[]): Marker[] {
     .sort((a, b) => a.timeMs - b.timeMs);
 }
 
-function parseEvent(
-  kind: EventKind,
-  { data, logTimeNs }: StoredMessage,
-): RecordingEvent | undefined {
-  try {
-    const value: unknown = JSON.parse(new TextDecoder().decode(data));
-    return { kind, timeNs: logTimeNs, value } as RecordingEvent;
-  } catch {
-    return undefined;
+function parseEvents(
+  messages: readonly StoredMessage[],
+  kinds: ReadonlyMap<number, EventKind>,
+): EventsOfFile {
+  const events: RecordingEvent[] = [];
+  let malformed: MalformedEvents | undefined;
+  for (const { channelId, data, logTimeNs } of messages) {
+    try {
+      events.push(parseEvent(kinds.get(channelId)!, logTimeNs, data));
+    } catch (error) {
+      if (!(error instanceof RecordingError)) throw error;
+      malformed = { first: error.message, ...malformed, count: (malformed?.count ?? 0) + 1 };
+    }
   }
+  return { events, malformed };
 }

@@ -19,7 +19,12 @@ import { ChannelChunks } from './channel-chunks.ts';
 import { activityOf } from './chunk-activity.ts';
 import { findLatest } from './find-latest.ts';
 import { messagesInOrder } from './messages-in-order.ts';
-import { markersOf, readEvents } from './recorded-events.ts';
+import {
+  markersOf,
+  readEvents,
+  type EventsOfFile,
+  type MalformedEvents,
+} from './recorded-events.ts';
 import { withMarkers } from './recorded-times.ts';
 import { StoredFile } from './stored-file.ts';
 import { channelsOf, type FileChannels } from './topics-of.ts';
@@ -70,15 +75,23 @@ export interface RecordingActivity {
 /** Reads a recording by its indexes; files of other programs as well. Files without their end are opened up to the last whole chunk. */
 export class RecordingReader implements EventsReader {
   readonly summary: RecordingSummary;
+  /** Markers, clients and gaps that are not in the summary, because they are malformed. [RC-55] */
+  readonly malformed: MalformedEvents | undefined;
   readonly #file: StoredFile;
   readonly #channels: FileChannels;
   readonly #chunks: ChannelChunks;
 
-  private constructor(file: StoredFile, chunks: ChannelChunks, summary: RecordingSummary) {
+  private constructor(
+    file: StoredFile,
+    chunks: ChannelChunks,
+    summary: RecordingSummary,
+    malformed: MalformedEvents | undefined,
+  ) {
     this.#file = file;
     this.#chunks = chunks;
     this.#channels = channelsOf(file.index);
     this.summary = summary;
+    this.malformed = malformed;
   }
 
   /** @throws RecordingError when the source is no MCAP file */
@@ -90,7 +103,7 @@ export class RecordingReader implements EventsReader {
     const times = timesOf(chunks.ofAny(new Set(records.keys())));
     const isForeign = index.profile !== PROFILE;
     const header = headerFromMetadata(await readMetadata(whole, index, PROFILE));
-    const events = await eventsOf(file, chunks, ['marker', 'client', 'gap']);
+    const { events, malformed } = await eventsOf(file, chunks, ['marker', 'client', 'gap']);
     const markers = markersOf(events);
     const summary = {
       ...header,
@@ -104,7 +117,7 @@ export class RecordingReader implements EventsReader {
       isForeign,
       isDamaged,
     };
-    return new RecordingReader(file, chunks, summary);
+    return new RecordingReader(file, chunks, summary, malformed);
   }
 
   async *records(query: RecordsQuery = {}): AsyncGenerator<RecordedRecord> {
@@ -160,7 +173,7 @@ export class RecordingReader implements EventsReader {
   }
 
   events(): Promise<RecordingEvent[]> {
-    return eventsOf(this.#file, this.#chunks, Object.keys(EVENT_TOPICS) as EventKind[]);
+    return this.#events(Object.keys(EVENT_TOPICS) as EventKind[]);
   }
 
   /** Returns the sessions as they were at a moment, by id. */
@@ -171,19 +184,24 @@ export class RecordingReader implements EventsReader {
 
   /** Returns all changes of sessions, in the order in which they happened. */
   async sessions(): Promise<RecordingEvent<'session'>[]> {
-    const events = await eventsOf(this.#file, this.#chunks, ['session']);
+    const events = await this.#events(['session']);
     return events.filter((event) => event.kind === 'session');
   }
 
   async clocks(): Promise<RecordingEvent<'clock'>[]> {
-    const events = await eventsOf(this.#file, this.#chunks, ['clock']);
+    const events = await this.#events(['clock']);
     return events.filter((event) => event.kind === 'clock');
   }
 
   /** Returns all registrations of devices and their ends, in the order in which they happened. */
   async devices(): Promise<RecordingEvent<'device'>[]> {
-    const events = await eventsOf(this.#file, this.#chunks, ['device']);
+    const events = await this.#events(['device']);
     return events.filter((event) => event.kind === 'device');
+  }
+
+  async #events(kinds: readonly EventKind[]): Promise<RecordingEvent[]> {
+    const { events } = await eventsOf(this.#file, this.#chunks, kinds);
+    return [...events];
   }
 
   #idsOf(topics: readonly string[] | undefined): Set<number> {
@@ -220,7 +238,7 @@ function eventsOf(
   file: StoredFile,
   chunks: ChannelChunks,
   kinds: readonly EventKind[],
-): Promise<RecordingEvent[]> {
+): Promise<EventsOfFile> {
   const wanted = [...channelsOf(file.index).events].filter(([, kind]) => kinds.includes(kind));
   return readEvents(file, chunks, new Map(wanted));
 }
