@@ -1,5 +1,5 @@
 /**
- * Limits of texts in messages, by the names that they have on a master, where each has its reason. What reads
+ * Limits of texts and of lists of texts in messages, by the names that they have on a master, where each has its reason. What reads
  * texts of files has the same ones. [EX-70] [RC-54]
  */
 export const DEFAULT_TEXT_LIMITS = {
@@ -10,6 +10,7 @@ export const DEFAULT_TEXT_LIMITS = {
   eventCharacters: 500,
   topicBytes: 1_024,
   textsPerList: 256,
+  personalLabels: 200,
 } as const;
 
 /** Values of these limits. */

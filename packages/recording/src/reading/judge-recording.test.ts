@@ -1,16 +1,18 @@
 import type { ChunkIndex } from '@mcap/core';
+import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { encodeEnd } from '../mcap/file-index.ts';
 import { readIndex } from '../mcap/read-index.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import { foreignRecording } from '../testing/foreign-recording.ts';
-import type { MemoryFile } from '../testing/memory-file.ts';
+import { MemoryFile } from '../testing/memory-file.ts';
 import { recorded } from '../testing/recorded.ts';
-import { SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
+import { SAMPLE_HEADER, SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
+import { RecordingWriter } from '../writing/recording-writer.ts';
 import { judgeRecording } from './judge-recording.ts';
 import { RecordingReader } from './recording-reader.ts';
 
-const LIMITS = { markersPerRecording: 3 };
+const LIMITS = { ...DEFAULT_TEXT_LIMITS, markersPerRecording: 3, personalLabels: 2 };
 const MARKER = { id: 'a', timeMs: 1, text: 'Go', author: 'Ada', authorId: 'ada', kind: 'key' };
 const RECORDS = Array.from({ length: 300 }, (_, i) => sampleRecord(`/topic/${i % 3}`, i * 25));
 
@@ -27,6 +29,13 @@ async function withIndex(change: (chunk: ChunkIndex) => Partial<ChunkIndex>): Pr
   index.chunks.push({ ...last, ...change(last) });
   await file.truncate(dataEnd);
   await file.write(encodeEnd(index, dataEnd));
+  return file;
+}
+
+/** A complete file with labels of personal data. */
+async function withLabels(personalData: string): Promise<MemoryFile> {
+  const file = new MemoryFile();
+  await (await RecordingWriter.create(file, { ...SAMPLE_HEADER, personalData })).end();
   return file;
 }
 
@@ -59,6 +68,16 @@ describe('judgeRecording', () => {
       await expect(judgeRecording(file, LIMITS)).rejects.toThrow(`The ${kind} event of 20`);
     },
   );
+
+  it.each([
+    ['no JSON', '{', 'cannot be read'],
+    ['no labels', '{"labels":5}', 'cannot be read'],
+    ['too many', JSON.stringify({ labels: [{}, {}, {}] }), 'has 3 labels'],
+    ['too long', JSON.stringify({ labels: [{}, { note: 'x'.repeat(5_000) }] }), 'label 2 of'],
+  ])('[RC-54] refuses a file with labels that are %s', async (_, personalData, problem) => {
+    const judged = judgeRecording(await withLabels(personalData), LIMITS);
+    await expect(judged).rejects.toThrow(problem);
+  });
 
   it('[RC-23] refuses a file with more markers than a recording may have', async () => {
     const events = Array.from({ length: 4 }, () => event('marker', MARKER));

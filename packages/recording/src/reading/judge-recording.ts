@@ -1,7 +1,11 @@
 import { Opcode, type ChunkIndex } from '@mcap/core';
+import type { TextLimits } from '@ubii/proto';
 import type { FileIndex } from '../mcap/file-index.ts';
+import { readMetadata } from '../mcap/metadata-record.ts';
 import { openFile } from '../mcap/open-file.ts';
+import { checkLabels } from '../records/check-labels.ts';
 import { RecordingError } from '../records/recording-error.ts';
+import { headerFromMetadata, PROFILE } from '../records/recording-header.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { ChannelChunks } from './channel-chunks.ts';
 import { readEvents } from './recorded-events.ts';
@@ -9,7 +13,7 @@ import { StoredFile } from './stored-file.ts';
 import { channelsOf } from './topics-of.ts';
 
 /** What a recording may have. */
-export interface RecordingLimits {
+export interface RecordingLimits extends TextLimits {
   /** Markers, their changes included. [RC-23] */
   readonly markersPerRecording: number;
 }
@@ -21,16 +25,18 @@ const HEAD_BYTES = 9 + 32;
 const SIZE_BYTES = 8;
 
 /**
- * Checks a file from elsewhere before it is taken: that its index says what its chunks hold, and that its events are what
- * they should be. [RC-55]
+ * Checks a file from elsewhere before it is taken: that its index says what its chunks hold, and that its events and labels
+ * of personal data are what they should be. [RC-55]
  *
  * @throws RecordingError that says what is wrong, and where
  */
 export async function judgeRecording(
   source: RecordingSource,
-  { markersPerRecording }: RecordingLimits,
+  limits: RecordingLimits,
 ): Promise<void> {
   const { index, source: whole } = await openFile(source);
+  const header = headerFromMetadata(await readMetadata(whole, index, PROFILE));
+  checkLabels(header.personalData, limits);
   const file = new StoredFile(whole, index);
   const { events: kinds } = channelsOf(index);
   let leftBytes = MAX_COMPARED_BYTES;
@@ -47,6 +53,7 @@ export async function judgeRecording(
   const { events, malformed } = await readEvents(file, new ChannelChunks(index.chunks), kinds);
   if (malformed !== undefined) throw new RecordingError(malformed.first);
   const markers = events.filter(({ kind }) => kind === 'marker').length;
+  const { markersPerRecording } = limits;
   if (markers > markersPerRecording) {
     throw new RecordingError(
       `It has ${markers} markers, and a recording has at most ${markersPerRecording}.`,

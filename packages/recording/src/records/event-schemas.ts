@@ -19,8 +19,9 @@ export interface ObjectSchema {
 const TEXT = { type: 'string' } as const;
 const ID = { type: 'string', maxLength: DEFAULT_TEXT_LIMITS.idCharacters } as const;
 const NUMBER = { type: 'number' } as const;
-/** Nanoseconds of 64 bits, as files have them, in milliseconds. */
-const TIME = { type: 'number', minimum: 0, maximum: 2 ** 64 / 1e6 - 1 } as const;
+/** The latest time that a file can have: nanoseconds of 64 bits, in milliseconds. */
+export const MAX_TIME_MS = 2 ** 64 / 1e6 - 1;
+const TIME = { type: 'number', minimum: 0, maximum: MAX_TIME_MS } as const;
 const COUNT = { type: 'number', minimum: 0, maximum: Number.MAX_SAFE_INTEGER } as const;
 const TEXTS = { type: 'array', items: TEXT } as const;
 const COMPONENT = object({

@@ -1,3 +1,4 @@
+import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
 import { KIB, MIB, limit } from './limit.ts';
 
 const GIB = KIB * MIB;
@@ -55,7 +56,7 @@ export const RECORDING_LIMITS = {
     'Markers of one recording, with their changes. Each of them is in its list.',
   ),
   personalLabels: limit(
-    200,
+    DEFAULT_TEXT_LIMITS.personalLabels,
     'labels',
     'storage',
     'Labels of personal data. Each topic of a recording that is shared is compared with all of them.',
