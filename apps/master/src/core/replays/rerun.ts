@@ -1,6 +1,5 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import {
-  fromJson,
   ServiceError,
   type Recording,
   type RecordingSelection,
@@ -8,6 +7,8 @@ import {
 } from '@ubii/proto';
 import { devicesByTopic, type RecordedDevice, type Span } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
+import { shortened } from '@ubii/words';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import type { ReplayFile } from '../ports/replay-files.ts';
 import type { Recordings } from '../recordings/recordings.ts';
@@ -15,12 +16,14 @@ import type { Session } from '../sessions/session.ts';
 import type { Sessions } from '../sessions/sessions.ts';
 import { quote } from '../texts/quote.ts';
 import type { RecordedSource } from '../topics/recorded-sources.ts';
+import { recordedSession } from './recorded-session.ts';
 import { RerunInputs, type RerunInputsContext } from './rerun-inputs.ts';
 import { rerunSession, type RerunSession } from './rerun-session.ts';
 
 /** What running a session again works with. */
 export interface RerunContext extends RerunInputsContext {
   readonly clock: Clock;
+  readonly limitWatch: LimitWatch;
   readonly patterns: PatternCompiler;
   readonly sessions: Sessions;
   readonly modules: ModuleLibrary;
@@ -84,7 +87,7 @@ export class Rerun {
         `The recording ${quote(wish.recording.name)} has no session with the id ${quote(wish.sessionId)}.`,
       );
     }
-    const message = fromJson('ubii.sessions.Session', JSON.parse(recorded.session));
+    const message = recordedSession(recorded, context.limitWatch);
     const devices = await file.devices(span);
     const rerun = rerunSession(message, {
       ...{ devices, replayId: wish.replayId },
@@ -110,7 +113,8 @@ export class Rerun {
         : [
             `Inputs that select components stay empty, because ${this.#whyEmpty}: ${emptyInputs.join(', ')}.`,
           ];
-    return [...empty, ...this.#errors.values()].join(' ');
+    const { eventCharacters } = this.#context.limitWatch.limits;
+    return shortened([...empty, ...this.#errors.values()].join(' '), eventCharacters);
   }
 
   /** Whether the session reads this recorded topic. */
