@@ -212,7 +212,7 @@ describe('a recording at a node', () => {
     expect(waiting).toMatchObject({ state: AT_NODE, problem: 'It is not uploaded: no room.' });
     const retry = ask(master, 'recording_upload', id);
     const { order } = await node.answering(retry, () => ({}));
-    expect(order.upload).toEqual({ id });
+    expect(order.upload).toMatchObject({ id });
     await upload(master, id, from, node.client);
     const found = (await listOf(master)).find((one) => one.id === id);
     expect(found).toMatchObject({ state: COMPLETE, nodeId: '', kind: 0 });

@@ -21,6 +21,10 @@ export class MemoryFolder implements RecordingFolder {
     return Promise.resolve([...this.files.keys()]);
   }
 
+  has(id: string): Promise<boolean> {
+    return Promise.resolve(this.files.has(id));
+  }
+
   create(id: string): Promise<OpenFile> {
     const file = new MemoryRecording();
     file.maxBytes = this.maxBytes;

@@ -137,9 +137,8 @@ export class NodeRecorder {
       return { recording: this.#describe(await recorder.stop(stop.id)) };
     }
     if (get !== undefined) {
-      const { recording } = await recorder.get(get.id);
-      const { topics, markers } = recording;
-      return { recording: { ...this.#describe(recording), topics, markers } };
+      const { recording } = await recorder.get(get.id, get);
+      return { recording: this.#describe(recording) };
     }
     if (change !== undefined) {
       return { recording: this.#describe(await recorder.change(change.id, change)) };
@@ -246,8 +245,6 @@ export class NodeRecorder {
       ...recording,
       problem: [problem, upload].filter((text) => text !== '').join(' '),
       uploadedBytes: this.#uploads.sentBytesOf(id),
-      topics: [],
-      markers: [],
     };
   }
 }

@@ -2,6 +2,7 @@ import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { ConfigError } from '@ubii/program';
+import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
 import { recordingPath } from '@ubii/recording/node';
 import { WorkerRecorder } from '@ubii/recording/thread';
 import { systemClock } from '@ubii/timing/system';
@@ -44,7 +45,10 @@ export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> 
   }
   const recorder = new WorkerRecorder({
     ...{ folder, workerFile, clock: systemClock },
-    limits: { recordingsBytes: maxBytes, markersPerRecording: MARKERS_PER_RECORDING },
+    limits: {
+      ...DEFAULT_TEXT_LIMITS,
+      ...{ recordingsBytes: maxBytes, markersPerRecording: MARKERS_PER_RECORDING },
+    },
     onFailure: (what, reason) => log('error', `${what}: ${reason}`),
   });
   return new NodeRecorder({

@@ -1104,11 +1104,14 @@ export function encodeRecording(m: Init<T.Recording>, w: Writer): void {
   if (m.nodeName != null) w.string(170, m.nodeName);
   if (m.nodeIsAway != null) w.bool(176, m.nodeIsAway);
   if (m.uploadedBytes != null) w.double(185, m.uploadedBytes);
+  if (m.topicsFrom != null) w.int32(192, m.topicsFrom);
+  if (m.topicsTotal != null) w.int32(200, m.topicsTotal);
+  if (m.markersFrom != null) w.int32(208, m.markersFrom);
   if (m.study != null) { const at = w.open(242); encodeRecordingStudy(m.study, w); w.close(at); }
 }
 
 export function decodeRecording(r: Reader, into?: T.Recording): T.Recording {
-  const m: T.Recording = into ?? { id: '', name: '', kind: 0, state: 0, startedMs: 0, durationMs: 0, sizeBytes: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0, problem: '', notes: '', author: '', selection: undefined, budget: undefined, topics: [], markers: [], replayedRecordingId: '', nodeId: '', nodeName: '', nodeIsAway: false, uploadedBytes: 0, study: undefined };
+  const m: T.Recording = into ?? { id: '', name: '', kind: 0, state: 0, startedMs: 0, durationMs: 0, sizeBytes: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0, problem: '', notes: '', author: '', selection: undefined, budget: undefined, topics: [], markers: [], replayedRecordingId: '', nodeId: '', nodeName: '', nodeIsAway: false, uploadedBytes: 0, topicsFrom: 0, topicsTotal: 0, markersFrom: 0, study: undefined };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1135,6 +1138,9 @@ export function decodeRecording(r: Reader, into?: T.Recording): T.Recording {
       case 170: m.nodeName = r.string(); break;
       case 176: m.nodeIsAway = r.bool(); break;
       case 185: m.uploadedBytes = r.double(); break;
+      case 192: m.topicsFrom = r.int32(); break;
+      case 200: m.topicsTotal = r.int32(); break;
+      case 208: m.markersFrom = r.int32(); break;
       case 242: { const end = r.enter(); m.study = decodeRecordingStudy(r, m.study); r.end = end; break; }
       default: skipField(r, tag);
     }
@@ -1212,14 +1218,18 @@ export function decodeRecordingMarker(r: Reader, into?: T.RecordingMarker): T.Re
 
 export function encodeRecordingRequest(m: Init<T.RecordingRequest>, w: Writer): void {
   if (m.id != null) w.string(10, m.id);
+  if (m.topicsFrom != null) w.int32(16, m.topicsFrom);
+  if (m.markersFrom != null) w.int32(24, m.markersFrom);
 }
 
 export function decodeRecordingRequest(r: Reader, into?: T.RecordingRequest): T.RecordingRequest {
-  const m: T.RecordingRequest = into ?? { id: '' };
+  const m: T.RecordingRequest = into ?? { id: '', topicsFrom: 0, markersFrom: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 10: m.id = r.string(); break;
+      case 16: m.topicsFrom = r.int32(); break;
+      case 24: m.markersFrom = r.int32(); break;
       default: skipField(r, tag);
     }
   }

@@ -3092,9 +3092,9 @@ export interface Recording {
   selection: RecordingSelection | undefined;
   /** When it stops by itself. */
   budget: RecordingBudget | undefined;
-  /** Its topics; only in replies of recording_get, once its file is closed. */
+  /** A page of its topics; only in replies of recording_get. Rule RC-54. */
   topics: RecordingTopic[];
-  /** Its markers, by time; only in replies of recording_get. */
+  /** A page of its markers, by time; only in replies of recording_get. Rule RC-54. */
   markers: RecordingMarker[];
   /** Of a comparison: id of the recording that was replayed; empty for others. Rule RP-40. */
   replayedRecordingId: string;
@@ -3106,6 +3106,18 @@ export interface Recording {
   nodeIsAway: boolean;
   /** Bytes of its file that the node has sent to the master; 0 when it is not on its way. Rule RC-63. */
   uploadedBytes: number;
+  /** Place of the first of topics among all of them, from 0; only in replies of recording_get. */
+  topicsFrom: number;
+  /**
+   * How many elements all pages of topics have together; only in replies of recording_get. A topic has one for each
+   * client that published it.
+   */
+  topicsTotal: number;
+  /**
+   * Place of the first of markers among all of them, from 0; only in replies of recording_get. There are
+   * marker_count in all.
+   */
+  markersFrom: number;
   /** Which part of a study it is; absent when it is none. Rule ST-24. */
   study: RecordingStudy | undefined;
 }
@@ -3200,6 +3212,10 @@ export interface RecordingMarker {
 export interface RecordingRequest {
   /** Its id. */
   id: string;
+  /** Of recording_get: place of the first topic of the reply among all of them, from 0. Rule RC-54. */
+  topicsFrom: number;
+  /** Of recording_get: place of the first marker of the reply among all of them, from 0. Rule RC-54. */
+  markersFrom: number;
 }
 
 /**

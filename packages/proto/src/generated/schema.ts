@@ -1003,6 +1003,9 @@ message ubii.extension.Recording
 21 node_name string
 22 node_is_away bool
 23 uploaded_bytes double
+24 topics_from int32
+25 topics_total int32
+26 markers_from int32
 30 study ubii.extension.RecordingStudy
 message ubii.extension.RecordingBudget
 1 max_duration_ms double
@@ -1032,6 +1035,8 @@ message ubii.extension.RecordingMarker
 7 is_removed bool
 message ubii.extension.RecordingRequest
 1 id string
+2 topics_from int32
+3 markers_from int32
 message ubii.extension.RecordingSelection
 1 topics string *
 2 patterns string *

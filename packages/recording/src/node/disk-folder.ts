@@ -1,4 +1,4 @@
-import { mkdir, readdir, rename, rm, statfs } from 'node:fs/promises';
+import { mkdir, readdir, rename, rm, stat, statfs } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { DiskFile } from './disk-file.ts';
 
@@ -39,6 +39,16 @@ export class DiskFolder implements RecordingFolder {
     return names
       .filter((name) => name.endsWith(EXTENSION))
       .map((name) => name.slice(0, -EXTENSION.length));
+  }
+
+  async has(id: string): Promise<boolean> {
+    try {
+      await stat(recordingPath(this.#path, id));
+      return true;
+    } catch (error) {
+      if ((error as NodeJS.ErrnoException).code === 'ENOENT') return false;
+      throw error;
+    }
   }
 
   async create(id: string): Promise<OpenFile> {

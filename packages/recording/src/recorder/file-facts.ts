@@ -7,7 +7,9 @@ import {
   type RecordingSelection,
   type RecordingStudy,
   type RecordingTopic,
+  type TextLimits,
 } from '@ubii/proto';
+import { shortened } from '@ubii/words';
 import type { RecordingHeader } from '../records/recording-header.ts';
 import type { RecordedTopic, RecordingSummary } from '../records/recording-summary.ts';
 import type { RecordingJob } from './recorder.ts';
@@ -40,6 +42,19 @@ const KINDS: { readonly [K in RecordingKind]?: RecordingHeader['kind'] } = {
   [RecordingKind.RECORDING_KIND_IMPORT]: 'import',
   [RecordingKind.RECORDING_KIND_COMPARISON]: 'comparison',
 };
+
+/** What a file may say of itself: it is not being recorded any more, and is not at a node. */
+const ENDED = [
+  RecordingState.RECORDING_STATE_COMPLETE,
+  RecordingState.RECORDING_STATE_REPAIRED,
+  RecordingState.RECORDING_STATE_FAILED,
+];
+
+/** Of a recording of which no page of topics and markers was asked for. [RC-54] */
+export const WITHOUT_PAGE = {
+  ...{ topics: [], markers: [] },
+  ...{ topicsFrom: 0, topicsTotal: 0, markersFrom: 0 },
+} satisfies Partial<Recording>;
 
 /** Of recordings that no node has. [RC-60] */
 export const AT_MASTER = { nodeId: '', nodeName: '', nodeIsAway: false, uploadedBytes: 0 } as const;
@@ -82,11 +97,8 @@ export function parseFacts(summary: RecordingSummary): FileFacts {
       : (Number(kinds?.[0] ?? 0) as RecordingKind),
     author: textOf(author),
     makerId: textOf(makerId),
-    startedMs: typeof startedMs === 'number' ? startedMs : 0,
-    state:
-      typeof state === 'number'
-        ? (state as RecordingState)
-        : RecordingState.RECORDING_STATE_COMPLETE,
+    startedMs: typeof startedMs === 'number' && Number.isFinite(startedMs) ? startedMs : 0,
+    state: ENDED.find((each) => each === state) ?? RecordingState.RECORDING_STATE_COMPLETE,
     problem: textOf(problem),
     selection: selectionOf(selection),
     replayedRecordingId: textOf(replayedRecordingId),
@@ -94,7 +106,7 @@ export function parseFacts(summary: RecordingSummary): FileFacts {
   };
 }
 
-/** A finished recording, as services describe it. */
+/** A finished recording, as services describe it, without topics and markers. */
 export function describeFile(
   id: string,
   facts: FileFacts,
@@ -108,7 +120,7 @@ export function describeFile(
     kind: facts.kind,
     state: facts.state,
     startedMs: startMs,
-    durationMs: msOf(summary.endNs - summary.startNs),
+    durationMs: Math.max(0, msOf(summary.endNs - summary.startNs)),
     sizeBytes,
     recordCount: summary.records,
     lostCount: summary.gaps.reduce((sum, { records }) => sum + records, 0),
@@ -120,8 +132,7 @@ export function describeFile(
     selection: facts.selection,
     study: facts.study,
     budget: undefined,
-    topics: [],
-    markers: [],
+    ...WITHOUT_PAGE,
     replayedRecordingId: facts.replayedRecordingId,
     ...AT_MASTER,
   };
@@ -165,16 +176,22 @@ function selectionOf(value: Readonly<Record<string, unknown>>): RecordingSelecti
   };
 }
 
-/** A topic of a file, as messages have it. */
-export function describeTopic({
-  topic,
-  clientId,
-  clientName,
-  format,
-  records,
-}: Pick<
+/** What messages tell of a topic of a file. */
+export type DescribedTopic = Pick<
   RecordedTopic,
   'topic' | 'clientId' | 'clientName' | 'format' | 'records'
->): RecordingTopic {
-  return { topic, clientId, clientName, dataFormat: format, recordCount: records };
+>;
+
+/** A topic of a file, as messages have it. [RC-54] */
+export function describeTopic(
+  { topic, clientId, clientName, format, records }: DescribedTopic,
+  { topicBytes, idCharacters, nameCharacters, identifierCharacters }: TextLimits,
+): RecordingTopic {
+  return {
+    topic: shortened(topic, topicBytes),
+    clientId: shortened(clientId, idCharacters),
+    clientName: shortened(clientName, nameCharacters),
+    dataFormat: shortened(format, identifierCharacters),
+    recordCount: records,
+  };
 }

@@ -1,17 +1,24 @@
 import { RecordingKind, RecordingState, ServiceError, type Recording } from '@ubii/proto';
+import { counted, plural } from '@ubii/words';
 import { changeRecording } from '../repair/change-recording.ts';
 import { RecordingError } from '../records/recording-error.ts';
+import { judgeRecording } from '../reading/judge-recording.ts';
+import type { MalformedEvents } from '../reading/recorded-events.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import { repairRecording } from '../repair/repair-recording.ts';
 import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from './recorder.ts';
-import { describeFile, describeTopic, factsOf, formatHeader, parseFacts } from './file-facts.ts';
+import { adoptedFacts } from './adopted-facts.ts';
+import { boundFacts, listedSelection } from './bound-facts.ts';
+import { describeFile, describeTopic, formatHeader, parseFacts } from './file-facts.ts';
 import type { FileFacts } from './file-facts.ts';
 import { describeMarker, MarkerList } from './marker-list.ts';
 import { msOf } from './nanoseconds.ts';
+import type { RecorderLimits } from './recorder-limits.ts';
 import type { OpenFile, RecordingFolder } from './recording-folder.ts';
+import { pageOf, type RecordingPage } from './recording-page.ts';
 
 interface ListedFile {
-  readonly facts: FileFacts;
+  readonly facts: Pick<FileFacts, 'makerId'>;
   readonly recording: Recording;
 }
 
@@ -27,7 +34,7 @@ const NOT_REPAIRED: Outcome = {
 /** What the list works with. */
 export interface FileListContext {
   readonly folder: RecordingFolder;
-  readonly maxMarkers: number;
+  readonly limits: RecorderLimits;
   /** The list changed. */
   onChange(): void;
 }
@@ -73,62 +80,66 @@ export class FileList {
     return this.values().reduce((sum, { sizeBytes }) => sum + sizeBytes, 0);
   }
 
-  /** With topics and markers. @throws ServiceError when there is none of this id */
-  async get(id: string): Promise<KeptRecording> {
+  /** @param page of topics and markers; default: none of them @throws ServiceError when there is none of this id */
+  async get(id: string, page?: RecordingPage): Promise<KeptRecording> {
     await this.scan();
-    const { facts, recording } = this.#require(id);
-    const file = await this.#context.folder.open(id);
-    try {
-      const { summary } = await RecordingReader.open(file);
-      const topics = summary.topics.map(describeTopic);
-      const markers = summary.markers.map((marker) => describeMarker(id, marker));
-      return { recording: { ...recording, topics, markers }, makerId: facts.makerId };
-    } finally {
-      await file.close();
-    }
+    return this.#ofListed(id, async ({ facts: { makerId }, recording }) => {
+      const file = await this.#context.folder.open(id);
+      try {
+        if (page === undefined) return { recording, makerId };
+        return { recording: { ...recording, ...(await this.#pageOf(id, file, page)) }, makerId };
+      } finally {
+        await file.close();
+      }
+    });
   }
 
   /** [RC-6] */
   async change(id: string, { name, notes }: RecordingTexts): Promise<Recording> {
     await this.scan();
-    await this.#edit(id, (file) => {
-      const facts = { ...this.#require(id).facts, name, notes };
-      return changeRecording(file, { header: formatHeader(facts) });
+    return this.#ofListed(id, async () => {
+      await this.#edit(id, async (file) => {
+        const { summary } = await RecordingReader.open(file);
+        const facts = { ...boundFacts(parseFacts(summary), this.#context.limits), name, notes };
+        await changeRecording(file, { header: formatHeader(facts) });
+      });
+      return this.read(id);
     });
-    return this.read(id);
   }
 
   /** [RC-22] */
   async mark(job: MarkerJob): Promise<void> {
     const { recordingId } = job.marker;
     await this.scan();
-    await this.#edit(recordingId, async (file) => {
-      const { summary } = await RecordingReader.open(file);
-      const list = new MarkerList(summary.markers, this.#context.maxMarkers);
-      await changeRecording(file, { events: [list.apply(job)] });
+    await this.#ofListed(recordingId, async () => {
+      await this.#edit(recordingId, async (file) => {
+        const { summary } = await RecordingReader.open(file);
+        const list = new MarkerList(summary.markers, this.#context.limits.markersPerRecording);
+        await changeRecording(file, { events: [list.apply(job)] });
+      });
+      await this.read(recordingId);
     });
-    await this.read(recordingId);
   }
 
   async delete(id: string): Promise<void> {
     await this.scan();
     this.#require(id);
     await this.#context.folder.delete(id);
-    this.#files.delete(id);
-    this.#context.onChange();
+    this.#forget(id);
   }
 
   /** Takes in a file that was uploaded. [RC-41] */
   async adopt(job: RecordingJob, nowMs: number): Promise<Recording> {
-    const { folder } = this.#context;
+    const { folder, limits } = this.#context;
     await this.scan();
     await folder.takeUpload(job.id);
     try {
       await this.#edit(job.id, async (file) => {
         await repairRecording(file);
+        await judgeRecording(file, limits);
         const { summary } = await RecordingReader.open(file);
-        const header = formatHeader(adopted(job, parseFacts(summary), nowMs));
-        await changeRecording(file, { header });
+        const facts = adoptedFacts(job, parseFacts(summary), nowMs, limits);
+        await changeRecording(file, { header: formatHeader(facts) });
       });
       return await this.read(job.id);
     } catch (cause) {
@@ -143,10 +154,15 @@ export class FileList {
   async read(id: string, outcome?: Outcome): Promise<Recording> {
     const file = await this.#context.folder.open(id);
     try {
-      const { summary } = await RecordingReader.open(file);
-      const facts = { ...parseFacts(summary), ...(summary.isDamaged && NOT_REPAIRED), ...outcome };
-      const recording = describeFile(id, facts, summary, Number(await file.size()));
-      this.#files.set(id, { facts, recording });
+      const { summary, malformed } = await RecordingReader.open(file);
+      const facts = {
+        ...boundFacts(withProblem(parseFacts(summary), malformed), this.#context.limits),
+        ...(summary.isDamaged && NOT_REPAIRED),
+        ...outcome,
+      };
+      const described = describeFile(id, facts, summary, Number(await file.size()));
+      const recording = { ...described, selection: listedSelection(facts.selection) };
+      this.#files.set(id, { facts: { makerId: facts.makerId }, recording });
       this.#context.onChange();
       return recording;
     } finally {
@@ -171,6 +187,34 @@ export class FileList {
     const listed = this.#files.get(id);
     if (listed !== undefined) return listed;
     throw new ServiceError('not_found', `No recording has the id "${id}".`);
+  }
+
+  #forget(id: string): void {
+    this.#files.delete(id);
+    this.#context.onChange();
+  }
+
+  /** Works with a file of the list. @throws ServiceError when it is gone, was deleted meanwhile, or cannot be read */
+  async #ofListed<T>(id: string, work: (listed: ListedFile) => Promise<T>): Promise<T> {
+    const listed = this.#require(id);
+    try {
+      return await work(listed);
+    } catch (cause) {
+      if (cause instanceof ServiceError) throw cause;
+      // Another program deleted its file.
+      if (this.#files.has(id) && !(await this.#context.folder.has(id))) this.#forget(id);
+      this.#require(id);
+      if (!(cause instanceof RecordingError)) throw cause;
+      const text = `The file of this recording cannot be read: ${cause.message}`;
+      throw new ServiceError('failed_precondition', text, { cause });
+    }
+  }
+
+  async #pageOf(id: string, file: OpenFile, page: RecordingPage) {
+    const { limits } = this.#context;
+    const { summary } = await RecordingReader.open(file);
+    const { selection } = boundFacts(parseFacts(summary), limits);
+    return { selection, ...pageOf(id, summary, page, limits) };
   }
 
   async #scan(): Promise<void> {
@@ -217,13 +261,12 @@ export class FileList {
   }
 }
 
-/** What is kept of an upload: of the recording of a node, all that its file says. [RC-41] [RC-63] */
-function adopted(job: RecordingJob, own: FileFacts, nowMs: number): FileFacts {
-  if (job.isOfNode === true) return { ...own, author: job.author, makerId: job.makerId };
-  const { notes, personalData, study } = own;
-  const name = job.name || own.name;
-  const texts = { ...job, name, notes, personalData, study };
-  return factsOf(texts, RecordingKind.RECORDING_KIND_IMPORT, nowMs);
+/** Says so when events are left out. [RC-55] */
+function withProblem(facts: FileFacts, malformed: MalformedEvents | undefined): FileFacts {
+  if (malformed === undefined) return facts;
+  const { count, first } = malformed;
+  const text = `${counted(count, 'malformed event')} ${plural(count, 'is', 'are')} left out. ${first}`;
+  return { ...facts, problem: [facts.problem, text].filter((one) => one !== '').join(' ') };
 }
 
 function problemOf(lostAfterNs: bigint | undefined): string {

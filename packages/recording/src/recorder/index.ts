@@ -14,9 +14,12 @@ export {
   type RunningJob,
 } from './recorder.ts';
 export { clientEvent, clockEvent, deviceEvent, eventOf, gapEvent, sessionEvent } from './facts.ts';
+export { MAX_TIME_MS } from '../records/event-schemas.ts';
 export { msOf, nsOf } from './nanoseconds.ts';
-export { RecorderEngine, type RecorderContext, type RecorderLimits } from './recorder-engine.ts';
+export { RecorderEngine, type RecorderContext } from './recorder-engine.ts';
+export type { RecorderLimits } from './recorder-limits.ts';
 export type { OpenFile, RecordingFolder } from './recording-folder.ts';
-export { AT_MASTER } from './file-facts.ts';
+export { AT_MASTER, WITHOUT_PAGE } from './file-facts.ts';
+export { elementsFrom, type RecordingPage } from './recording-page.ts';
 export { isInternalTopic } from './internal-topics.ts';
 export { OpenBatch, recordsOf, type BatchedSource } from './recording-batch.ts';

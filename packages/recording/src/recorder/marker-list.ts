@@ -1,4 +1,5 @@
-import { ServiceError, type RecordingMarker } from '@ubii/proto';
+import { ServiceError, type RecordingMarker, type TextLimits } from '@ubii/proto';
+import { oneLine, shortened } from '@ubii/words';
 import type { Marker, RecordingEvent } from '../records/recording-event.ts';
 import type { MarkerJob } from './recorder.ts';
 import { nsOf } from './nanoseconds.ts';
@@ -49,10 +50,17 @@ export class MarkerList {
   }
 }
 
-/** A marker as services describe it. */
-export function describeMarker(recordingId: string, marker: Marker): RecordingMarker {
-  const { id, timeMs, text, author, authorId: clientId, isRemoved = false } = marker;
-  return { recordingId, id, timeMs, text, author, clientId, isRemoved };
+/** A marker as services describe it. [RC-54] */
+export function describeMarker(
+  recordingId: string,
+  { id, timeMs, text, author, authorId, isRemoved = false }: Marker,
+  { eventCharacters, nameCharacters }: TextLimits,
+): RecordingMarker {
+  return {
+    ...{ recordingId, id, timeMs, clientId: authorId, isRemoved },
+    text: shortened(text, eventCharacters),
+    author: shortened(oneLine(author, nameCharacters + 1), nameCharacters),
+  };
 }
 
 /** [RC-23] */

@@ -27,7 +27,9 @@ import { FileList } from './file-list.ts';
 import { FlightRecorder } from './flight-recorder.ts';
 import { recordsOf } from './recording-batch.ts';
 import { recordedOf } from './recorded-record.ts';
+import type { RecorderLimits } from './recorder-limits.ts';
 import type { RecordingFolder } from './recording-folder.ts';
+import type { RecordingPage } from './recording-page.ts';
 import { notWritten, RunningRecordings } from './running-recordings.ts';
 
 /** What a recorder works with. */
@@ -35,12 +37,6 @@ export interface RecorderContext {
   readonly folder: RecordingFolder;
   readonly clock: Clock;
   readonly limits: RecorderLimits;
-}
-
-/** Limits that the recorder itself watches; see `LIMITS`. */
-export interface RecorderLimits {
-  readonly recordingsBytes: number;
-  readonly markersPerRecording: number;
 }
 
 /** Time between two looks at what runs, milliseconds: chunks end with it, so that a crash loses less than a second [RC-7]. */
@@ -64,9 +60,8 @@ export class RecorderEngine implements Recorder {
   constructor(context: RecorderContext) {
     const { folder, limits } = context;
     this.#context = context;
-    const maxMarkers = limits.markersPerRecording;
-    this.#flight = new FlightRecorder(maxMarkers);
-    this.#files = new FileList({ folder, maxMarkers, onChange: () => this.#listRevision++ });
+    this.#flight = new FlightRecorder(limits.markersPerRecording);
+    this.#files = new FileList({ folder, limits, onChange: () => this.#listRevision++ });
     this.#running = new RunningRecordings({ ...context, files: this.#files });
   }
 
@@ -132,9 +127,9 @@ export class RecorderEngine implements Recorder {
     });
   }
 
-  async get(id: string): Promise<KeptRecording> {
-    const running = await this.#inOrder(() => Promise.resolve(this.#running.get(id)));
-    return running ?? this.#files.get(id);
+  async get(id: string, page?: RecordingPage): Promise<KeptRecording> {
+    const running = await this.#inOrder(() => Promise.resolve(this.#running.get(id, page)));
+    return running ?? this.#files.get(id, page);
   }
 
   async change(id: string, texts: RecordingTexts): Promise<Recording> {

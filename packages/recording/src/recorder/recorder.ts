@@ -8,6 +8,7 @@ import type {
   RecordingStudy,
 } from '@ubii/proto';
 import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecordingPage } from './recording-page.ts';
 
 /** Who publishes what. The same object for all records of one publisher on one topic. */
 export interface RecordSource {
@@ -63,8 +64,10 @@ export interface RecordingJob {
   readonly personalData: string;
   /** Which part of a study it is [ST-24]. */
   readonly study?: RecordingStudy | undefined;
-  /** Of an upload: a node recorded it for this master, so that what its file says of it stays. [RC-63] */
+  /** Of an upload: a node recorded it for this master, so that most of what its file says of it stays. [RC-63] */
   readonly isOfNode?: boolean;
+  /** Of an upload: it stays part of the study that its file names. [RC-41] @default false */
+  readonly keepsStudy?: boolean;
 }
 
 /** A recording to start. */
@@ -143,8 +146,8 @@ export interface Recorder {
   /** Closes the file. A recording that is finished stays as it is. */
   stop(id: string): Promise<Recording>;
   list(): Promise<RecorderList>;
-  /** With topics and markers. */
-  get(id: string): Promise<KeptRecording>;
+  /** @param page of topics and markers; default: none of them */
+  get(id: string, page?: RecordingPage): Promise<KeptRecording>;
   change(id: string, texts: RecordingTexts): Promise<Recording>;
   /** Deletes the file; stops a running recording first. */
   delete(id: string): Promise<void>;

@@ -9,6 +9,7 @@ export interface OpenFile extends RecordingFile {
 export interface RecordingFolder {
   /** Ids of all files. */
   list(): Promise<readonly string[]>;
+  has(id: string): Promise<boolean>;
   /** Creates a file for writing. @throws when it exists */
   create(id: string): Promise<OpenFile>;
   /** Opens a file for reading. @throws when there is none */

@@ -1,11 +1,18 @@
-import { RecordingKind, RecordingState, type Recording, type RecordingTopic } from '@ubii/proto';
+import { RecordingKind, RecordingState, type Recording } from '@ubii/proto';
 import { changeRecording } from '../repair/change-recording.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
 import { repairRecording } from '../repair/repair-recording.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecordingTexts, RunningJob } from './recorder.ts';
-import { AT_MASTER, describeTopic, factsOf, formatHeader, type FileFacts } from './file-facts.ts';
+import {
+  AT_MASTER,
+  factsOf,
+  formatHeader,
+  WITHOUT_PAGE,
+  type DescribedTopic,
+  type FileFacts,
+} from './file-facts.ts';
 import { MarkerList } from './marker-list.ts';
 import type { OpenFile } from './recording-folder.ts';
 
@@ -110,8 +117,8 @@ export class RunningRecording {
   }
 
   /** What was recorded of each topic so far. */
-  topics(): RecordingTopic[] {
-    return this.#writer.topics.map(describeTopic);
+  get topics(): readonly DescribedTopic[] {
+    return this.#writer.topics;
   }
 
   toMessage(nowMs: number): Recording {
@@ -131,8 +138,7 @@ export class RunningRecording {
       selection: job.selection,
       study: job.study,
       budget: job.budget,
-      topics: [],
-      markers: [],
+      ...WITHOUT_PAGE,
       replayedRecordingId,
       ...AT_MASTER,
     };

@@ -4,8 +4,9 @@ import type { RecordingEvent } from '../records/recording-event.ts';
 import type { Clock } from '@ubii/timing';
 import type { KeptRecording, MarkerJob, RecordingTexts, RunningJob } from './recorder.ts';
 import type { FileList } from './file-list.ts';
-import { describeMarker } from './marker-list.ts';
+import type { RecorderLimits } from './recorder-limits.ts';
 import type { RecordingFolder } from './recording-folder.ts';
+import { pageOf, type RecordingPage } from './recording-page.ts';
 import { RunningRecording } from './running-recording.ts';
 
 /** What running recordings need. */
@@ -13,7 +14,7 @@ export interface RunningContext {
   readonly folder: RecordingFolder;
   readonly clock: Clock;
   readonly files: FileList;
-  readonly limits: { readonly recordingsBytes: number; readonly markersPerRecording: number };
+  readonly limits: RecorderLimits;
 }
 
 /** Recordings whose files are being written. */
@@ -45,12 +46,17 @@ export class RunningRecordings {
     return [...this.#running.values()].map((each) => each.toMessage(nowMs)).reverse();
   }
 
-  get(id: string): KeptRecording | undefined {
+  /** @param page of topics and markers; default: none of them */
+  get(id: string, page?: RecordingPage): KeptRecording | undefined {
     const running = this.#running.get(id);
     if (running === undefined) return undefined;
-    const markers = running.markers.values().map((marker) => describeMarker(id, marker));
-    const recording = { ...running.toMessage(this.#nowMs()), topics: running.topics(), markers };
-    return { recording, makerId: running.job.makerId };
+    const { topics, job } = running;
+    const parts = { topics, markers: running.markers.values() };
+    const recording = {
+      ...running.toMessage(this.#nowMs()),
+      ...(page && pageOf(id, parts, page, this.#context.limits)),
+    };
+    return { recording, makerId: job.makerId };
   }
 
   /** @throws ServiceError when the file cannot be created */

@@ -1,6 +1,6 @@
 import type { ServiceErrorCode } from '@ubii/proto';
 import type { RecordingEvent } from '../records/recording-event.ts';
-import type { RecorderLimits } from '../recorder/recorder-engine.ts';
+import type { RecorderLimits } from '../recorder/recorder-limits.ts';
 import type {
   Recorder,
   RecorderState,

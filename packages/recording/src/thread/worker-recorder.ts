@@ -20,6 +20,7 @@ import type {
   RecordingBatch,
   RunningJob,
 } from '../recorder/recorder.ts';
+import type { RecordingPage } from '../recorder/recording-page.ts';
 import { openThread } from './open-thread.ts';
 import type {
   FromThread,
@@ -113,8 +114,8 @@ export class WorkerRecorder implements Recorder {
     return this.#call('list');
   }
 
-  get(id: string): Promise<KeptRecording> {
-    return this.#call('get', id);
+  get(id: string, page?: RecordingPage): Promise<KeptRecording> {
+    return this.#call('get', id, page);
   }
 
   change(id: string, texts: RecordingTexts): Promise<Recording> {

@@ -23,8 +23,7 @@ export function openRecordings(options: RecordingOptions): {
   readonly replayFiles: ReplayFiles;
 } {
   const { folder, clock, log, recorderWorkerFile, replayWorkerFile } = options;
-  const { recordingsBytes, markersPerRecording } = options.limits;
-  const limits: RecorderLimits = { recordingsBytes, markersPerRecording };
+  const { limits } = options;
   const here = { folder: new DiskFolder(folder), clock };
   const onThread = { folder, clock, log };
   return {

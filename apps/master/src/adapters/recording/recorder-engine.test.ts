@@ -1,4 +1,4 @@
-import { RecordingState } from '@ubii/proto';
+import { DEFAULT_TEXT_LIMITS, RecordingState } from '@ubii/proto';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import {
@@ -11,7 +11,10 @@ import { MemoryFolder } from '../../testing/index.ts';
 import { readRecording } from '../../testing/read-recording.ts';
 import { RecorderEngine, type RecorderLimits } from '@ubii/recording/recorder';
 
-const LIMITS: RecorderLimits = { recordingsBytes: 1e9, markersPerRecording: 100 };
+const LIMITS: RecorderLimits = {
+  ...DEFAULT_TEXT_LIMITS,
+  ...{ recordingsBytes: 1e9, markersPerRecording: 100 },
+};
 
 function openEngine({
   folder = new MemoryFolder(),

@@ -77,7 +77,9 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     recordings: core.recordings,
     uploadRecording(upload: Upload, name: string, facts: CallerFacts): Promise<Recording> {
       const caller = core.access.identify(facts);
-      const wish = { name, notes: '', author: '', makerId: makerOf(caller) };
+      // What people upload becomes no part of a study, unless an admin brings it back. [RC-41]
+      const keepsStudy = caller.role === 'admin';
+      const wish = { name, notes: '', author: '', makerId: makerOf(caller), keepsStudy };
       const write = openAudit(core, caller, { service: 'POST /recordings', object: name });
       return writeResult(write, () => core.recordings.upload(upload, wish));
     },

@@ -9,6 +9,7 @@ import type {
   KeptRecording,
   MarkerJob,
   RecordingJob,
+  RecordingPage,
   RecordingTexts,
 } from '@ubii/recording/recorder';
 import { makerOfAccess, type Caller } from '../access/caller.ts';
@@ -22,7 +23,7 @@ import { isRunning, NodeRecordingTable } from './node-recording-table.ts';
 import { NodeReports } from './node-reports.ts';
 import { NodeSources, type NodeSourcesContext } from './node-sources.ts';
 import { requireEnd, requireRecorder, requireUploader } from './recorder-nodes.ts';
-import { newRecording } from './reported-recording.ts';
+import { newRecording, reportedPage } from './reported-recording.ts';
 
 /** What recordings at nodes work with. */
 export interface NodeRecordingsContext extends NodeSourcesContext {
@@ -30,7 +31,10 @@ export interface NodeRecordingsContext extends NodeSourcesContext {
 }
 
 /** What is kept of who wanted a recording, for its upload. */
-export type WishedFacts = Pick<RecordingJob, 'name' | 'author' | 'makerId'>;
+export type WishedFacts = Pick<
+  RecordingJob,
+  'name' | 'author' | 'makerId' | 'study' | 'replayedRecordingId'
+>;
 
 /** Recordings that nodes make, or have and have not uploaded yet. [RC-60] */
 export class NodeRecordings {
@@ -62,14 +66,15 @@ export class NodeRecordings {
     return this.#table.get(id) !== undefined;
   }
 
-  /** With topics and markers, as long as its node is there. */
-  async get(id: string): Promise<KeptRecording> {
+  /** @param page of topics and markers, as long as its node is there; default: none of them */
+  async get(id: string, page?: RecordingPage): Promise<KeptRecording> {
     const entry = this.#table.require(id);
     const kept = { recording: this.#table.describe(entry), makerId: entry.makerId };
-    if (kept.recording.nodeIsAway) return kept;
-    const { recording } = await this.#orders.ask(entry.recording.nodeId, { get: { id } });
-    const { topics = [], markers = [] } = recording ?? {};
-    return { ...kept, recording: { ...kept.recording, topics, markers } };
+    if (page === undefined || kept.recording.nodeIsAway) return kept;
+    const answer = await this.#orders.ask(entry.recording.nodeId, { get: { id, ...page } });
+    const told = answer.recording && this.#reports.bounded(answer.recording);
+    if (told === undefined) return kept;
+    return { ...kept, recording: { ...kept.recording, ...reportedPage(told, page) } };
   }
 
   /** @throws ServiceError when the node does not record for the master, or refuses [RC-60] */
@@ -157,8 +162,8 @@ export class NodeRecordings {
   requireUpload(id: string, clientId: string, caller: Caller): WishedFacts {
     const { recording, author, makerId } = this.#table.require(id);
     requireUploader(recording, clientId, caller);
-    const { name } = recording;
-    return { name, author, makerId };
+    const { name, study, replayedRecordingId } = recording;
+    return { name, author, makerId, study, replayedRecordingId };
   }
 
   /** Its file is at the master now. */

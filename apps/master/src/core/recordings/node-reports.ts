@@ -135,11 +135,20 @@ export class NodeReports {
     }
   }
 
-  /** What a node said, with texts as long as they may be; undefined when it has a name or id that is too long. */
   #bounded(elements: readonly Recording[]): readonly Recording[] | undefined {
+    const bounded = elements.flatMap((one) => this.bounded(one) ?? []);
+    return bounded.length < elements.length ? undefined : bounded;
+  }
+
+  /**
+   * What a node said, with texts as long as they may be, and without what only the master knows: a node cannot make a
+   * recording part of a study, or a comparison. [RC-63] Undefined when it has an id or topic that is too long.
+   */
+  bounded(told: Recording): Recording | undefined {
     const { limits } = this.#context.limits;
     try {
-      return elements.map((one) => cutTexts('ubii.extension.Recording', one, limits));
+      const bounded = cutTexts('ubii.extension.Recording', told, limits);
+      return { ...bounded, study: undefined, replayedRecordingId: '' };
     } catch {
       return undefined;
     }

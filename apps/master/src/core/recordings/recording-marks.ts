@@ -1,5 +1,5 @@
 import { ServiceError, type RecordingMarker } from '@ubii/proto';
-import type { Recorder } from '@ubii/recording/recorder';
+import { MAX_TIME_MS, type Recorder } from '@ubii/recording/recorder';
 import type { Clock } from '@ubii/timing';
 import type { FlightOrders } from './flight-orders.ts';
 import { MarkerTopics, type MarkerContext, type Marking } from './marker-topics.ts';
@@ -33,7 +33,7 @@ export class RecordingMarks {
   ): Promise<RecordingMarker> {
     const { clock, ids, recorder, collector, atNodes, flight } = this.#context;
     const { timeMs } = wanted;
-    if (!(timeMs >= 0 && Number.isFinite(timeMs))) {
+    if (!(timeMs >= 0 && timeMs <= MAX_TIME_MS)) {
       throw new ServiceError(
         'invalid_argument',
         `The member time_ms is ${timeMs}, but a marker has a time in milliseconds since the Unix epoch, or 0 for now.`,

@@ -23,8 +23,11 @@ export interface NodeUpload extends Omit<Upload, 'id'> {
   readonly clientId: string;
 }
 
-/** What a recording of an upload is called, and whose it is. */
-export type UploadWish = Pick<RecordingJob, 'name' | 'notes' | 'author' | 'makerId'>;
+/** What a recording of an upload is called, whose it is, and what it belongs to. */
+export type UploadWish = Pick<
+  RecordingJob,
+  'name' | 'notes' | 'author' | 'makerId' | 'study' | 'replayedRecordingId' | 'keepsStudy'
+>;
 
 /** What uploads work with. */
 export interface RecordingUploadsContext {

@@ -23,6 +23,7 @@ import type {
   Recorder,
   RecorderState,
   RecordingJob,
+  RecordingPage,
 } from '@ubii/recording/recorder';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { NodeRecordings } from './node-recordings.ts';
@@ -136,8 +137,9 @@ export class Recordings {
     return { elements, sizeBytes, maxBytes, freeBytes };
   }
 
-  get(id: string): Promise<KeptRecording> {
-    return this.#at(id).get(id);
+  /** @param page of topics and markers; default: none of them [RC-54] */
+  get(id: string, page?: RecordingPage): Promise<KeptRecording> {
+    return this.#at(id).get(id, page);
   }
 
   /** [RC-4] [RC-60] */

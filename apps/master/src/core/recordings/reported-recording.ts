@@ -1,5 +1,11 @@
 import { RecordingKind, RecordingState, type Recording } from '@ubii/proto';
-import { AT_MASTER, type RecordingJob } from '@ubii/recording/recorder';
+import {
+  AT_MASTER,
+  elementsFrom,
+  WITHOUT_PAGE,
+  type RecordingJob,
+  type RecordingPage,
+} from '@ubii/recording/recorder';
 import type { Client } from '../clients/client.ts';
 
 /** Ids of recordings, which are names of files as well. */
@@ -26,8 +32,22 @@ export function reportedRecording(told: Recording, known: Known, client: Client)
     nodeId: client.id,
     nodeName: client.label,
     nodeIsAway: false,
-    topics: [],
-    markers: [],
+    ...WITHOUT_PAGE,
+  };
+}
+
+/** A page of topics and markers as a node tells it. A node that knows no pages sends all, from 0 on. [RC-54] */
+export function reportedPage(
+  { topics, topicsFrom, topicsTotal, markers, markersFrom }: Recording,
+  page: RecordingPage,
+): Pick<Recording, 'topics' | 'topicsFrom' | 'topicsTotal' | 'markers' | 'markersFrom'> {
+  const from = (wanted: number, told: number): number => Math.max(0, wanted - Math.max(0, told));
+  return {
+    topics: elementsFrom(topics, from(page.topicsFrom, topicsFrom), (topic) => topic),
+    topicsFrom: page.topicsFrom,
+    topicsTotal: Math.max(topicsTotal, topicsFrom + topics.length),
+    markers: elementsFrom(markers, from(page.markersFrom, markersFrom), (marker) => marker),
+    markersFrom: page.markersFrom,
   };
 }
 
@@ -41,7 +61,8 @@ export function newRecording(job: RecordingJob, nowMs: number): Recording {
     state: RecordingState.RECORDING_STATE_UNSPECIFIED,
     startedMs: nowMs,
     ...{ durationMs: 0, sizeBytes: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0 },
-    ...{ problem: '', selection: undefined, budget: undefined, topics: [], markers: [] },
+    ...{ problem: '', selection: undefined, budget: undefined },
+    ...WITHOUT_PAGE,
     ...AT_MASTER,
   };
 }

@@ -2,6 +2,7 @@ import { ServiceError, type Recording } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
 import { roleRefusal } from '../access/join-refusals.ts';
 import { ADMINS, PARTICIPANTS, PUBLISHERS, READERS } from '../access/roles.ts';
+import type { RecordingPage } from '@ubii/recording/recorder';
 import type { Core } from '../areas/core.ts';
 import type { RecordingWish } from '../recordings/recordings.ts';
 import { EVERYTHING } from '../recordings/selection.ts';
@@ -26,8 +27,8 @@ export const RECORDING_SERVICES = [
   // [RC-3]
   define('recordingGet', {
     roles: READERS,
-    async handle({ recordings }, { id }, call) {
-      const { recording } = await recordings.get(id);
+    async handle({ recordings }, { id, ...page }, call) {
+      const { recording } = await recordings.get(id, requirePage(page));
       if (mayKnow(call, recording)) return recording;
       throw new ServiceError(
         'permission_denied',
@@ -112,6 +113,15 @@ interface Wish {
 
 function wishOf(core: Parts, { clientId, name, notes }: Wish, call: ServiceCall): RecordingWish {
   return { name, notes, author: nameOfCaller(core, clientId), makerId: makerOf(call.caller) };
+}
+
+/** [RC-54] @throws ServiceError when a page begins before the first element */
+function requirePage({ topicsFrom, markersFrom }: RecordingPage): RecordingPage {
+  if (topicsFrom >= 0 && markersFrom >= 0) return { topicsFrom, markersFrom };
+  throw new ServiceError(
+    'invalid_argument',
+    'A page begins at 0 or later. Set `topics_from` and `markers_from` to 0 for the first page.',
+  );
 }
 
 /** @throws ServiceError when a participant has not made it [RC-5] */

@@ -26,6 +26,7 @@ export interface RecorderParts {
   reopen(): Recorder;
 }
 
+const FIRST_PAGE = { topicsFrom: 0, markersFrom: 0 };
 const TARGET = 2;
 const OTHER_TARGET = 4;
 const START_MS = 1_750_000_000_000;
@@ -123,7 +124,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const { recordings, sizeBytes } = await next.list();
       expect(recordings.map(({ id }) => id)).toEqual(['b', 'a']);
       expect(sizeBytes).toBeGreaterThan(0);
-      const { recording, makerId } = await next.get('a');
+      const { recording, makerId } = await next.get('a', FIRST_PAGE);
       expect(makerId).toBe('grant');
       expect(recording.topics).toMatchObject([
         { topic: '/x', clientId: 'ada-id', dataFormat: 'double', recordCount: 2 },
@@ -136,7 +137,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       await recorder.start(runningJob('a'));
       recorder.add(batchOf([...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]));
       const counts = async (): Promise<(string | number)[][]> => {
-        const { topics } = (await recorder.get('a')).recording;
+        const { topics } = (await recorder.get('a', FIRST_PAGE)).recording;
         return topics.map(({ topic, clientId, recordCount }) => [topic, clientId, recordCount]);
       };
       await expect.poll(counts).toEqual([
@@ -178,7 +179,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       await recorder.stop('a');
       const ofFile = marker('m', { recordingId: 'a', text: 'there', author: 'Bob' });
       await recorder.mark({ marker: ofFile, mayChangeAll: true });
-      const { markers, markerCount } = (await recorder.get('a')).recording;
+      const { markers, markerCount } = (await recorder.get('a', FIRST_PAGE)).recording;
       expect(markers).toMatchObject([
         { id: 'm', text: 'there', author: 'Ada', timeMs: START_MS + 1 },
       ]);
