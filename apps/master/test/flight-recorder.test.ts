@@ -137,11 +137,11 @@ describe('rights on recordings', () => {
     expect(master.recordings.files.size).toBe(0);
   });
 
-  it('[RC-31] let viewers look, and change nothing', async () => {
+  it('[RC-31] let viewers look at the flight recorder, and change nothing', async () => {
     const master = new TestMaster();
     const viewer = await joinAs(master, ACCESS_ROLE_VIEWER);
-    const list = await viewer.call({ topic: `${SERVICES}recording_list` });
-    expect(list.recordingList).toMatchObject({ elements: [], maxBytes: 20 * 1024 ** 3 });
+    const looked = await viewer.call({ topic: `${SERVICES}flight_recorder_get` });
+    expect(looked.flightRecorder).toMatchObject({ isOn: false });
     const topic = `${SERVICES}recording_start`;
     const refused = await viewer.call({ topic, recordingStartRequest: {} });
     expect(refused.error!.code).toBe('permission_denied');

@@ -1,14 +1,24 @@
 import { AccessRole, ReplayState } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { joinAs } from './access-world.ts';
-import { at, change, ledger, list, masterWith, play, RECORDING, stop } from './replay-world.ts';
+import {
+  at,
+  change,
+  ledger,
+  list,
+  makerOfRecording,
+  masterWith,
+  play,
+  RECORDING,
+  stop,
+} from './replay-world.ts';
 
 const { REPLAY_STATE_PAUSED } = ReplayState;
 
 describe('the end of a replay', () => {
   it('[RP-6] is for those who started it, and for admins', async () => {
     const master = await masterWith();
-    const ada = await joinAs(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const ada = await makerOfRecording(master);
     const bob = await joinAs(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
     const viewer = await joinAs(master, AccessRole.ACCESS_ROLE_VIEWER);
     await expect(play(viewer)).rejects.toThrow('permission_denied');

@@ -1,4 +1,5 @@
 import {
+  AccessRole,
   decode,
   encode,
   encodeRecord,
@@ -14,6 +15,7 @@ import type { RecordedRecord, RecordingEvent } from '@ubii/recording';
 import { recorded, recordedDevice, SAMPLE_START_NS } from '@ubii/recording/testing';
 import { MemoryFolder, MemoryRecording } from '../src/testing/memory-folder.ts';
 import { TestMaster, type TestClient, type TestMasterOptions } from '../src/testing/index.ts';
+import { createGrant, join } from './access-world.ts';
 
 /** Id of the recording. */
 export const RECORDING = 'lesson';
@@ -68,6 +70,19 @@ export async function masterWith(
   events?: readonly RecordingEvent[],
 ): Promise<TestMaster> {
   return new TestMaster({ recordings: await folderWith(records, events), ...options });
+}
+
+/** A participant that made the recording, which replaces the one of a master that has not read it yet. */
+export async function makerOfRecording(
+  master: TestMaster,
+  records = RECORDS,
+  events: readonly RecordingEvent[] = [],
+): Promise<TestClient> {
+  const { grant, token } = await createGrant(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+  const selection = JSON.stringify({ makerId: grant!.id });
+  const { bytes } = await recorded(records, events, { selection });
+  master.recordings.files.set(RECORDING, new MemoryRecording(bytes));
+  return join(master, token, 'maker');
 }
 
 /** Starts a replay. @throws Error with code and message when the master refuses */

@@ -89,11 +89,11 @@ describe('a study', () => {
     }
     const { token } = await createGrant(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
     const ben = await join(master, token, 'Ben');
-    const { study } = await ben.call({ topic: `${SERVICES}study_get`, studyRequest: { id } });
+    const { study } = await ben.call({ topic: `${SERVICES}study_save`, study: STUDY });
     expect(study).toMatchObject(STUDY);
     const deletion = await ben.call({
       topic: `${SERVICES}study_participant_delete`,
-      studyParticipantRequest: { studyId: id, participantCode: 'P01' },
+      studyParticipantRequest: { studyId: study!.id, participantCode: 'P01' },
     });
     expect(deletion.error?.code).toBe('permission_denied');
   });

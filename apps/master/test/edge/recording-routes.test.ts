@@ -6,6 +6,7 @@ import {
   addRecordings,
   type RecordingRoutesOptions,
 } from '../../src/adapters/http/recording-routes.ts';
+import { LOCAL_CALLER } from '../../src/core/ports/caller-facts.ts';
 
 it('[RC-40] refuses the file of a recording that is still on its node, and says where it is', async () => {
   const recording = {
@@ -19,7 +20,8 @@ it('[RC-40] refuses the file of a recording that is still on its node, and says 
     return reply.code(400).send();
   });
   addRecordings(app, {
-    master: { recordings: { get: () => Promise.resolve({ recording }) } },
+    master: { requireRecording: () => Promise.resolve(recording) },
+    callers: { read: () => LOCAL_CALLER },
     recordingsFolder: temporaryFolder(),
   } as unknown as RecordingRoutesOptions);
   await app.inject({ method: 'HEAD', url: '/recordings/a.mcap' });

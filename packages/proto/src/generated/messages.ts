@@ -2992,7 +2992,7 @@ export interface NodeRecorderSources {
 export interface NodeRecorderStart {
   /** Id, texts, selection, budget, study and replayed recording of it; the rest is empty. */
   recording: Recording | undefined;
-  /** Id of the invitation of who started it; empty when none was needed. Rule RC-5. */
+  /** Whose it is, as the master writes makers; empty for its operator. Rule RC-66. */
   makerId: string;
   /** Name of the master. */
   masterName: string;
@@ -3267,7 +3267,7 @@ export interface RecordingStartRequest {
  * `ubii.extension.RecordingStatus`
  */
 export interface RecordingStatus {
-  /** Recordings that run, the newest first, without selections. */
+  /** Recordings that run, the newest first, without notes and selections. */
   running: Recording[];
   /** The flight recorder, without its slots. */
   flightRecorder: FlightRecorder | undefined;
@@ -3345,7 +3345,7 @@ export interface Replay {
   name: string;
   /** Which recording is played. */
   recordingId: string;
-  /** Its name. */
+  /** Its name; of a recording of a study, without the participant. Rule ST-54. */
   recordingName: string;
   /** Name of the client that started it; empty when none did. */
   author: string;

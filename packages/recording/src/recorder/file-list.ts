@@ -76,6 +76,17 @@ export class FileList {
       .sort((a, b) => b.startedMs - a.startedMs);
   }
 
+  /** By id of the recording. */
+  makers(): [id: string, makerId: string][] {
+    return [...this.#files].map(([id, { facts }]) => [id, facts.makerId]);
+  }
+
+  /** @throws ServiceError when there is no recording of this id */
+  async makerOf(id: string): Promise<string> {
+    await this.scan();
+    return this.#require(id).facts.makerId;
+  }
+
   get sizeBytes(): number {
     return this.values().reduce((sum, { sizeBytes }) => sum + sizeBytes, 0);
   }

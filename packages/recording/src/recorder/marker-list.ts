@@ -36,7 +36,7 @@ export class MarkerList {
     if (before !== undefined && !mayChangeAll && before.authorId !== wanted.clientId) {
       throw new ServiceError(
         'permission_denied', // [RC-21]
-        'This marker is of another client. Participants and admins may change it.',
+        'This marker is of another client. Only the maker of the recording and admins may change it.',
       );
     }
     if (this.#changes >= this.#max) throw tooMany(this.#max);

@@ -122,14 +122,20 @@ export class RecorderEngine implements Recorder {
     // While its file is being closed, a recording is neither among those that run nor in the list.
     return this.#inOrder(() => {
       const recordings = [...this.#running.toMessages(), ...this.#files.values()];
+      const makers = new Map([...this.#files.makers(), ...this.#running.makers()]);
       const sizeBytes = this.#files.sizeBytes + this.#running.sizeBytes;
-      return Promise.resolve({ recordings, sizeBytes, freeBytes });
+      return Promise.resolve({ recordings, makers, sizeBytes, freeBytes });
     });
   }
 
   async get(id: string, page?: RecordingPage): Promise<KeptRecording> {
     const running = await this.#inOrder(() => Promise.resolve(this.#running.get(id, page)));
     return running ?? this.#files.get(id, page);
+  }
+
+  async makerOf(id: string): Promise<string> {
+    const running = await this.#inOrder(() => Promise.resolve(this.#running.makerOf(id)));
+    return running ?? this.#files.makerOf(id);
   }
 
   async change(id: string, texts: RecordingTexts): Promise<Recording> {
@@ -279,6 +285,6 @@ function nothingToMark(): ServiceError {
 function isFinished(): ServiceError {
   return new ServiceError(
     'permission_denied',
-    'This recording is finished. Participants and admins may change its markers.',
+    'This recording is finished. Only its maker and admins may change its markers.',
   );
 }

@@ -54,7 +54,7 @@ export interface RecordingJob {
   readonly name: string;
   readonly notes: string;
   readonly author: string;
-  /** Id of the invitation of who started it; empty when none was needed [RC-5]. */
+  /** Whose it is, as the master writes makers; empty for its operator [RC-66]. */
   readonly makerId: string;
   readonly masterName: string;
   readonly version: string;
@@ -86,7 +86,7 @@ export interface FlightJob extends FlightRecorderSettings {
   readonly present: readonly RecordingEvent[];
 }
 
-/** A finished or running recording, with the invitation that it belongs to. */
+/** A finished or running recording, with its maker. */
 export interface KeptRecording {
   readonly recording: Recording;
   readonly makerId: string;
@@ -96,6 +96,8 @@ export interface KeptRecording {
 export interface RecorderList {
   /** The newest first. */
   readonly recordings: readonly Recording[];
+  /** Makers, by id of the recording. [RC-66] */
+  readonly makers: ReadonlyMap<string, string>;
   readonly sizeBytes: number;
   /** Free space on the disk, bytes; 0 when unknown. */
   readonly freeBytes: number;
@@ -124,7 +126,7 @@ export interface MarkerJob {
   readonly marker: RecordingMarker;
   /** How it came, for one that is new. @default service */
   readonly kind?: 'service' | 'topic';
-  /** Finished recordings, and markers of others, as well [RC-21]. */
+  /** Finished recordings, and markers of others, as well: the maker of the recording, and admins [RC-21]. */
   readonly mayChangeAll: boolean;
 }
 
@@ -148,6 +150,8 @@ export interface Recorder {
   list(): Promise<RecorderList>;
   /** @param page of topics and markers; default: none of them */
   get(id: string, page?: RecordingPage): Promise<KeptRecording>;
+  /** Whose a recording is, without reading its file. [RC-66] */
+  makerOf(id: string): Promise<string>;
   change(id: string, texts: RecordingTexts): Promise<Recording>;
   /** Deletes the file; stops a running recording first. */
   delete(id: string): Promise<void>;

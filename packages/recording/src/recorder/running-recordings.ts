@@ -46,6 +46,15 @@ export class RunningRecordings {
     return [...this.#running.values()].map((each) => each.toMessage(nowMs)).reverse();
   }
 
+  /** By id of the recording. */
+  makers(): [id: string, makerId: string][] {
+    return [...this.#running].map(([id, { job }]) => [id, job.makerId]);
+  }
+
+  makerOf(id: string): string | undefined {
+    return this.#running.get(id)?.job.makerId;
+  }
+
   /** @param page of topics and markers; default: none of them */
   get(id: string, page?: RecordingPage): KeptRecording | undefined {
     const running = this.#running.get(id);

@@ -118,6 +118,10 @@ export class WorkerRecorder implements Recorder {
     return this.#call('get', id, page);
   }
 
+  makerOf(id: string): Promise<string> {
+    return this.#call('makerOf', id);
+  }
+
   change(id: string, texts: RecordingTexts): Promise<Recording> {
     return this.#call('change', id, texts);
   }

@@ -13,7 +13,7 @@ import { receiveUpload } from '../recording/receive-upload.ts';
 import { parseByteRange } from './byte-range.ts';
 
 export interface RecordingRoutesOptions {
-  readonly master: Pick<Master, 'recordings' | 'uploadRecording' | 'uploadNodeRecording'>;
+  readonly master: Pick<Master, 'requireRecording' | 'uploadRecording' | 'uploadNodeRecording'>;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly recordingsFolder: string;
   readonly limits: Pick<Limits, 'nameCharacters'>;
@@ -32,12 +32,12 @@ export function addRecordings(app: FastifyInstance, options: RecordingRoutesOpti
 }
 
 async function sendFile(
-  { params, headers }: FastifyRequest,
+  { params, headers, raw }: FastifyRequest,
   reply: FastifyReply,
-  { master, recordingsFolder }: RecordingRoutesOptions,
+  { master, callers, recordingsFolder }: RecordingRoutesOptions,
 ): Promise<FastifyReply> {
   const { id } = params as { readonly id: string };
-  const { name, state, nodeName } = (await master.recordings.get(id)).recording;
+  const { name, state, nodeName } = await master.requireRecording(id, callers.read(raw));
   if (state === RecordingState.RECORDING_STATE_RECORDING) {
     throw new ServiceError(
       'failed_precondition',

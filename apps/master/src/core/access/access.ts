@@ -150,11 +150,16 @@ export class Access {
   /** The credential of a client, as its registration says it; nothing for one that needs none. */
   credentialOf(
     clientId: string,
-    { grant, expiresMs }: ClientAccess,
+    { grant, holderId, expiresMs }: ClientAccess,
   ): Pick<ClientExtension, 'credential' | 'credentialExpiresMs'> | undefined {
     if (grant === undefined) return undefined;
     const { secrets } = this.#context;
-    const credential = writeCredential(secrets, { clientId, grantId: grant.id, expiresMs });
+    const credential = writeCredential(secrets, {
+      clientId,
+      grantId: grant.id,
+      holderId: holderId || clientId,
+      expiresMs,
+    });
     return { credential, credentialExpiresMs: expiresMs };
   }
 
@@ -170,14 +175,14 @@ export class Access {
     const credential = readCredential(this.#context.secrets, bearer);
     if (credential === undefined) return stranger(JOIN_PROBLEM_WRONG);
     const grant = this.grants.get(credential.grantId);
-    const { clientId, expiresMs } = credential;
+    const { clientId, holderId, expiresMs } = credential;
     if (grant !== undefined && this.#here(grant, facts) === undefined) {
       return stranger(JOIN_PROBLEM_WRONG);
     }
     if (grant === undefined || grant.revokedMs > 0) return stranger(JOIN_PROBLEM_REVOKED);
     const endMs = Math.min(expiresMs, grant.staysUntilMs);
     if (endMs <= this.#context.clock.nowMs()) return stranger(JOIN_PROBLEM_EXPIRED);
-    return { kind: 'client', role: grant.role, clientId, grant, expiresMs };
+    return { kind: 'client', role: grant.role, clientId, grant, holderId, expiresMs };
   }
 
   /** The grant where it may be used: that of a terminal is as good as none elsewhere, also at another master [AC-43]. */

@@ -15,6 +15,8 @@ export type Caller =
       readonly role: Role;
       readonly clientId: string;
       readonly grant: Grant;
+      /** The client that joined first, with whose credential further ones did [AC-23]; else itself. */
+      readonly holderId: string;
       /** End of the credential, epoch milliseconds. */
       readonly expiresMs: number;
     }
@@ -32,6 +34,8 @@ export interface ClientAccess {
   readonly role: Role;
   /** Its invitation; undefined for all but `grant`. */
   readonly grant: Grant | undefined;
+  /** The client that joined first, with whose credential this one did [AC-23]; empty for itself. */
+  readonly holderId: string;
   /** End of its newest credential, epoch milliseconds. */
   readonly expiresMs: number;
 }
@@ -53,8 +57,11 @@ export function accessOf(caller: Caller, expiresMs: number): ClientAccess {
     case 'network':
       return NETWORK_ACCESS;
     case 'client':
-    case 'joining':
-      return { kind: 'grant', role: caller.grant.role, grant: caller.grant, expiresMs };
+    case 'joining': {
+      const { grant } = caller;
+      const holderId = caller.kind === 'client' ? caller.holderId : '';
+      return { kind: 'grant', role: grant.role, grant, holderId, expiresMs };
+    }
     case 'stranger':
       throw caller.refusal;
   }
@@ -71,5 +78,5 @@ export function makerOfAccess({ grant }: ClientAccess): string {
 }
 
 function withoutGrant(kind: 'local' | 'network', role: Role): ClientAccess {
-  return { kind, role, grant: undefined, expiresMs: Number.POSITIVE_INFINITY };
+  return { kind, role, grant: undefined, holderId: '', expiresMs: Number.POSITIVE_INFINITY };
 }

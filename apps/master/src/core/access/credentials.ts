@@ -7,6 +7,8 @@ export const CREDENTIAL_LIFETIME_MS = 7 * 24 * 3_600_000;
 export interface Credential {
   readonly clientId: string;
   readonly grantId: string;
+  /** The client that joined first, with whose credential this one did [AC-23]; its own id when it joined itself. */
+  readonly holderId: string;
   /** Epoch milliseconds. */
   readonly expiresMs: number;
 }
@@ -18,8 +20,9 @@ const MAX_LENGTH = 400;
 
 /** Writes a credential: what it says, then the proof that it was written here. */
 export function writeCredential(secrets: AccessSecrets, credential: Credential): string {
-  const { clientId, grantId, expiresMs } = credential;
-  const text = `${PREFIX}${clientId}.${grantId}.${Math.round(expiresMs)}`;
+  const { clientId, grantId, holderId, expiresMs } = credential;
+  const holder = holderId === clientId ? '' : `.${holderId}`;
+  const text = `${PREFIX}${clientId}.${grantId}.${Math.round(expiresMs)}${holder}`;
   return `${text}.${secrets.sign(text)}`;
 }
 
@@ -33,7 +36,8 @@ export function readCredential(secrets: AccessSecrets, text: string): Credential
   if (text.length > MAX_LENGTH) return undefined;
   const end = text.lastIndexOf('.');
   const signed = text.slice(0, end);
-  const [, clientId = '', grantId = '', expires = '', ...more] = signed.split('.');
+  const [, clientId = '', grantId = '', expires = '', holderId = clientId, ...more] =
+    signed.split('.');
   if (more.length > 0 || !secrets.verify(signed, text.slice(end + 1))) return undefined;
-  return { clientId, grantId, expiresMs: Number(expires) };
+  return { clientId, grantId, holderId, expiresMs: Number(expires) };
 }

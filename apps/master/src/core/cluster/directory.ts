@@ -118,7 +118,9 @@ export class Directory {
   #accessOf({ role, grantId, accessKind }: ClusterClient): ClientAccess {
     const grant = grantId === '' ? undefined : this.#context.grants.get(grantId);
     const kind = ACCESS_KINDS.find((one) => one === accessKind) ?? 'grant';
-    return { kind, role: givenRole(role) ?? 'none', grant, expiresMs: Number.POSITIVE_INFINITY };
+    const expiresMs = Number.POSITIVE_INFINITY;
+    // Its own master knows the holder, and so does the credential that it would bring here.
+    return { kind, role: givenRole(role) ?? 'none', grant, holderId: '', expiresMs };
   }
 
   #homeOf(masterId: string): ClientHome {

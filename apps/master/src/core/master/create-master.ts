@@ -1,5 +1,5 @@
 import { StatusEventKind, type Recording, type ServiceRequest } from '@ubii/proto';
-import { makerOf } from '../access/caller.ts';
+import { fileMakerOf, requireFilesOf } from '../access/file-maker.ts';
 import { openTerminal } from '../access/open-terminal.ts';
 import type { Role } from '../access/roles.ts';
 import { createCore } from '../areas/core.ts';
@@ -74,12 +74,16 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     metrics(): MasterMetrics {
       return readMetrics(core);
     },
-    recordings: core.recordings,
+    async requireRecording(id: string, facts: CallerFacts): Promise<Recording> {
+      const caller = core.access.identify(facts);
+      requireFilesOf(await core.recordings.makerOf(id), caller, 'recordings');
+      return (await core.recordings.get(id)).recording;
+    },
     uploadRecording(upload: Upload, name: string, facts: CallerFacts): Promise<Recording> {
       const caller = core.access.identify(facts);
       // What people upload becomes no part of a study, unless an admin brings it back. [RC-41]
       const keepsStudy = caller.role === 'admin';
-      const wish = { name, notes: '', author: '', makerId: makerOf(caller), keepsStudy };
+      const wish = { name, notes: '', author: '', makerId: fileMakerOf(caller), keepsStudy };
       const write = openAudit(core, caller, { service: 'POST /recordings', object: name });
       return writeResult(write, () => core.recordings.upload(upload, wish));
     },

@@ -5,7 +5,6 @@ import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ConnectionHost } from '../ports/connection-host.ts';
 import type { OpenConnection, TransportPeer } from '../connections/open-connection.ts';
 import type { NodeUpload, Upload } from '../recordings/recording-uploads.ts';
-import type { Recordings } from '../recordings/recordings.ts';
 import type { IncomingRequest } from '../services/incoming-request.ts';
 import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
 import type { TerminalAccess } from '../access/terminal-access.ts';
@@ -59,8 +58,8 @@ export interface Master extends ConnectionHost {
    * @throws Error when it cannot be kept
    */
   openTerminal(isReachable: boolean): Promise<TerminalAccess>;
-  /** Finished recordings, for adapters that serve their files. */
-  readonly recordings: Pick<Recordings, 'get'>;
+  /** Returns a recording whose file this caller may read. [RC-40] @throws ServiceError when it may not, or there is none */
+  requireRecording(id: string, caller: CallerFacts): Promise<Recording>;
   /** Takes in an uploaded recording. [RC-41] @throws ServiceError when it is too large or no recording */
   uploadRecording(upload: Upload, name: string, caller: CallerFacts): Promise<Recording>;
   /** Takes in the file of a recording that a node made. [RC-63] @throws ServiceError when another caller brings it */

@@ -77,6 +77,11 @@ export class NodeRecordings {
     return { ...kept, recording: { ...kept.recording, ...reportedPage(told, page) } };
   }
 
+  /** Whose it is. [RC-66] @throws ServiceError when there is none with this id */
+  makerOf(id: string): string {
+    return this.#table.require(id).makerId;
+  }
+
   /** @throws ServiceError when the node does not record for the master, or refuses [RC-60] */
   async start(
     job: RecordingJob,

@@ -93,10 +93,10 @@ export class NodeReports {
     const isNew = entry === undefined;
     if (entry === undefined) {
       if (!table.hasRoom) return false;
-      const makerId = makerOfAccess(client.access);
+      // Whose it is, the master alone knew, which was started again: an admin's. [RC-66]
       entry = {
-        ...{ recording: told, makerId, author: told.author },
-        ...{ nodeMakerId: makerId, sources: undefined },
+        ...{ recording: told, makerId: '', author: told.author },
+        ...{ nodeMakerId: makerOfAccess(client.access), sources: undefined },
       };
       table.add(id, entry);
     } else if (entry.recording.nodeId !== client.id && !this.#isSuccessor(entry, client)) {

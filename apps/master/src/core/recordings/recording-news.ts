@@ -17,14 +17,10 @@ export function publishStatus(
   });
 }
 
-/** What everybody may know of a recording: nothing of a participant. [ST-54] */
+/** What everybody may know of a recording: that it runs, and whose it is, but nothing of a participant. [RC-8] [ST-54] */
 function publicPart(recording: Recording): Recording {
-  const { study, notes } = recording;
-  return {
-    ...recording,
-    ...{ name: publicName(recording), notes: study === undefined ? notes : '' },
-    ...{ study: undefined, selection: undefined },
-  };
+  const name = publicName(recording);
+  return { ...recording, name, notes: '', study: undefined, selection: undefined };
 }
 
 /** What a recorder says before its first record. */

@@ -66,7 +66,7 @@ export interface RecordingsContext extends SelectionContext {
 export interface RecordingAuthor {
   /** Name of the client; empty when none asks. */
   readonly author: string;
-  /** Id of its invitation; empty when it needs none. */
+  /** Whose the result is, as `fileMakerOf` says. [RC-66] */
   readonly makerId: string;
 }
 
@@ -127,19 +127,28 @@ export class Recordings {
     });
   }
 
-  async list(): Promise<RecordingList> {
+  /** @param isWanted whether recordings of this maker are listed; default: all [RC-66] */
+  async list(isWanted: (makerId: string) => boolean = () => true): Promise<RecordingList> {
     const { recorder, limits, atNodes } = this.#context;
-    const { recordings, sizeBytes, freeBytes } = await recorder.list();
+    const { recordings, makers, sizeBytes, freeBytes } = await recorder.list();
     const maxBytes = limits.limits.recordingsBytes;
     const here = new Set(recordings.map(({ id }) => id));
     const elsewhere = atNodes.list().filter(({ id }) => !here.has(id));
-    const elements = [...elsewhere, ...recordings].sort((a, b) => b.startedMs - a.startedMs);
+    const elements = [
+      ...elsewhere.filter(({ id }) => isWanted(atNodes.makerOf(id))),
+      ...recordings.filter(({ id }) => isWanted(makers.get(id) ?? '')),
+    ].sort((a, b) => b.startedMs - a.startedMs);
     return { elements, sizeBytes, maxBytes, freeBytes };
   }
 
   /** @param page of topics and markers; default: none of them [RC-54] */
   get(id: string, page?: RecordingPage): Promise<KeptRecording> {
     return this.#at(id).get(id, page);
+  }
+
+  /** Whose a recording is. [RC-66] @throws ServiceError when there is none of this id */
+  async makerOf(id: string): Promise<string> {
+    return this.#at(id).makerOf(id);
   }
 
   /** [RC-4] [RC-60] */
@@ -239,7 +248,9 @@ export class Recordings {
   }
 
   /** Where a recording is: at a node, or here. */
-  #at(id: string): Pick<Recorder, 'get' | 'stop' | 'change' | 'delete'> {
+  #at(id: string): Pick<Recorder, 'get' | 'stop' | 'change' | 'delete'> & {
+    makerOf(id: string): string | Promise<string>;
+  } {
     const { atNodes, recorder } = this.#context;
     return atNodes.has(id) ? atNodes : recorder;
   }

@@ -5,7 +5,7 @@ import {
   type ReplayChangeRequest,
   type ReplayStartRequest,
 } from '@ubii/proto';
-import type { ClientAccess } from '../access/caller.ts';
+import { makerOfAccess, type ClientAccess } from '../access/caller.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { IdSource } from '../ports/id-source.ts';
@@ -29,7 +29,7 @@ export interface ReplaysContext extends ReplayContext, RerunContext {
 export interface ReplayAuthor {
   /** Name of the client; empty when none asks. */
   readonly author: string;
-  /** Id of its invitation; empty when it needs none. */
+  /** Whose the replay and its comparison are. [RC-66] */
   readonly makerId: string;
   /** Rights and share of the clients of the replay. */
   readonly access: ClientAccess;
@@ -133,9 +133,11 @@ export class Replays {
     }
   }
 
-  #rerunOf({ id, request, wish, file, recording, author, makerId }: Facts): Promise<Rerun> {
+  #rerunOf({ id, request, wish, file, recording, ...by }: Facts): Promise<Rerun> {
     const { sessionId } = request;
-    const what = { replayId: id, sessionId, recording, author, makerId };
+    const { author, makerId, access } = by;
+    const grantId = makerOfAccess(access);
+    const what = { replayId: id, sessionId, recording, author, makerId, grantId };
     return Rerun.prepare(this.#context, what, file, wish.span);
   }
 

@@ -36,7 +36,10 @@ export interface RerunWish {
   readonly sessionId: string;
   readonly recording: Recording;
   readonly author: string;
+  /** Whose the comparison is. [RC-66] */
   readonly makerId: string;
+  /** Invitation of the session; empty for none. [AC-90] */
+  readonly grantId: string;
 }
 
 interface RerunParts {
@@ -125,7 +128,7 @@ export class Rerun {
   /** Starts the session and the recording of its topics. @throws ServiceError when it cannot run */
   async start(): Promise<void> {
     const { sessions, recordings } = this.#context;
-    const { replayId, recording, author, makerId } = this.#wish;
+    const { replayId, recording, author, makerId, grantId } = this.#wish;
     const { name } = this.#rerun.session;
     const selection: RecordingSelection = {
       ...{ topics: [], clients: [], devices: [], sessions: [], excludedPatterns: [] },
@@ -135,7 +138,7 @@ export class Rerun {
     const wish = { name: `${name} in ${recording.name}`, notes: '', author, makerId };
     this.#inputs.open();
     try {
-      this.#session = await sessions.start(this.#rerun.session, makerId);
+      this.#session = await sessions.start(this.#rerun.session, grantId);
       await this.#untilItRuns(this.#session);
       // It has data of the participant, and is deleted with it. [ST-51]
       const { id: replayedRecordingId, study } = recording;

@@ -1,6 +1,5 @@
-import { ServiceError, type Recording } from '@ubii/proto';
-import { makerOf } from '../access/caller.ts';
-import { roleRefusal } from '../access/join-refusals.ts';
+import { ServiceError } from '@ubii/proto';
+import { fileMakerOf, mayUseFilesOf, requireFilesOf } from '../access/file-maker.ts';
 import { ADMINS, PARTICIPANTS, PUBLISHERS, READERS } from '../access/roles.ts';
 import type { RecordingPage } from '@ubii/recording/recorder';
 import type { Core } from '../areas/core.ts';
@@ -13,27 +12,20 @@ import type { ServiceCall } from './service-call.ts';
 type Parts = Pick<Core, 'recordings' | 'clients'>;
 const define = definer<keyof Parts>();
 
-/** Services on recordings. What was published by others is for participants and admins; marking is for all that publish. */
+/** Services on recordings. Each is its maker's and admins' [RC-66]; marking what runs is for all that publish. */
 export const RECORDING_SERVICES = [
   // [RC-3]
   define('recordingList', {
-    roles: READERS,
-    async handle({ recordings }, _request, call) {
-      const list = await recordings.list();
-      const elements = list.elements.filter((recording) => mayKnow(call, recording));
-      return { ...list, elements };
-    },
+    roles: PARTICIPANTS,
+    handle: ({ recordings }, _request, { caller }) =>
+      recordings.list((makerId) => mayUseFilesOf(makerId, caller)),
   }),
   // [RC-3]
   define('recordingGet', {
-    roles: READERS,
-    async handle({ recordings }, { id, ...page }, call) {
-      const { recording } = await recordings.get(id, requirePage(page));
-      if (mayKnow(call, recording)) return recording;
-      throw new ServiceError(
-        'permission_denied',
-        'The recording is part of a study. Only participants and admins of the master can open it.',
-      );
+    roles: PARTICIPANTS,
+    async handle(core, { id, ...page }, call) {
+      await requireOwn(core, id, call);
+      return (await core.recordings.get(id, requirePage(page))).recording;
     },
   }),
   // [RC-4]
@@ -49,16 +41,22 @@ export const RECORDING_SERVICES = [
   define('recordingStop', {
     roles: PARTICIPANTS,
     auditObject: (_core, { id }) => id,
-    handle: ({ recordings }, { id }) => recordings.stop(id),
+    async handle(core, { id }, call) {
+      await requireOwn(core, id, call);
+      return core.recordings.stop(id);
+    },
   }),
   // [RC-6]
   define('recordingChange', {
     roles: PARTICIPANTS,
     // Without the name, which has the code of a participant in a study. [ST-52]
     auditObject: (_core, { id }) => id,
-    handle: ({ recordings }, { id, name, notes }) => recordings.change(id, name, notes),
+    async handle(core, { id, name, notes }, call) {
+      await requireOwn(core, id, call);
+      return core.recordings.change(id, name, notes);
+    },
   }),
-  // Of others, only an admin's: see `requireOwn`. [RC-5]
+  // [RC-5]
   define('recordingDelete', {
     roles: PARTICIPANTS,
     auditObject: (_core, { id }) => id,
@@ -72,14 +70,20 @@ export const RECORDING_SERVICES = [
   define('recordingUpload', {
     roles: PARTICIPANTS,
     auditObject: (_core, { id }) => id,
-    handle: ({ recordings }, { id }) => recordings.fetch(id),
+    async handle(core, { id }, call) {
+      await requireOwn(core, id, call);
+      return core.recordings.fetch(id);
+    },
   }),
   // [RC-20] [RC-21]
   define('recordingMark', {
     roles: PUBLISHERS,
     subject: ({ clientId }) => clientId,
-    handle(core, marker, { caller }) {
-      const mayChangeAll = PARTICIPANTS.some((role) => role === caller.role);
+    async handle(core, marker, { caller }) {
+      const { recordingId } = marker;
+      const mayChangeAll =
+        caller.role === 'admin' ||
+        (recordingId !== '' && mayUseFilesOf(await core.recordings.makerOf(recordingId), caller));
       return core.recordings.mark(marker, nameOfCaller(core, marker.clientId), mayChangeAll);
     },
   }),
@@ -112,7 +116,7 @@ interface Wish {
 }
 
 function wishOf(core: Parts, { clientId, name, notes }: Wish, call: ServiceCall): RecordingWish {
-  return { name, notes, author: nameOfCaller(core, clientId), makerId: makerOf(call.caller) };
+  return { name, notes, author: nameOfCaller(core, clientId), makerId: fileMakerOf(call.caller) };
 }
 
 /** [RC-54] @throws ServiceError when a page begins before the first element */
@@ -124,21 +128,13 @@ function requirePage({ topicsFrom, markersFrom }: RecordingPage): RecordingPage 
   );
 }
 
-/** @throws ServiceError when a participant has not made it [RC-5] */
+/** @throws ServiceError when it is of others, and the caller no admin [RC-66] */
 async function requireOwn(
   { recordings }: Parts,
   id: string,
   { caller }: ServiceCall,
 ): Promise<void> {
-  if (caller.role === 'admin') return;
-  const { makerId } = await recordings.get(id);
-  if (makerId === makerOf(caller)) return;
-  throw roleRefusal(
-    `Only an admin may delete recordings of others. This device joined as ${caller.role}.`,
-  );
-}
-
-/** Recordings of studies are for those who may read studies. [ST-54] */
-function mayKnow({ caller }: ServiceCall, { study }: Recording): boolean {
-  return study === undefined || caller.role === 'admin' || caller.role === 'participant';
+  if (caller.role !== 'admin') {
+    requireFilesOf(await recordings.makerOf(id), caller, 'recordings');
+  }
 }

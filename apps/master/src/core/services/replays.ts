@@ -1,12 +1,12 @@
-import { accessOf, makerOf } from '../access/caller.ts';
-import { roleRefusal } from '../access/join-refusals.ts';
+import { accessOf } from '../access/caller.ts';
+import { fileMakerOf, requireFilesOf } from '../access/file-maker.ts';
 import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import { nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
-type Parts = Pick<Core, 'replays' | 'clients'>;
+type Parts = Pick<Core, 'replays' | 'recordings' | 'clients'>;
 const define = definer<keyof Parts>();
 
 /** Services that play recordings into live topics. */
@@ -16,16 +16,18 @@ export const REPLAY_SERVICES = [
     roles: PARTICIPANTS,
     subject: ({ clientId }) => clientId,
     auditObject: (_core, { recordingId }) => recordingId,
-    handle(core, request, { caller }) {
+    async handle(core, request, { caller }) {
+      // Playing a recording is reading it. [RC-66]
+      requireFilesOf(await core.recordings.makerOf(request.recordingId), caller, 'recordings');
       const expiresMs = caller.kind === 'client' ? caller.expiresMs : Number.POSITIVE_INFINITY;
       return core.replays.start(request, {
         author: nameOfCaller(core, request.clientId),
-        makerId: makerOf(caller),
+        makerId: fileMakerOf(caller),
         access: accessOf(caller, expiresMs),
       });
     },
   }),
-  // Of others, only an admin's: see `requireOwn`. [RP-5] [RP-6]
+  // [RP-5] [RP-6]
   define('replayChange', {
     roles: PARTICIPANTS,
     handle(core, request, call) {
@@ -49,10 +51,7 @@ export const REPLAY_SERVICES = [
   }),
 ];
 
-/** @throws ServiceError when a participant has not started it [RP-6] */
+/** @throws ServiceError when it is of others, and the caller no admin [RP-6] */
 function requireOwn({ replays }: Parts, id: string, { caller }: ServiceCall): void {
-  if (caller.role === 'admin' || replays.require(id).parts.makerId === makerOf(caller)) return;
-  throw roleRefusal(
-    `Only an admin may control replays of others. This device joined as ${caller.role}.`,
-  );
+  requireFilesOf(replays.require(id).parts.makerId, caller, 'replays');
 }

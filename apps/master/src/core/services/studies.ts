@@ -1,5 +1,6 @@
 import { StudyRunAction, type StudyRunChangeRequest } from '@ubii/proto';
-import { makerOf } from '../access/caller.ts';
+import { makerOf, type Caller } from '../access/caller.ts';
+import { fileMakerOf, mayUseFilesOf, requireFilesOf } from '../access/file-maker.ts';
 import { ADMINS, PARTICIPANTS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import { nameOfCaller } from './by-caller.ts';
@@ -22,25 +23,35 @@ const WORDS: { readonly [A in StudyRunAction]?: string } = {
   [StudyRunAction.STUDY_RUN_ACTION_CONTINUE]: 'continue run',
 };
 
-/** Services on studies. No entry of the audit log has a participant code. [ST-5] [ST-52] */
+/** Services on studies, for their makers and admins. No entry of the audit log has a participant code. [ST-5] [ST-52] */
 export const STUDY_SERVICES = [
   // [ST-1]
-  define('studyList', { roles: PARTICIPANTS, handle: ({ studies }) => studies.list() }),
+  define('studyList', {
+    roles: PARTICIPANTS,
+    handle: ({ studies }, _request, { caller }) => studies.list(usableBy(caller)),
+  }),
   // [ST-1]
   define('studyGet', {
     roles: PARTICIPANTS,
-    handle: ({ studies }, { id }) => studies.get(id),
+    handle({ studies }, { id }, { caller }) {
+      requireStudy({ studies }, id, caller);
+      return studies.get(id);
+    },
   }),
   // [ST-3]
   define('studySave', {
     roles: PARTICIPANTS,
     auditObject: (_core, { name }) => name,
-    handle: ({ studies }, study) => studies.save(study),
+    handle({ studies }, study, { caller }) {
+      if (study.id !== '') requireStudy({ studies }, study.id, caller);
+      return studies.save(study, fileMakerOf(caller));
+    },
   }),
   // [ST-4]
   define('studyDelete', {
     ...STUDY,
-    async handle({ studies }, { id }) {
+    async handle({ studies }, { id }, { caller }) {
+      requireStudy({ studies }, id, caller);
       await studies.delete(id);
       return success('The study is deleted.');
     },
@@ -48,14 +59,20 @@ export const STUDY_SERVICES = [
   // [ST-32]
   define('studyCheck', {
     roles: PARTICIPANTS,
-    handle: ({ studies }, { id }) => studies.check(id),
+    handle({ studies }, { id }, { caller }) {
+      requireStudy({ studies }, id, caller);
+      return studies.check(id);
+    },
   }),
   // [ST-20]
   define('studyRunStart', {
     roles: PARTICIPANTS,
     subject: ({ clientId }) => clientId,
     auditObject: (core, { studyId: id }) => nameOfStudy(core, { id }),
-    handle: ({ studyRuns }, request) => studyRuns.start(request),
+    handle({ studies, studyRuns }, request, { caller }) {
+      requireStudy({ studies }, request.studyId, caller);
+      return studyRuns.start(request);
+    },
   }),
   // [ST-21] to [ST-25]
   define('studyRunChange', {
@@ -63,24 +80,28 @@ export const STUDY_SERVICES = [
     subject: ({ clientId }) => clientId,
     auditObject: nameOfChange,
     handle(core, request, { caller }) {
+      requireRun(core, request.runId, caller);
       const author = nameOfCaller(core, request.clientId);
-      return core.studyRuns.change(request, { author, makerId: makerOf(caller) });
+      return core.studyRuns.change(request, { author, grantId: makerOf(caller) });
     },
   }),
   // [ST-20]
   define('studyRunGet', {
     roles: PARTICIPANTS,
-    handle: ({ studyRuns }, { id }) => studyRuns.get(id),
+    handle({ studyRuns }, { id }, { caller }) {
+      requireRun({ studyRuns }, id, caller);
+      return studyRuns.get(id);
+    },
   }),
   // [ST-20]
   define('studyRunList', {
     roles: PARTICIPANTS,
-    handle: ({ studyRuns }, request) => studyRuns.list(request),
+    handle: ({ studyRuns }, request, { caller }) => studyRuns.list(request, usableBy(caller)),
   }),
   // [ST-50]
   define('studyParticipantList', {
     roles: PARTICIPANTS,
-    handle: ({ participants }, request) => participants.list(request),
+    handle: ({ participants }, request, { caller }) => participants.list(request, usableBy(caller)),
   }),
   // [ST-51] [ST-52]
   define('studyParticipantDelete', {
@@ -89,6 +110,20 @@ export const STUDY_SERVICES = [
     handle: ({ participants }, request) => participants.delete(request),
   }),
 ];
+
+function usableBy(caller: Caller): (makerId: string) => boolean {
+  return (makerId) => mayUseFilesOf(makerId, caller);
+}
+
+/** @throws ServiceError when there is no such study, or it is of others and the caller no admin [ST-5] */
+function requireStudy({ studies }: Pick<Core, 'studies'>, id: string, caller: Caller): void {
+  requireFilesOf(studies.makerOf(id), caller, 'studies');
+}
+
+/** The same for a run. */
+function requireRun({ studyRuns }: Pick<Core, 'studyRuns'>, id: string, caller: Caller): void {
+  requireFilesOf(studyRuns.makerOf(id), caller, 'studies');
+}
 
 function nameOfStudy({ studies }: Pick<Core, 'studies'>, { id }: { readonly id: string }): string {
   return studies.nameOf(id);

@@ -42,8 +42,14 @@ export class Participants {
     this.#context = context;
   }
 
-  async list(request: StudyParticipantRequest): Promise<StudyParticipantList> {
-    const found = await this.#find(request);
+  /** @param isWanted whether studies and recordings of this maker are listed [ST-5] */
+  async list(
+    request: StudyParticipantRequest,
+    isWanted: (makerId: string) => boolean,
+  ): Promise<StudyParticipantList> {
+    const { store } = this.#context;
+    const found = await this.#find(request, isWanted);
+    const runs = found.runs.filter(({ studyId }) => isWanted(store.makerOf(studyId)));
     const participants = new Map<string, StudyParticipant>();
     const participantOf = (studyId: string, code: string): StudyParticipant => {
       const key = `${studyId} ${code.toLowerCase()}`;
@@ -53,7 +59,7 @@ export class Participants {
       participants.set(key, { ...added, lastMs: 0 });
       return participants.get(key)!;
     };
-    for (const { studyId, participantCode, participantNumber, id, startedMs } of found.runs) {
+    for (const { studyId, participantCode, participantNumber, id, startedMs } of runs) {
       const participant = participantOf(studyId, participantCode);
       participant.number = participantNumber;
       participant.runIds.push(id);
@@ -131,12 +137,15 @@ export class Participants {
   }
 
   /** What there is of participants, the newest first. */
-  async #find({ studyId, participantCode }: StudyParticipantRequest) {
+  async #find(
+    { studyId, participantCode }: StudyParticipantRequest,
+    isWanted?: (makerId: string) => boolean,
+  ) {
     const { store, recordings } = this.#context;
     const isMeant = (study: string, code: string): boolean =>
       (studyId === '' || study === studyId) &&
       (participantCode === '' || isSameCode(code, participantCode));
-    const { elements } = await recordings.list();
+    const { elements } = await recordings.list(isWanted);
     const isOf = ({ study }: Recording): boolean =>
       study !== undefined && isMeant(study.studyId, study.participantCode);
     return {

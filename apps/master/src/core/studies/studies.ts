@@ -28,8 +28,11 @@ export class Studies {
     this.#context = context;
   }
 
-  list(): StudyList {
-    const elements = this.#context.store.studies().map((study) => ({
+  /** @param isWanted whether studies of this maker are listed [ST-5] */
+  list(isWanted: (makerId: string) => boolean): StudyList {
+    const { store } = this.#context;
+    const studies = store.studies().filter(({ id }) => isWanted(store.makerOf(id)));
+    const elements = studies.map((study) => ({
       ...this.#counted(study),
       ...{ notes: '', consentText: '', earlierConsentTexts: [] },
     }));
@@ -40,13 +43,19 @@ export class Studies {
     return this.#counted(this.#context.store.require(id));
   }
 
+  /** Whose a study is. [ST-5] @throws ServiceError when there is none of this id */
+  makerOf(id: string): string {
+    const { store } = this.#context;
+    return store.makerOf(store.require(id).id);
+  }
+
   /** Name of a study, for the audit log; its id when there is none. */
   nameOf(id: string): string {
     return this.#context.store.find(id)?.name ?? id;
   }
 
-  /** [ST-3] */
-  save(wanted: Study): Promise<Study> {
+  /** [ST-3] @param makerId of a new study */
+  save(wanted: Study, makerId: string): Promise<Study> {
     const { store, turns, news, limits, ids, clock } = this.#context;
     const study = completeStudy(wanted, limits);
     return turns.run(async () => {
@@ -54,7 +63,7 @@ export class Studies {
       requireRevision(wanted, known);
       const id = known?.id ?? ids.uuid();
       const kept = { ...study, id, revision: wanted.revision + 1, changedMs: clock.nowMs() };
-      await store.save({ ...kept, ...this.#consentOf(study, known) });
+      await store.save({ ...kept, ...this.#consentOf(study, known) }, makerId);
       news.tell();
       return this.get(id);
     });

@@ -11,7 +11,7 @@ import {
 import { NameTemplate } from '@ubii/recording/studies';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { LimitWatch } from '../counters/limit-watch.ts';
-import type { RecordingAuthor, Recordings } from '../recordings/recordings.ts';
+import type { Recordings } from '../recordings/recordings.ts';
 import { EVERYTHING } from '../recordings/selection.ts';
 import type { Sessions } from '../sessions/sessions.ts';
 import { troublesOf } from './check-row.ts';
@@ -33,6 +33,14 @@ export interface BlocksContext {
   readonly onTimeUp: (runId: string, recordingId: string) => void;
 }
 
+/** Who leads a run. */
+export interface StudyLeader {
+  /** Name of the client; empty when none asks. */
+  readonly author: string;
+  /** Id of its invitation, for the sessions of blocks; empty when it needs none. [AC-90] */
+  readonly grantId: string;
+}
+
 const EMPTY_SESSION = decode('ubii.sessions.Session', new Uint8Array());
 const EMPTY_MARKER = decode('ubii.extension.RecordingMarker', new Uint8Array());
 
@@ -49,12 +57,7 @@ export class StudyBlocks {
   }
 
   /** Begins a block, and saves the run. @throws ServiceError when it may not begin [ST-21] [ST-22] [ST-31] */
-  async begin(
-    run: StudyRun,
-    index: number,
-    isForced: boolean,
-    by: RecordingAuthor,
-  ): Promise<StudyRun> {
+  async begin(run: StudyRun, index: number, isForced: boolean, by: StudyLeader): Promise<StudyRun> {
     const { store, clock, recordings } = this.#context;
     const study = store.require(run.studyId);
     requireStart(run, index);
@@ -66,7 +69,7 @@ export class StudyBlocks {
     if (sessionId !== '') await this.#context.sessions.find(sessionId);
     const { recording, runNumber } = await this.#record(study, run, index, forced, by);
     try {
-      await this.#startSession(run.id, sessionId, by.makerId);
+      await this.#startSession(run.id, sessionId, by.grantId);
       const startedMs = clock.nowMs();
       const take = {
         recordingId: recording.id,
@@ -144,9 +147,9 @@ export class StudyBlocks {
     run: StudyRun,
     index: number,
     forced: string,
-    by: RecordingAuthor,
+    by: StudyLeader,
   ): Promise<{ recording: Recording; runNumber: number }> {
-    const { clock, recordings, ownValues } = this.#context;
+    const { clock, recordings, ownValues, store } = this.#context;
     const { participantCode, visit } = run;
     const { condition, repetition } = run.blocks[index]!;
     const block = index + 1;
@@ -162,7 +165,9 @@ export class StudyBlocks {
       ...{ participantCode, visit, condition, block, runNumber },
     };
     const notes = forced === '' ? '' : `Begun although required devices were not ready: ${forced}.`;
-    const wish = { ...by, name, notes, study: part };
+    // A study and its recordings are of one maker, whoever leads the block. [ST-5]
+    const makerId = store.makerOf(study.id);
+    const wish = { author: by.author, makerId, name, notes, study: part };
     const selection = study.selection ?? EVERYTHING;
     const mayBeginWith = ownValues.testFor(study, run);
     return { recording: await recordings.start(wish, { selection, mayBeginWith }), runNumber };
@@ -184,11 +189,11 @@ export class StudyBlocks {
     }
   }
 
-  async #startSession(runId: string, id: string, makerId: string): Promise<void> {
+  async #startSession(runId: string, id: string, grantId: string): Promise<void> {
     if (id === '') return;
     const { sessions } = this.#context;
     if ((await sessions.find(id)).isLive) return;
-    await sessions.start({ ...EMPTY_SESSION, id }, makerId);
+    await sessions.start({ ...EMPTY_SESSION, id }, grantId);
     this.#sessions.set(runId, id);
   }
 

@@ -15,10 +15,9 @@ import { orderOfConditions } from '@ubii/recording/studies';
 import type { Clock } from '@ubii/timing';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { IdSource } from '../ports/id-source.ts';
-import type { RecordingAuthor } from '../recordings/recordings.ts';
 import { isSameCode, requireLabel } from './labels.ts';
 import { addNote, blockIndex, changeBlock, requireOpen, runningBlock } from './run-changes.ts';
-import type { StudyBlocks } from './study-blocks.ts';
+import type { StudyBlocks, StudyLeader } from './study-blocks.ts';
 import type { StudyNews } from './study-news.ts';
 import type { StudyStore } from './study-store.ts';
 import type { Turns } from './turns.ts';
@@ -39,7 +38,7 @@ type Change = (
   runs: RunsContext,
   run: StudyRun,
   request: StudyRunChangeRequest,
-  by: RecordingAuthor,
+  by: StudyLeader,
 ) => StudyRun | Promise<StudyRun>;
 
 const OPEN = StudyRunState.STUDY_RUN_STATE_OPEN;
@@ -84,12 +83,23 @@ export class StudyRuns {
     this.#context = context;
   }
 
-  list({ studyId, participantCode }: StudyRunListRequest): StudyRunList {
-    const runs = this.#context.store.runs(studyId);
-    const elements = runs.filter(
-      (run) => participantCode === '' || isSameCode(run.participantCode, participantCode),
-    );
+  /** @param isWanted whether runs of studies of this maker are listed [ST-5] */
+  list(
+    { studyId, participantCode }: StudyRunListRequest,
+    isWanted: (makerId: string) => boolean,
+  ): StudyRunList {
+    const { store } = this.#context;
+    const elements = store
+      .runs(studyId)
+      .filter((run) => participantCode === '' || isSameCode(run.participantCode, participantCode))
+      .filter((run) => isWanted(store.makerOf(run.studyId)));
     return { elements };
+  }
+
+  /** Whose a run is: that of its study. [ST-5] @throws ServiceError when there is none of this id */
+  makerOf(id: string): string {
+    const { store } = this.#context;
+    return store.makerOf(store.requireRun(id).studyId);
   }
 
   get(id: string): StudyRun {
@@ -121,7 +131,7 @@ export class StudyRuns {
   }
 
   /** [ST-21] to [ST-25] */
-  change(request: StudyRunChangeRequest, by: RecordingAuthor): Promise<StudyRun> {
+  change(request: StudyRunChangeRequest, by: StudyLeader): Promise<StudyRun> {
     const change = CHANGES[request.action];
     if (change === undefined) {
       throw new ServiceError('invalid_argument', `The action ${request.action} is not known.`);
@@ -217,7 +227,7 @@ function consent(
   { store, clock }: RunsContext,
   run: StudyRun,
   { consentVersion }: StudyRunChangeRequest,
-  { author }: RecordingAuthor,
+  { author }: StudyLeader,
 ): StudyRun {
   requireOpen(run);
   const study = store.require(run.studyId);
@@ -238,7 +248,7 @@ async function note(
   { blocks, limits, clock }: RunsContext,
   run: StudyRun,
   { text }: StudyRunChangeRequest,
-  { author }: RecordingAuthor,
+  { author }: StudyLeader,
 ): Promise<StudyRun> {
   const max = limits.limits.studyNotes;
   if (run.notes.length >= max)

@@ -2,7 +2,7 @@ import {
   fromJson,
   ServiceError,
   toJson,
-  type MessageType,
+  type JsonObject,
   type Study,
   type StudyRun,
 } from '@ubii/proto';
@@ -25,6 +25,8 @@ export class StudyStore {
   readonly #context: StudyStoreContext;
   readonly #studies = new Map<string, Study>();
   readonly #runs = new Map<string, StudyRun>();
+  /** Whose studies are; those of earlier versions have no maker. [ST-5] */
+  readonly #makers = new Map<string, string>();
   /** Called when a run was saved or deleted. */
   readonly onRunsChanged = new Hook<[]>();
   /** Grows with each change. */
@@ -32,12 +34,14 @@ export class StudyStore {
 
   constructor(context: StudyStoreContext) {
     this.#context = context;
-    for (const study of this.#read(context.storage.studies, 'ubii.extension.Study')) {
-      this.#studies.set(study.id, study);
-    }
-    for (const run of this.#read(context.storage.runs, 'ubii.extension.StudyRun')) {
-      this.#runs.set(run.id, interrupted(run));
-    }
+    const { studies, runs } = context.storage;
+    this.#read(studies, ({ makerId, ...json }, id) => {
+      this.#studies.set(id, { ...fromJson('ubii.extension.Study', json), id });
+      this.#makers.set(id, typeof makerId === 'string' ? makerId : '');
+    });
+    this.#read(runs, (json, id) => {
+      this.#runs.set(id, interrupted({ ...fromJson('ubii.extension.StudyRun', json), id }));
+    });
   }
 
   /** By name. */
@@ -47,6 +51,11 @@ export class StudyStore {
 
   find(id: string): Study | undefined {
     return this.#studies.get(id);
+  }
+
+  /** Whose a study is; empty when nobody's is known, and without a study. [ST-5] */
+  makerOf(id: string): string {
+    return this.#makers.get(id) ?? '';
   }
 
   /** @throws ServiceError when there is none of this id */
@@ -70,21 +79,27 @@ export class StudyStore {
     throw new ServiceError('not_found', `No run of a study has the id ${quote(id)}.`);
   }
 
-  /** @throws ServiceError when there is no room for another study [ST-2] */
-  async save(study: Study): Promise<void> {
+  /** @param makerId of a new study @throws ServiceError when there is no room for another study [ST-2] */
+  async save(study: Study, makerId: string): Promise<void> {
     const { storage, limits } = this.#context;
     const max = limits.limits.studies;
     if (!this.#studies.has(study.id) && this.#studies.size >= max) {
       throw limits.refusal('studies', `more than ${max} studies`);
     }
-    await storage.studies.write(study.id, toJson('ubii.extension.Study', study));
+    const maker = this.#makers.get(study.id) ?? makerId;
+    await storage.studies.write(study.id, {
+      ...toJson('ubii.extension.Study', study),
+      makerId: maker,
+    });
     this.#studies.set(study.id, study);
+    this.#makers.set(study.id, maker);
     this.revision++;
   }
 
   async delete(id: string): Promise<void> {
     await this.#context.storage.studies.delete(id);
     this.#studies.delete(id);
+    this.#makers.delete(id);
     this.revision++;
   }
 
@@ -108,19 +123,15 @@ export class StudyStore {
     this.onRunsChanged.emit();
   }
 
-  #read<T extends 'ubii.extension.Study' | 'ubii.extension.StudyRun'>(
-    store: DocumentStore,
-    type: T & MessageType,
-  ) {
-    return [...store.documents()].flatMap(([key, { json, fault }]) => {
+  #read(store: DocumentStore, take: (json: JsonObject, id: string) => void): void {
+    for (const [id, { json, fault }] of store.documents()) {
       try {
         if (fault !== undefined) throw new Error(fault);
-        return [{ ...fromJson<T>(type, json), id: key }];
+        take({ ...(json as JsonObject) }, id);
       } catch (error) {
         const reason = error instanceof Error ? error.message : String(error);
-        this.#context.log.warn('a study cannot be read', { where: store.describe(key), reason });
-        return [];
+        this.#context.log.warn('a study cannot be read', { where: store.describe(id), reason });
       }
-    });
+    }
   }
 }

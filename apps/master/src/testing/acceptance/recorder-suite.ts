@@ -132,6 +132,22 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       await next.close();
     });
 
+    it('[RC-66] tells whose a recording is, those of earlier runs as well', async () => {
+      const { recorder, reopen } = open();
+      await recorder.start(runningJob('a'));
+      await recorder.close();
+      const next = reopen();
+      await next.start({ ...runningJob('b'), makerId: 'grant/client' });
+      expect(await next.makerOf('a')).toBe('grant');
+      expect(await next.makerOf('b')).toBe('grant/client');
+      expect([...(await next.list()).makers].sort()).toEqual([
+        ['a', 'grant'],
+        ['b', 'grant/client'],
+      ]);
+      await expect(next.makerOf('c')).rejects.toMatchObject({ code: 'not_found' });
+      await next.close();
+    });
+
     it('[RC-3] tells what is recorded of each topic while it runs', async () => {
       const { recorder } = open();
       await recorder.start(runningJob('a'));
