@@ -1,4 +1,10 @@
-import { AccessRole, RECORDING_STATUS_TOPIC, type Init, type Study } from '@ubii/proto';
+import {
+  AccessRole,
+  RECORDING_STATUS_TOPIC,
+  type Init,
+  type Recording,
+  type Study,
+} from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_FLIGHT_RECORDER } from '../src/core/recordings/flight-settings.ts';
 import { TestMaster } from '../src/testing/index.ts';
@@ -146,20 +152,21 @@ describe('recordings of studies', () => {
     expect(JSON.stringify(records)).not.toMatch(/P01|Begun although/);
   });
 
-  it('[ST-54] are not for viewers', async () => {
-    const { master, runOf } = await begun();
-    await change(master, await runOf('P01'), 'begin');
-    const byHand = await start(master, {}, 'By hand');
+  it('[ST-54] are named without the participant to viewers, also while they are replayed', async () => {
+    const { master, ada, runOf } = await begun();
+    const run = await runOf('P01');
+    await change(master, run, 'begin');
+    ada.publish('/lab/answer', 'string', 'yes');
+    await master.pass(100);
+    await change(master, run, 'end');
     const viewer = await joinAs(master, AccessRole.ACCESS_ROLE_VIEWER);
-    const { recordingList } = await viewer.call({ topic: `${SERVICES}recording_list` });
-    expect(recordingList!.elements.map(({ id }) => id)).toEqual([byHand]);
-    const [, ofStudy] = await recordingsOf(master);
-    const get = (id: string) =>
-      viewer.call({ topic: `${SERVICES}recording_get`, recordingRequest: { id } });
-    expect((await get(byHand)).recording).toMatchObject({ name: 'By hand' });
-    expect((await get(ofStudy!.id)).error).toMatchObject({ code: 'permission_denied' });
-    const participant = await joinAs(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
-    const reply = await participant.call({ topic: `${SERVICES}recording_list` });
-    expect(reply.recordingList!.elements).toHaveLength(2);
+    await viewer.subscribe({ subscribeTopicRegexp: ['.*'] });
+    const [{ id: recordingId }] = (await recordingsOf(master)) as [Recording];
+    const topic = `${SERVICES}replay_start`;
+    required(await master.call({ topic, replayStartRequest: { recordingId } }), 'replay');
+    await master.pass(500);
+    const { replayList } = await viewer.call({ topic: `${SERVICES}replay_list` });
+    expect(replayList!.elements).toMatchObject([{ recordingName: 'Touch, block 1', recordingId }]);
+    expect(JSON.stringify([replayList, viewer.takeRecords()])).not.toContain('P01');
   });
 });

@@ -17,6 +17,7 @@ import type {
   ReplayFile,
   ReplayPlayer,
 } from '../ports/replay-files.ts';
+import { publicName } from '../recordings/public-name.ts';
 import { ghostDevices } from './ghost-devices.ts';
 import { LiveMuting, type MutingContext } from './live-muting.ts';
 import { ghostTopics, renamedTopics, type PlayedTopics } from './played-topics.ts';
@@ -170,7 +171,7 @@ export class Replay {
       ...{ id, author, rate, isLooping, copies, conflict, livePrefix },
       name: this.#copies[0]?.client.client.spec.name ?? '',
       recordingId: recording.id,
-      recordingName: recording.name,
+      recordingName: publicName(recording), // [ST-54]
       state: this.#wireState(),
       positionMs: msBetween(startNs, this.#state.positionNs),
       durationMs: msBetween(startNs, endNs),
