@@ -1,7 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { ComponentIOType } from '@ubii/proto';
 import type { TestMaster } from '../src/testing/index.ts';
-import { at, deviceEvent, heard, list, listener, masterWith, play, stop } from './replay-world.ts';
+import {
+  at,
+  deviceEvent,
+  heard,
+  list,
+  listener,
+  makerOfRecording,
+  masterWith,
+  play,
+  stop,
+} from './replay-world.ts';
 
 const RECORDED = [at('/ada/tilt', 0, 1), at('/room/light', 0, 2), at('/ada/tilt', 100, 3)];
 
@@ -119,6 +129,39 @@ describe('devices of a ghost', () => {
     await stop(master, id);
     const { deviceList } = await master.call({ topic: '/services/device/get_list' });
     expect(deviceList!.elements).toEqual([]);
+  });
+
+  it('[RP-33] have no component on topics of the master and of others', async () => {
+    const master = await masterWith();
+    const bob = await master.extension('bob');
+    const subscriber = (topic: string) => ({ topic, direction: 'subscriber' as const });
+    const inputs = [
+      '/ada/vibrate',
+      '/room/lamp',
+      '/ubii/x',
+      '/info/x',
+      `/${bob.id}/vibrate`,
+      `${bob.id}/vibrate`,
+    ];
+    const phone = deviceEvent('phone', 'ada', [
+      { topic: '/ada/tilt' },
+      { topic: '/ubii/ada/x' },
+      ...inputs.map(subscriber),
+    ]);
+    const records = [...RECORDED, at('/ubii/ada/x', 0)];
+    const maker = await makerOfRecording(master, records, [phone]);
+    for (const starter of [maker, master]) {
+      const { clientIds, id } = await play(starter, { isGhost: true });
+      const [device] = await devicesOf(master, clientIds[0]!);
+      const topics = device!.components.map(({ topic }) => topic.replace(clientIds[0]!, 'ghost'));
+      expect(topics).toEqual([
+        '/ghost/tilt',
+        '/ghost-1/ubii/ada/x',
+        '/ghost/vibrate',
+        '/room/lamp',
+      ]);
+      await stop(starter, id);
+    }
   });
 
   it('[RP-33] are seen by what selects components', async () => {

@@ -1,4 +1,9 @@
-import { ComponentIOType, type Client as ClientMessage, type Device } from '@ubii/proto';
+import {
+  ComponentIOType,
+  type Client as ClientMessage,
+  type Component,
+  type Device,
+} from '@ubii/proto';
 import { quote } from '../texts/quote.ts';
 import { roleRefusal } from './join-refusals.ts';
 import type { PublishRights, ReadRights } from '../topics/rights.ts';
@@ -15,22 +20,29 @@ interface RightsHolder {
 
 /** @throws ServiceError when this client may not register the device [AC-26] */
 export function requireDeviceRights(client: RightsHolder, device: Device): void {
-  const { access, publishRights, subscriber } = client;
+  const { access, publishRights } = client;
   if (publishRights === undefined) return;
   if (access.role === 'viewer') {
     throw roleRefusal('Devices are for admins, participants and players; this client is a viewer.');
   }
-  for (const { topic, ioType } of device.components) {
-    if (topic === '') continue;
-    const isInput = ioType === ComponentIOType.SUBSCRIBER;
-    const may = isInput
-      ? subscriber.readRights?.mayRead(topic) !== false
-      : publishRights.mayPublish(topic);
-    if (may) continue;
+  for (const component of device.components) {
+    if (hasComponentRights(client, component)) continue;
+    const verb = component.ioType === ComponentIOType.SUBSCRIBER ? 'subscribe' : 'publish';
     throw roleRefusal(
-      `The device has a component on ${quote(topic)}, where this client may not ${isInput ? 'subscribe' : 'publish'}; its own topics begin with /${client.id}/.`,
+      `The device has a component on ${quote(component.topic)}, where this client may not ${verb}; its own topics begin with /${client.id}/.`,
     );
   }
+}
+
+/** Whether a device of this client may have the component. [AC-26] */
+export function hasComponentRights(
+  { publishRights, subscriber }: Pick<RightsHolder, 'publishRights' | 'subscriber'>,
+  { topic, ioType }: Pick<Component, 'topic' | 'ioType'>,
+): boolean {
+  if (publishRights === undefined || topic === '') return true;
+  return ioType === ComponentIOType.SUBSCRIBER
+    ? subscriber.readRights?.mayRead(topic) !== false
+    : publishRights.mayPublish(topic);
 }
 
 /** @throws ServiceError when a client of this role may not run or offer modules, as this one does [AC-26] */

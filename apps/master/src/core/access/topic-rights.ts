@@ -72,6 +72,14 @@ function hasAll(kinds: ReadonlySet<TopicKind>, except: readonly TopicKind[]): bo
   );
 }
 
+/** Returns the id of the registered client in whose namespace a topic is; undefined for all other topics. [AC-24] */
+export function namespaceOwner(topic: string, clients: Namespaces['clients']): string | undefined {
+  const end = topic.indexOf('/', 1);
+  if (end < 0) return undefined;
+  const owner = topic.slice(topic.startsWith('/') ? 1 : 0, end);
+  return clients.has(owner) ? owner : undefined;
+}
+
 /** Rights of one client in one direction, from the table. */
 class Rights implements PublishRights, ReadRights {
   readonly maySayFarewell: boolean;
@@ -123,11 +131,9 @@ class Rights implements PublishRights, ReadRights {
   }
 
   #kindOfOthers(topic: string): TopicKind {
-    const end = topic.indexOf('/', 1);
-    if (end < 0) return 'elsewhere';
-    const owner = topic.slice(topic.startsWith('/') ? 1 : 0, end);
     const { clients, devices } = this.#namespaces;
-    if (!clients.has(owner)) return 'elsewhere';
+    const owner = namespaceOwner(topic, clients);
+    if (owner === undefined) return 'elsewhere';
     if (topic === identifyTopic(owner)) return 'identify';
     return devices.isInputOf(owner, topic) ? 'inputOfOther' : 'other';
   }

@@ -72,6 +72,10 @@ export class ClientRegistry {
     return this.#clients.values();
   }
 
+  has(id: string): boolean {
+    return this.#clients.has(id);
+  }
+
   get(id: string): Client | undefined {
     return this.#clients.get(id);
   }

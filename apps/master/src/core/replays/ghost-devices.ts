@@ -1,4 +1,4 @@
-import { ComponentIOType, decode, encode, type Device } from '@ubii/proto';
+import { ComponentIOType, decode, encode, type Component, type Device } from '@ubii/proto';
 import type { RecordedComponent, RecordedDevice } from '@ubii/recording';
 import type { PlayedTopics } from './played-topics.ts';
 
@@ -7,17 +7,20 @@ import type { PlayedTopics } from './played-topics.ts';
  * topics of the copy. [RP-33]
  *
  * @param recorded as they were in the span; of several versions of a device, the last one counts
+ * @param mayHave whether a component is registered; others are left out
  */
 export function ghostDevices(
   recorded: readonly RecordedDevice[],
   played: PlayedTopics,
   clientId: string,
+  mayHave: (component: Pick<Component, 'topic' | 'ioType'>) => boolean,
 ): Device[] {
   const last = new Map(recorded.map((device) => [device.id, device]));
   return [...last.values()].flatMap((device) => {
     const components = device.components.flatMap((component) => {
       const topic = topicOf(component, device.clientId, played, clientId);
-      return topic === undefined ? [] : componentOf(component, topic);
+      const made = topic === undefined ? undefined : componentOf(component, topic);
+      return made !== undefined && mayHave(made) ? made : [];
     });
     const isPlayed = components.some(({ ioType }) => ioType === ComponentIOType.PUBLISHER);
     if (!isPlayed) return [];

@@ -1,9 +1,11 @@
-import { ReplayConflict } from '@ubii/proto';
+import { isMasterTopic, ReplayConflict } from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
+import { namespaceOwner } from '../access/topic-rights.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import { Publication } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import type { LiveRule, LiveValue } from '../topics/replayed-topics.ts';
+import type { TopicEntry, TopicOwner } from '../topics/topic-entry.ts';
 import type { ReplayWish } from './replay-wish.ts';
 
 /** What muting works with. */
@@ -23,6 +25,8 @@ export class LiveMuting {
   readonly #conflict: ReplayConflict;
   readonly #rule: LiveRule;
   readonly #muted = new Set<string>();
+  /** Topics that have moved records, with their owners. */
+  readonly #moved = new Map<string, TopicOwner | undefined>();
   #count = 0;
   #cancelNews: Cancel | undefined = undefined;
 
@@ -30,6 +34,7 @@ export class LiveMuting {
     context: MutingContext,
     { conflict, livePrefix }: Pick<ReplayWish, 'conflict' | 'livePrefix'>,
     clientIds: ReadonlySet<string>,
+    isOfAdmin: boolean,
     onGrow: () => void,
   ) {
     this.#context = context;
@@ -37,6 +42,10 @@ export class LiveMuting {
     this.#rule = {
       clientIds,
       livePrefix: livePrefix === '' ? undefined : livePrefix,
+      mutes: (id) => isOfAdmin || context.clients.get(id)?.access.role !== 'admin',
+      mayMove: ({ topic, entry }) =>
+        this.mayMoveTo(topic) && (entry?.record === undefined || this.#isMoved(entry)),
+      onMoved: ({ entry }) => this.#moved.set(entry!.topic, entry!.owner),
       onLive: (topic) => {
         this.#count++;
         this.#muted.add(topic);
@@ -58,25 +67,37 @@ export class LiveMuting {
     return [...this.#muted].slice(0, MAX_NAMED);
   }
 
-  /** The replay plays this topic from now on. */
+  /** The replay publishes on this topic from now on. */
   add(topic: string): void {
     if (this.#conflict === ReplayConflict.REPLAY_CONFLICT_KEEP_LIVE) return;
-    const { replayed, topics } = this.#context;
-    replayed.add(topic, this.#rule, topics.get(topic));
+    this.#context.replayed.add(topic, this.#rule);
+  }
+
+  /** Whether live records may be moved to this topic: the starter has the rights, and it is nobody's. [RP-45] */
+  mayMoveTo(topic: string): boolean {
+    const { clients, replayed } = this.#context;
+    if (isMasterTopic(topic) || replayed.has(topic)) return false;
+    if (namespaceOwner(topic, clients) !== undefined) return false;
+    const [id = ''] = this.#rule.clientIds;
+    const rights = clients.get(id)?.publishRights;
+    return rights === undefined || rights.mayPublish(topic);
   }
 
   /** Lets live records flow again. Call `restore` when the topics of the replay are gone. */
   end(): LiveValue[] {
     this.#cancelNews?.();
     const { replayed, topics } = this.#context;
-    const { livePrefix } = this.#rule;
-    if (livePrefix !== undefined) {
-      for (const topic of this.#muted) {
-        const entry = topics.get(livePrefix + topic);
-        if (entry !== undefined) topics.deleteValue(entry);
-      }
+    for (const topic of this.#moved.keys()) {
+      const entry = topics.get(topic);
+      if (entry !== undefined && this.#isMoved(entry)) topics.deleteValue(entry);
     }
     return replayed.remove(this.#rule);
+  }
+
+  /** Whether the value of a topic came by a move, and from no other publisher since. */
+  #isMoved(entry: TopicEntry): boolean {
+    const { topic, owner, isAdoptable } = entry;
+    return this.#moved.has(topic) && (isAdoptable || this.#moved.get(topic) === owner);
   }
 
   /** Gives topics their last live values. [RP-23] */

@@ -72,13 +72,34 @@ export function ghostTopics(
   const used = new Set<string>();
   for (const { topic, clientId: recordedId } of recorded) {
     if (played.has(topic)) continue;
-    const own = topic.replace(`/${recordedId}/`, `/${clientId}/`);
-    const isOwn = recordedId !== '' && own !== topic && !used.has(own);
+    const prefix = `/${recordedId}/`;
+    const own = `/${clientId}/${topic.slice(prefix.length)}`;
+    const isOwn = recordedId !== '' && topic.startsWith(prefix) && !used.has(own);
     const name = isOwn ? own : `/ghost-${number}${topic.startsWith('/') ? '' : '/'}${topic}`;
     used.add(name);
     played.set(topic, name);
   }
   return played;
+}
+
+/** Checks where live records of these topics would be moved. [RP-45] @throws ServiceError when none may be published there */
+export function requireMovable(
+  names: ReadonlySet<string>,
+  livePrefix: string,
+  maxBytes: number,
+  mayMoveTo: (topic: string) => boolean,
+): void {
+  for (const name of names) {
+    const moved = livePrefix + name;
+    const fault = topicFault(moved, maxBytes);
+    const isTaken = isMasterTopic(moved) || names.has(moved) || !mayMoveTo(moved);
+    if (fault === undefined && !isTaken) continue;
+    const why = fault ?? 'belongs to the master, to a client or to the replay';
+    throw new ServiceError(
+      'invalid_argument',
+      `Live records cannot be moved to ${quote(moved)}, because this topic ${why}. Change live_prefix.`,
+    );
+  }
 }
 
 function requirePublishable(topic: string, maxBytes: number): void {

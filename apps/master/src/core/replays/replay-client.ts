@@ -1,5 +1,7 @@
-import { decode, encode, type Device } from '@ubii/proto';
+import { decode, encode, isMasterTopic, type Component, type Device } from '@ubii/proto';
 import type { ClientAccess } from '../access/caller.ts';
+import { hasComponentRights } from '../access/device-rights.ts';
+import { namespaceOwner } from '../access/topic-rights.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { Client } from '../clients/client.ts';
 import type { SocketAdmission } from '../clients/socket-admission.ts';
@@ -58,6 +60,21 @@ export class ReplayClient {
 
   get id(): string {
     return this.client.id;
+  }
+
+  mayPublish(topic: string): boolean {
+    return this.client.publishRights?.mayPublish(topic) !== false;
+  }
+
+  /**
+   * Whether its devices may have this component: as those of its starter, and on no topic of the master or of another
+   * client, whose records it neither gets nor publishes. [RP-33]
+   */
+  mayHave(component: Pick<Component, 'topic' | 'ioType'>): boolean {
+    const { topic } = component;
+    if (isMasterTopic(topic) || !hasComponentRights(this.client, component)) return false;
+    const owner = namespaceOwner(topic, this.#context.clients);
+    return owner === undefined || owner === this.id;
   }
 
   /** Registers devices, which end with the client. @throws ServiceError when there is no room for them */

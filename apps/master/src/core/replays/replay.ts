@@ -20,7 +20,7 @@ import type {
 import { publicName } from '../recordings/public-name.ts';
 import { ghostDevices } from './ghost-devices.ts';
 import { LiveMuting, type MutingContext } from './live-muting.ts';
-import { ghostTopics, renamedTopics, type PlayedTopics } from './played-topics.ts';
+import { ghostTopics, renamedTopics, requireMovable, type PlayedTopics } from './played-topics.ts';
 import { replayName } from './replay-name.ts';
 import { ReplayClient, type ReplayClientContext } from './replay-client.ts';
 import type { Rerun } from './rerun.ts';
@@ -66,7 +66,7 @@ interface Copy {
 /** A recording that is played into live topics. */
 export class Replay {
   readonly parts: ReplayParts;
-  /** Names of the topics that it plays. */
+  /** Names of the topics that it plays, as far as its starter may publish there. */
   readonly plannedTopics: ReadonlySet<string>;
   readonly #context: ReplayContext;
   readonly #copies: Copy[] = [];
@@ -84,7 +84,7 @@ export class Replay {
 
   /** @throws ServiceError when there is no room for its clients, or its topics cannot be published */
   constructor(context: ReplayContext, parts: ReplayParts) {
-    const { wish, file } = parts;
+    const { wish, file, access } = parts;
     this.#context = context;
     this.parts = parts;
     this.#wish = wish;
@@ -93,11 +93,17 @@ export class Replay {
     const perSecond = context.limits.replayRecordsPerSecond;
     // A tenth of a second at once: what one turn publishes stays small.
     this.#bucket = new TokenBucket(perSecond, context.clock.monotonicMs(), perSecond / 10);
-    this.#muting = new LiveMuting(context, wish, this.#clientIds, parts.onChange);
+    const isOfAdmin = access.role === 'admin';
+    this.#muting = new LiveMuting(context, wish, this.#clientIds, isOfAdmin, parts.onChange);
     const planned = new Set<string>();
     try {
       for (let copy = 0; copy < wish.copies; copy++) {
-        for (const name of this.#open(copy, file).values()) planned.add(name);
+        for (const name of this.#open(copy, file)) planned.add(name);
+      }
+      if (wish.livePrefix !== '') {
+        requireMovable(planned, wish.livePrefix, context.limits.topicBytes, (topic) =>
+          this.#muting.mayMoveTo(topic),
+        );
       }
     } catch (cause) {
       this.close();
@@ -190,8 +196,8 @@ export class Replay {
     };
   }
 
-  /** Makes one copy: a client with its player. Returns the names of its topics. */
-  #open(copy: number, file: ReplayFile): PlayedTopics {
+  /** Makes one copy: a client with its player. Returns the topics on which it may publish. */
+  #open(copy: number, file: ReplayFile): string[] {
     const { request, wish, access, onEnd } = this.parts;
     const client = new ReplayClient(this.#context, {
       access,
@@ -201,7 +207,9 @@ export class Replay {
     });
     try {
       const topics = this.#topicsOf(client.id, copy);
-      client.register(ghostDevices(this.parts.devices, topics, client.id));
+      client.register(
+        ghostDevices(this.parts.devices, topics, client.id, (each) => client.mayHave(each)),
+      );
       const part = {
         topics: [...topics],
         clientId: request.isGhost ? client.id : undefined,
@@ -215,7 +223,7 @@ export class Replay {
       });
       this.#copies.push({ client, player });
       this.#clientIds.add(client.id);
-      return topics;
+      return [...topics.values()].filter((topic) => client.mayPublish(topic));
     } catch (cause) {
       client.close();
       throw cause;
@@ -242,7 +250,7 @@ export class Replay {
       this.#bucket.spend(batch.records, clock.monotonicMs());
       for (const topic of batch.newTopics) {
         this.#topics.add(topic);
-        this.#muting.add(topic);
+        if (this.plannedTopics.has(topic)) this.#muting.add(topic);
       }
       client.publish(batch.frame);
     });

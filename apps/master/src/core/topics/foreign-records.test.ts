@@ -7,6 +7,7 @@ import { Publication } from './publication.ts';
 import { RecordTap } from './record-tap.ts';
 import { ReplayedTopics } from './replayed-topics.ts';
 import { TopicTable } from './topic-table.ts';
+import { liveRule, playFirst } from '../../testing/live-rule.ts';
 import { testAccount } from '../../testing/test-account.ts';
 
 /** A topic with one subscriber, and what that got. */
@@ -58,8 +59,9 @@ describe('records of other masters', () => {
 
   it('[CU-15] are not delivered on a topic that a replay plays', () => {
     const { got, replayed, publish } = createWorld();
-    const rule = { clientIds: new Set<string>(), livePrefix: undefined, onLive: () => undefined };
-    replayed.add('/a', rule, undefined);
+    const rule = liveRule();
+    replayed.add('/a', rule);
+    playFirst(replayed, '/a');
     publish(1, 5, 'a');
     expect(got).toHaveLength(0);
     replayed.remove(rule);

@@ -50,7 +50,7 @@ export function publishForeign(
   const isNew = topics.get(topic) === undefined;
   if (isNew && topicFault(topic, context.limits.topicBytes) !== undefined) return;
   if (valueField === 0) return endForeign(topics, topics.get(topic), origin.masterId); // [CU-14]
-  if (replayed.has(topic)) return; // [CU-15]
+  if (replayed.mutes(topic, origin.publisherId)) return; // [CU-15]
   const entry = topics.getOrCreate(topic);
   const { ownDirect, ownSampled } = topics.targetsOf(entry);
   if (ownDirect + ownSampled === 0) return topics.forgetIfUnused(entry);

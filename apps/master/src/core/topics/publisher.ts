@@ -56,8 +56,9 @@ function accept(context: PublishContext, publication: Publication): void {
 function publishLive(
   context: PublishContext,
   publication: Publication,
-  { livePrefix }: LiveRule,
+  rule: LiveRule,
 ): Refusal | undefined {
+  const { livePrefix } = rule;
   context.replayed.keepLive(publication);
   if (livePrefix === undefined) return REFUSALS.replayed;
   const { client, frame, start, end } = publication;
@@ -70,12 +71,15 @@ function publishLive(
   moved.nowMs = publication.nowMs;
   moved.monotonicMs = publication.monotonicMs;
   findTopic(context, moved);
+  if (!rule.mayMove(moved)) return REFUSALS.replayed;
   const refusal =
     checkTopic(context, moved) ??
     checkTopicCount(context, moved) ??
     checkRetainedBytes(context, moved);
-  if (refusal === undefined) accept(context, moved);
-  else publication.shortage = moved.shortage;
+  if (refusal === undefined) {
+    accept(context, moved);
+    rule.onMoved(moved);
+  } else publication.shortage = moved.shortage;
   return refusal;
 }
 

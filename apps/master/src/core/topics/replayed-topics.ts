@@ -7,6 +7,12 @@ export interface LiveRule {
   readonly clientIds: ReadonlySet<string>;
   /** Prefix under which live records are published; undefined: they are refused. */
   readonly livePrefix: string | undefined;
+  /** Whether live records of this client are refused or moved. [RP-44] */
+  mutes(clientId: string): boolean;
+  /** Whether this record, with its new topic, may be published there. [RP-45] */
+  mayMove(moved: Publication): boolean;
+  /** The record was published there. */
+  onMoved(moved: Publication): void;
   /** A live record of this topic was refused or moved. */
   onLive(topic: string): void;
 }
@@ -21,6 +27,8 @@ export interface LiveValue {
 
 interface ReplayedTopic {
   readonly rule: LiveRule;
+  /** A record of the replay was accepted: from then on, live records are muted. [RP-20] */
+  isPlayed: boolean;
   live: LiveValue | undefined;
 }
 
@@ -35,37 +43,49 @@ export class ReplayedTopics {
   /** The hot path looks here, and no further while nothing is replayed. [RP-24] */
   isActive = false;
 
-  /** From now on, the rule counts for this topic. @param entry the topic, if there is one */
-  add(topic: string, rule: LiveRule, entry: TopicEntry | undefined): void {
-    const replayed: ReplayedTopic = { rule, live: undefined };
-    this.#topics.set(topic, replayed);
+  /** A replay is going to publish on this topic: the rule counts from the first record on that is accepted. */
+  add(topic: string, rule: LiveRule): void {
+    this.#topics.set(topic, { rule, isPlayed: false, live: undefined });
     this.isActive = true;
-    if (entry?.record === undefined || entry.owner === undefined) return;
-    const { record, valueField } = entry;
-    // Owners publish: they are clients, or sessions on the master.
-    this.#keep(replayed, {
-      ...{ topic, record, valueField },
-      client: entry.owner as PublishingClient,
-    });
   }
 
   /** Whether a replay plays this topic. */
   has(topic: string): boolean {
-    return this.isActive && this.#topics.has(topic);
+    return this.isActive && this.#topics.get(topic)?.isPlayed === true;
   }
 
-  /** The rule for a record of a client; undefined for all but live records on replayed topics. */
-  ruleFor({ topic, client }: Publication): LiveRule | undefined {
-    const rule = this.#topics.get(topic)?.rule;
-    return rule === undefined || rule.clientIds.has(client!.id) ? undefined : rule;
+  /** Whether a record of this client, which may be of another master, is refused on the topic. */
+  mutes(topic: string, clientId: string): boolean {
+    if (!this.isActive) return false;
+    const replayed = this.#topics.get(topic);
+    return replayed?.isPlayed === true && replayed.rule.mutes(clientId);
+  }
+
+  /**
+   * Takes note of a record that is about to be accepted.
+   *
+   * @returns the rule that it meets instead; undefined for all but muted records
+   */
+  ruleFor(publication: Publication): LiveRule | undefined {
+    const replayed = this.#topics.get(publication.topic);
+    if (replayed === undefined) return undefined;
+    const { rule } = replayed;
+    const { id } = publication.client!;
+    if (rule.clientIds.has(id)) {
+      if (!replayed.isPlayed) this.#begin(replayed, publication.entry);
+      return undefined;
+    }
+    if (!replayed.isPlayed) return undefined;
+    if (rule.mutes(id)) return rule;
+    this.#keepRecord(replayed, publication);
+    return undefined;
   }
 
   /** Remembers a live record, which is not published on its topic. [RP-23] */
   keepLive(publication: Publication): void {
-    const { topic, client, valueField } = publication;
-    const replayed = this.#topics.get(topic)!;
-    this.#keep(replayed, { topic, client: client!, record: publication.keepRecord(), valueField });
-    replayed.rule.onLive(topic);
+    const replayed = this.#topics.get(publication.topic)!;
+    this.#keepRecord(replayed, publication);
+    replayed.rule.onLive(publication.topic);
   }
 
   /** Ends a rule. Returns the last live value of each of its topics. */
@@ -80,6 +100,23 @@ export class ReplayedTopics {
     }
     this.isActive = this.#topics.size > 0;
     return values;
+  }
+
+  /** Remembers the value from before the replay. */
+  #begin(replayed: ReplayedTopic, entry: TopicEntry | undefined): void {
+    replayed.isPlayed = true;
+    if (entry?.record === undefined || entry.owner === undefined) return;
+    const { topic, record, valueField } = entry;
+    // Owners publish: they are clients, or sessions on the master.
+    this.#keep(replayed, {
+      ...{ topic, record, valueField },
+      client: entry.owner as PublishingClient,
+    });
+  }
+
+  #keepRecord(replayed: ReplayedTopic, publication: Publication): void {
+    const { topic, client, valueField } = publication;
+    this.#keep(replayed, { topic, client: client!, record: publication.keepRecord(), valueField });
   }
 
   #keep(replayed: ReplayedTopic, live: LiveValue): void {
