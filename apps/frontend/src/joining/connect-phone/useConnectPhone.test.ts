@@ -1,16 +1,20 @@
 // @vitest-environment happy-dom
-import { MasterAddressKind, type MasterAddress } from '@ubii/proto';
+import { AccessRole, MasterAddressKind, type MasterAddress } from '@ubii/proto';
 import { flushPromises, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, ref, shallowRef } from 'vue';
 import { CONNECTION, type Connection } from '../../connection/connection.ts';
+import type { RoleChoice } from './grant-choices.ts';
 import { useConnectPhone } from './useConnectPhone.ts';
 
 const LOOPBACK = { kind: MasterAddressKind.LOOPBACK, url: 'http://localhost:8080' };
 const WIFI = { kind: MasterAddressKind.WIFI, interfaceName: 'wlan0', url: 'https://10.0.0.7:8080' };
 
 /** Mounts the composable of the dialog in an admin's browser. */
-function open(addresses: readonly Partial<MasterAddress>[]) {
+function open(
+  addresses: readonly Partial<MasterAddress>[],
+  ...more: [opens?: string, roles?: readonly [RoleChoice, ...RoleChoice[]]]
+) {
   const view = shallowRef<unknown>({ latest: { addresses }, clock: { offsetMs: 0 } });
   const call = vi.fn((service: string, request: object = {}): Promise<unknown> => {
     if (service === 'accessGrantList') return Promise.resolve({ elements: [] });
@@ -33,7 +37,7 @@ function open(addresses: readonly Partial<MasterAddress>[]) {
   const wrapper = mount(
     defineComponent({
       setup() {
-        connect = useConnectPhone(true);
+        connect = useConnectPhone(true, ...more);
         return () => null;
       },
     }),
@@ -60,6 +64,17 @@ describe('useConnectPhone', () => {
     await flushPromises();
     expect(created()).toHaveLength(1);
     expect(connect.scanned.value).toBe('https://10.0.0.7:8080/join#token');
+  });
+
+  it('invites with the first of the roles that a page gives, and leaves the one selected last', async () => {
+    localStorage.setItem('ubii.connect.role', 'admin');
+    const { created } = open([WIFI], '/devices/smart-device', ['player', 'viewer']);
+    await flushPromises();
+    const { ACCESS_ROLE_PLAYER: role } = AccessRole;
+    expect(created().map(([, request]) => request)).toMatchObject([
+      { role, target: '/devices/smart-device' },
+    ]);
+    expect(localStorage.getItem('ubii.connect.role')).toBe('admin');
   });
 
   it('creates one invitation at once where phones can reach the master', async () => {

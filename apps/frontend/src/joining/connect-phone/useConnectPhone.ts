@@ -20,12 +20,18 @@ import { useGrants } from './useGrants.ts';
  *
  * @param makesAtOnce creates an invitation at once, if a phone can reach the master
  * @param opens the page that is selected at first; not remembered. @default the page selected last
+ * @param roles roles to choose from, the first one at first; not remembered. @default all, at first the role selected last
  */
-export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
+export function useConnectPhone(
+  makesAtOnce: boolean,
+  opens?: string,
+  roles?: readonly [RoleChoice, ...RoleChoice[]],
+) {
   const { master } = useConnection();
   const remembered = useLocalStorage<string>('ubii.connect.page', TARGETS[0].value);
   const page = opens === undefined ? remembered : ref(opens);
-  const role = useLocalStorage<RoleChoice>('ubii.connect.role', 'participant');
+  const lastRole = useLocalStorage<RoleChoice>('ubii.connect.role', 'participant');
+  const role = roles === undefined ? lastRole : ref(roles[0]);
   const lifetime = useLocalStorage<LifetimeChoice>('ubii.connect.lifetime', 'day');
   const stay = useLocalStorage<StayChoice>('ubii.connect.stay', 'day');
   const mayMake = ref(makesAtOnce);

@@ -1,12 +1,14 @@
 import { RecordingState, type Recording } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import {
+  emptySentence,
   estimateSentence,
   findRecordings,
   formatWhen,
   placeSentence,
   recordingLook,
   sortRecordings,
+  unknownSentence,
 } from './recording-words.ts';
 
 const aRecording = (changes: Partial<Recording>): Recording =>
@@ -76,6 +78,14 @@ it('an estimate says rate, size and how long the disk lasts', () => {
   );
   expect(estimateSentence(0, 0, 1e9)).toMatch(/^Nothing that was selected/);
   expect(estimateSentence(1, 10, 1e12)).toMatch(/more than two days\.$/);
+});
+
+it('an empty list and an unknown address tell all but admins that there may be recordings of others', () => {
+  const others = 'Recordings of others are shown to admins only.';
+  expect([emptySentence(true, false), unknownSentence(false)].join(' ')).not.toContain(others);
+  expect(emptySentence(true, true)).toContain(others);
+  expect(emptySentence(false, true)).toContain(others);
+  expect(unknownSentence(true)).toContain(others);
 });
 
 it('the list is sorted by name with its numbers, by length and by size', () => {

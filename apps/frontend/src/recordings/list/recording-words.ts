@@ -142,3 +142,19 @@ export function estimateSentence(
   const room = hours >= 48 ? 'more than two days' : formatLength(hours * 3_600_000);
   return `${rate} The disk has room for ${hours >= 48 ? room : `at least ${room}`}.`;
 }
+
+const OF_OTHERS = 'Recordings of others are shown to admins only.';
+
+/** What an empty list says. [RC-66] */
+export function emptySentence(mayRecord: boolean, isNoAdmin: boolean): string {
+  const drop = mayRecord
+    ? 'Keep what the flight recorder holds, record what comes next, or drop a file on this page: MCAP, CSV or XDF.'
+    : 'Drop a file on this page to read it on this device: MCAP, CSV or XDF.';
+  return `Recordings appear here. ${drop}${isNoAdmin ? ` ${OF_OTHERS}` : ''}`;
+}
+
+/** What the page of a recording says that is not in the list. */
+export function unknownSentence(isNoAdmin: boolean): string {
+  const sentence = 'No recording with this address. It may have been deleted.';
+  return isNoAdmin ? `${sentence} ${OF_OTHERS}` : sentence;
+}

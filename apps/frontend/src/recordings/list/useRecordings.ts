@@ -21,6 +21,7 @@ import {
 import { useTopic } from '../../connection/live/useTopic.ts';
 import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
+import { useMayRecord } from '../rights/useMayRecord.ts';
 import { uploadRecording } from './upload-recording.ts';
 
 /** The recordings of the master, and what people do with them. */
@@ -53,6 +54,9 @@ export interface Recordings {
 /** What people set of the flight recorder. */
 export type FlightChoice = Pick<FlightRecorder, 'isOn' | 'minutes' | 'maxBytes' | 'withImages'>;
 
+/** For viewers and players, who have no recordings. */
+const NONE: RecordingList = { elements: [], sizeBytes: 0, maxBytes: 0, freeBytes: 0 };
+
 const RECORDINGS: InjectionKey<Recordings> = Symbol('recordings');
 
 export function useRecordings(): Recordings {
@@ -69,12 +73,16 @@ export function provideRecordings(): Recordings {
   const status = computed(() => newest.value?.value);
   const all = computed(() => withRunning(list.value?.elements ?? [], status.value?.running ?? []));
 
+  const mayRecord = useMayRecord();
+  /** Those that started or ended, also of others. */
+  const runningIds = computed(() => status.value?.running.map(({ id }) => id).join(' '));
+
   async function refresh(): Promise<void> {
-    const next = await attempt(() => client.call('recordingList'));
+    const next = mayRecord.value ? await attempt(() => client.call('recordingList')) : NONE;
     if (next) list.value = next;
   }
   watch(
-    [isConnected, () => status.value?.listRevision],
+    [isConnected, () => status.value?.listRevision, runningIds],
     ([connected]) => connected && void refresh(),
     { immediate: true },
   );
@@ -107,14 +115,12 @@ export function provideRecordings(): Recordings {
   return recordings;
 }
 
-/** The list with those that run as they are now. The status, which everybody reads, has no names of participants. */
+/** The list with those that run as they are now. The status is for everybody: it has recordings of others, and no notes. */
 export function withRunning(
   list: readonly Recording[],
   running: readonly Recording[],
 ): readonly Recording[] {
   const now = new Map(running.map((one) => [one.id, one]));
-  const listed = new Set(list.map(({ id }) => id));
-  const started = running.filter(({ id }) => !listed.has(id));
   const known = ({ name, notes, study }: Recording) => ({ name, notes, study });
-  return [...started, ...list.map((one) => ({ ...one, ...now.get(one.id), ...known(one) }))];
+  return list.map((one) => ({ ...one, ...now.get(one.id), ...known(one) }));
 }

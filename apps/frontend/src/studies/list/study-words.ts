@@ -22,3 +22,9 @@ export function lastRuns(runs: readonly StudyRun[]): ReadonlyMap<string, number>
   for (const { studyId, startedMs } of runs) if (!last.has(studyId)) last.set(studyId, startedMs);
   return last;
 }
+
+/** What the page of a study says that is not in the list. [ST-5] */
+export function unknownSentence(isNoAdmin: boolean): string {
+  const sentence = 'No study with this address. It may have been deleted.';
+  return isNoAdmin ? `${sentence} Studies of others are shown to admins only.` : sentence;
+}
