@@ -1,5 +1,6 @@
 import { roleRefusal } from './join-refusals.ts';
-import type { Caller, ClientAccess } from './caller.ts';
+import type { Caller } from './caller.ts';
+import type { Grant } from './grant.ts';
 
 /** Makers that joined with no invitation and are no admins. */
 const LOCAL = 'local';
@@ -12,7 +13,7 @@ const NETWORK = 'network';
 export function fileMakerOf(caller: Caller): string {
   switch (caller.kind) {
     case 'client':
-      return makerOfGrant(caller, caller.holderId);
+      return makerOfGrant(caller.grant, caller.holderId);
     case 'local':
       return caller.role === 'admin' ? '' : LOCAL;
     case 'network':
@@ -21,20 +22,6 @@ export function fileMakerOf(caller: Caller): string {
     case 'stranger':
       return '';
   }
-}
-
-/** Returns the same for a client. */
-export function fileMakerOfClient({
-  id,
-  access,
-}: {
-  readonly id: string;
-  readonly access: ClientAccess;
-}): string {
-  const { kind, role, grant, holderId } = access;
-  if (grant !== undefined) return makerOfGrant({ grant }, holderId || id);
-  if (kind === 'network') return NETWORK;
-  return role === 'admin' ? '' : LOCAL;
 }
 
 /** Whether a caller may read and change what this maker made. [RC-66] */
@@ -51,7 +38,7 @@ export function requireFilesOf(makerId: string, caller: Caller, what: string): v
   );
 }
 
-function makerOfGrant({ grant }: Required<Pick<ClientAccess, 'grant'>>, holderId: string): string {
-  if (grant === undefined || grant.hereOnly) return '';
-  return grant.isTerminal ? `${grant.id}/${holderId}` : grant.id;
+function makerOfGrant({ id, isTerminal, hereOnly }: Grant, holderId: string): string {
+  if (hereOnly) return '';
+  return isTerminal ? `${id}/${holderId}` : id;
 }
