@@ -48,25 +48,47 @@ export class FlightRing {
   #standing = new StandingValues();
   #events = new HeldEvents();
   #newestNs = 0n;
+  /** Time that has passed, as a log time; it runs on while nothing comes. */
+  #nowNs = 0n;
 
   constructor(limits: FlightRingLimits) {
     this.#limits = limits;
   }
 
   get content(): FlightRingContent {
+    const records = this.#small.records + this.#large.records;
+    const heldNs = records === 0 ? 0 : Number(this.#newestNs - this.#startNs());
     return {
-      heldMs: Number(this.#newestNs - this.#startNs()) / NS_PER_MS,
+      heldMs: Math.max(0, heldNs) / NS_PER_MS,
       heldBytes: this.#small.bytes + this.#large.bytes + this.#standing.bytes + this.#events.bytes,
-      records: this.#small.records + this.#large.records,
+      records,
       topics: new Set([...this.#channels.topics, ...this.#standing.topics]).size,
     };
+  }
+
+  /** Log time after which the first of what is held is over; undefined when only standing values and states are held. [RC-35] */
+  get nextEndNs(): bigint | undefined {
+    const newest = [
+      this.#small.oldest?.newestNs,
+      this.#large.oldest?.newestNs,
+      this.#events.oldestNs,
+    ].filter((timeNs) => timeNs !== undefined);
+    if (newest.length === 0) return undefined;
+    return newest.reduce(minOf) + this.#lengthNs;
+  }
+
+  /** Lets time pass: what is over leaves. @param nowNs as a log time [RC-35] */
+  advanceTo(nowNs: bigint): void {
+    this.#nowNs = nowNs;
+    this.#evict();
   }
 
   /** Keeps a record, a small one as a copy. Its bytes are not modified any more. */
   addRecord(record: RecordedRecord): void {
     if (!this.#limits.withImages && isImage(record.record)) return;
     // The clock was set back: what is held would stand in the future for hours.
-    if (record.logTimeNs < this.#windowStartNs()) this.clear();
+    if (record.logTimeNs < this.#newestNs - this.#lengthNs) this.clear();
+    this.#nowNs = record.logTimeNs;
     if (record.record.length <= MAX_JOINED_BYTES) this.#addSmall(record);
     else this.#large.keep(this.#channels.take(record), record);
     if (record.logTimeNs > this.#newestNs) this.#newestNs = record.logTimeNs;
@@ -74,7 +96,9 @@ export class FlightRing {
   }
 
   addEvent(event: RecordingEvent): void {
-    this.#events.add(event);
+    // A marker may stand for a moment to come; it leaves as one of now.
+    const atNs = this.#presentNs > 0n ? minOf(event.timeNs, this.#presentNs) : event.timeNs;
+    this.#events.add(event, atNs);
     this.#evict();
   }
 
@@ -87,7 +111,7 @@ export class FlightRing {
   /** Notes that a topic has no value any more: it is forgotten when its records have left the window. */
   forget(topic: string): void {
     if (!this.#channels.hasTopic(topic) && !this.#standing.hasTopic(topic)) return;
-    const timeNs = this.#newestNs;
+    const timeNs = this.#presentNs;
     this.#addSmall({ topic, clientId: '', record: END, logTimeNs: timeNs, publishTimeNs: timeNs });
     this.#evict();
   }
@@ -100,6 +124,7 @@ export class FlightRing {
     this.#standing = new StandingValues();
     this.#events = new HeldEvents();
     this.#newestNs = 0n;
+    this.#nowNs = 0n;
   }
 
   /** Writes what is held now; values and states that are older and still stand are written at the beginning. */
@@ -137,13 +162,21 @@ export class FlightRing {
   #startNs(): bigint {
     const oldest = [this.#small.oldest?.oldestNs, this.#large.oldest?.oldestNs]
       .filter((timeNs) => timeNs !== undefined)
-      .reduce((first, timeNs) => (timeNs < first ? timeNs : first), this.#newestNs);
+      .reduce(minOf, this.#newestNs);
     const limit = this.#windowStartNs();
     return oldest > limit ? oldest : limit;
   }
 
   #windowStartNs(): bigint {
-    return this.#newestNs - BigInt(Math.round(this.#limits.maxMs * NS_PER_MS));
+    return this.#presentNs - this.#lengthNs;
+  }
+
+  get #presentNs(): bigint {
+    return this.#nowNs > this.#newestNs ? this.#nowNs : this.#newestNs;
+  }
+
+  get #lengthNs(): bigint {
+    return BigInt(Math.round(this.#limits.maxMs * NS_PER_MS));
   }
 
   #evict(): void {
@@ -183,6 +216,10 @@ export class FlightRing {
     stand();
     for (const [number] of slab.entries()) this.#channels.release(number);
   }
+}
+
+function minOf(a: bigint, b: bigint): bigint {
+  return a < b ? a : b;
 }
 
 function isImage(record: Uint8Array): boolean {

@@ -3,6 +3,8 @@ import { stateKey } from '../records/state-key.ts';
 
 interface HeldEvent {
   readonly event: RecordingEvent;
+  /** Time by which it leaves the window. */
+  readonly atNs: bigint;
   readonly bytes: number;
 }
 
@@ -16,15 +18,21 @@ export class HeldEvents {
     return this.#bytes;
   }
 
-  add(event: RecordingEvent): void {
+  /** The first of the window; undefined when there is none. */
+  get oldestNs(): bigint | undefined {
+    return this.#window[0]?.atNs;
+  }
+
+  /** @param atNs by which it leaves the window */
+  add(event: RecordingEvent, atNs: bigint): void {
     const bytes = 256 + 2 * JSON.stringify(event.value).length;
-    this.#window.push({ event, bytes });
+    this.#window.push({ event, atNs, bytes });
     this.#bytes += bytes;
   }
 
   /** Lets events leave the window that were added before the first one that is not earlier than a moment. */
   expire(beforeNs: bigint): void {
-    while (this.#window.length > 0 && this.#window[0]!.event.timeNs < beforeNs) this.#expireFirst();
+    while (this.#window.length > 0 && this.#window[0]!.atNs < beforeNs) this.#expireFirst();
   }
 
   /** Forgets the oldest: of the window first, as states before it may still apply. */

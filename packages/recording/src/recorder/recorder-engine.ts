@@ -58,9 +58,13 @@ export class RecorderEngine implements Recorder {
   #cancelTick: Cancel | undefined = undefined;
 
   constructor(context: RecorderContext) {
-    const { folder, limits } = context;
+    const { folder, clock, limits } = context;
     this.#context = context;
-    this.#flight = new FlightRecorder(limits.markersPerRecording);
+    this.#flight = new FlightRecorder({
+      clock,
+      maxMarkers: limits.markersPerRecording,
+      onDrop: () => this.#emit(),
+    });
     this.#files = new FileList({ folder, limits, onChange: () => this.#listRevision++ });
     this.#running = new RunningRecordings({ ...context, files: this.#files });
   }
@@ -156,7 +160,7 @@ export class RecorderEngine implements Recorder {
     const isMarked = await this.#inOrder(() => Promise.resolve(this.#running.mark(job)));
     if (marker.recordingId === '') {
       if (!isMarked && !this.#flight.isOn) throw nothingToMark();
-      this.#flight.mark(job, this.#nowMs());
+      this.#flight.mark(job);
     } else if (!isMarked) {
       if (!mayChangeAll) throw isFinished();
       await this.#files.mark(job);
@@ -169,12 +173,12 @@ export class RecorderEngine implements Recorder {
     return this.#inOrder(() => {
       this.#flight.set(job);
       this.#emit();
-      return Promise.resolve(this.#flight.toMessage(this.#nowMs()));
+      return Promise.resolve(this.#flight.toMessage());
     });
   }
 
   flight(): Promise<FlightMessage> {
-    return this.#inOrder(() => Promise.resolve(this.#flight.toMessage(this.#nowMs())));
+    return this.#inOrder(() => Promise.resolve(this.#flight.toMessage()));
   }
 
   async keep(job: RecordingJob): Promise<Recording> {
@@ -197,7 +201,10 @@ export class RecorderEngine implements Recorder {
 
   async close(): Promise<void> {
     this.#cancelTick?.();
-    await this.#inOrder(() => this.#running.stopAll());
+    await this.#inOrder(() => {
+      this.#flight.close();
+      return this.#running.stopAll();
+    });
   }
 
   /** Carries out one after the other. */
@@ -265,7 +272,7 @@ export class RecorderEngine implements Recorder {
   #state(): RecorderState {
     const { targets } = this.#running;
     const running = this.#running.toMessages();
-    const flight = this.#flight.toMessage(this.#nowMs());
+    const flight = this.#flight.toMessage();
     return { running, targets, flight, listRevision: this.#listRevision };
   }
 
