@@ -115,6 +115,7 @@ export async function exportRecording(
       write(`Left out: ${counted(leftOut, 'topic')} with messages of other programs.\n`);
     const parts = format === 'mcap' && reader !== whole ? leftOutParts(whole.summary) : '';
     if (parts !== '') write(`Left out: ${parts}.\n`);
+    for (const sentence of shared.report()) write(`${sentence}.\n`);
     await shared.saveKey();
   } finally {
     await file.close();
@@ -193,7 +194,9 @@ function chosenTopics(
   const all = reader.summary.topics
     .filter(({ isRaw }) => withForeign || !isRaw)
     .map(({ topic }) => topic);
-  const chosen = [...new Set(all)].filter(isChosen).flatMap((topic) => shared(topic) ?? []);
+  const names = all.filter(isChosen).flatMap((topic) => shared(topic) ?? []);
+  // Topics that differed in a dropped value are one.
+  const chosen = [...new Set(names)];
   if (chosen.length > 0) return chosen;
   throw new ConfigError('The recording has none of these topics. "npm run info" lists its topics.');
 }

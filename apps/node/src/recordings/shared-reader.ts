@@ -21,6 +21,8 @@ export interface SharedRecording {
   readonly reader: EventsReader;
   /** Returns a topic as it is exported; undefined when it is dropped. */
   topic(topic: string): string | undefined;
+  /** What was found of labelled values in what was read so far, as sentences without their ends. [PD-18] */
+  report(): readonly string[];
   /** Writes the key file, once everything was read. */
   saveKey(): Promise<void>;
 }
@@ -32,15 +34,17 @@ export async function shareRecording(
   keyPath: string,
 ): Promise<SharedRecording> {
   if (personal === 'none') {
-    return { reader, topic: (topic) => topic, saveKey: () => Promise.resolve() };
+    const saveKey = (): Promise<void> => Promise.resolve();
+    return { reader, topic: (topic) => topic, report: () => [], saveKey };
   }
   const rules = await asConfig(() => rulesOf(reader, personal));
   const key = await asConfig(() => keyOf(keyPath));
   const pseudonyms = new Pseudonyms(key);
-  const treatment = createTreatment(rules, await findPeople(reader), pseudonyms);
+  const treatment = createTreatment(rules, await findPeople(reader, rules.labels), pseudonyms);
   return {
     reader: new TreatedReader(reader, treatment),
     topic: (topic) => treatment.topic(topic),
+    report: () => treatment.report(),
     async saveKey() {
       if (keyPath === '') return;
       // Whoever reads it knows the people.

@@ -165,7 +165,7 @@ test('a cut has messages of other programs bit for bit, with schema and metadata
 test('a shared copy has no messages of other programs', async () => {
   const reader = await RecordingReader.open(await foreignFile());
   const pseudonyms = new Pseudonyms(createPseudonymKey((bytes) => bytes.fill(3)));
-  const treatment = createTreatment(SHARING_RULES, await findPeople(reader), pseudonyms);
+  const treatment = createTreatment(SHARING_RULES, await findPeople(reader, []), pseudonyms);
   await expect(treatRecording(reader, new MemoryFile(), treatment)).rejects.toThrow('no records');
 });
 
@@ -237,7 +237,7 @@ test('[PD-14] a shared copy has no attachments and metadata of other programs, a
     '3 attachments and 2 metadata records of other programs',
   );
   const pseudonyms = new Pseudonyms(createPseudonymKey((bytes) => bytes.fill(3)));
-  const treatment = createTreatment(SHARING_RULES, await findPeople(reader), pseudonyms);
+  const treatment = createTreatment(SHARING_RULES, await findPeople(reader, []), pseudonyms);
   const treated = new TreatedReader(reader, treatment);
   expect(treated.foreignParts()).toEqual([]);
   expect(leftOutParts(treated.summary)).toBe('');

@@ -10,13 +10,15 @@ import {
 import { readRecordHead } from '@ubii/proto/wire';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingHeader } from '../records/recording-header.ts';
-import { KnownTexts } from './known-texts.ts';
+import { KnownTexts, type KnownText } from './known-texts.ts';
 import type { KnownPeople } from './known-people.ts';
+import { FORMATS_WITH_TEXTS } from './labelled-texts.ts';
 import { applyLabel, readyLabel, VALUE_FIELDS, type ReadyLabel } from './labels.ts';
 import type { PersonalRules } from './personal-rules.ts';
 import type { Pseudonyms } from './pseudonyms.ts';
 import { treatEvent } from './treat-events.ts';
-import { hasTexts, isMessage, treatMessage, type Fields } from './treat-message.ts';
+import { treatMessage, type Fields } from './treat-message.ts';
+import { TreatmentReport, type Place } from './treatment-report.ts';
 import type { Treatment } from './treatment.ts';
 
 const RECORD_TYPE = 'ubii.topicData.TopicDataRecord';
@@ -24,12 +26,8 @@ const RECORD_TYPE = 'ubii.topicData.TopicDataRecord';
 const LEADING_UUID = /^\/([0-9a-f]{8}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{4}-[0-9a-f]{12})(?=\/|$)/i;
 /** The members of a record that hold its value. */
 const VALUE_OF_RECORD = { ...messageDescriptor(RECORD_TYPE), fields: VALUE_FIELDS };
-/** Data formats without texts need no decoding, unless a label names them. */
-const FORMATS_WITH_TEXTS = new Set(
-  VALUE_FIELDS.filter(({ type }) => type === 'string' || (isMessage(type) && hasTexts(type))).map(
-    ({ jsonName }) => jsonName,
-  ),
-);
+/** In place of a text that a label drops. */
+const REMOVED = 'removed';
 
 /**
  * Makes the treatment of one recording.
@@ -54,6 +52,9 @@ class RuleTreatment implements Treatment {
   readonly #labelsOfTopic = new Map<string, readonly ReadyLabel[]>();
   readonly #topics = new Map<string, string | undefined>();
   readonly #shiftMs: number;
+  readonly #report: TreatmentReport;
+  /** Where the texts stand that are treated now. */
+  #place: Place = 'header';
   /** As message treatments take them. */
   readonly #parts;
 
@@ -63,18 +64,26 @@ class RuleTreatment implements Treatment {
     this.#pseudonyms = pseudonyms;
     this.#labels = rules.labels.map(readyLabel);
     this.#shiftMs = rules.time === 'shift' ? pseudonyms.key.shiftMs : 0;
+    this.#report = new TreatmentReport(people.labelled);
     const isReplaced = rules.clients === 'pseudonym';
-    const name = (text: string, prefix: string): string =>
-      isReplaced ? pseudonyms.of(text, prefix) : text;
+    const note = (known: KnownText): void => this.#note(known, this.#place);
+    const text = (text: string): string => this.#known.replaceIn(text, note);
+    const name = (one: string, prefix: string): string =>
+      isReplaced ? pseudonyms.of(one, prefix) : text(one);
     if (isReplaced) {
       for (const id of people.clientIds) this.#known.add(id, name(id, 'client'));
-      for (const text of people.clientNames) this.#known.add(text, name(text, 'client'));
-      for (const text of people.deviceNames) this.#known.add(text, name(text, 'device'));
+      for (const one of people.clientNames) this.#known.add(one, name(one, 'client'));
+      for (const one of people.deviceNames) this.#known.add(one, name(one, 'device'));
+    }
+    for (const [one, prefix] of people.labelled.texts) {
+      const replacement = prefix === undefined ? REMOVED : pseudonyms.of(one, prefix);
+      this.#known.add(one, replacement, { isLabelled: true });
     }
     this.#parts = {
       name,
+      text,
       clientId: (id: string) => name(id, 'client'),
-      text: (text: string) => this.#known.replaceIn(text),
+      code: (code: string) => this.#code(code),
       timeMs: (timeMs: number) => timeMs + this.#shiftMs,
       topic: (topic: string) => this.topic(topic),
       shiftNs: this.shiftNs,
@@ -107,6 +116,7 @@ class RuleTreatment implements Treatment {
   record(record: RecordedRecord): RecordedRecord | undefined {
     const topic = this.topic(record.topic);
     if (topic === undefined) return undefined;
+    this.#place = { topic };
     const bytes = this.#bytes(record);
     if (bytes === undefined) return undefined;
     const clientId = this.clientId(record.clientId);
@@ -116,17 +126,23 @@ class RuleTreatment implements Treatment {
   }
 
   event(event: Parameters<Treatment['event']>[0]) {
+    this.#place = event.kind;
     return treatEvent(event, this.#rules, this.#parts);
   }
 
+  report(): readonly string[] {
+    return this.#report.sentences();
+  }
+
   header(header: RecordingHeader): RecordingHeader {
+    this.#place = 'header';
     const { kind, version, masterName } = header;
     const isKept = this.#rules.notes === 'keep';
-    const { text } = this.#parts;
+    const { name, text } = this.#parts;
     return {
       kind,
-      version,
-      masterName: text(masterName),
+      version: text(version),
+      masterName: name(masterName, 'master'),
       name: isKept ? text(header.name) : 'Shared recording',
       notes: isKept ? text(header.notes) : '',
       // Tells clients, invitations and devices by name.
@@ -183,9 +199,19 @@ class RuleTreatment implements Treatment {
   }
 
   #replacedTopic(topic: string): string {
-    if (this.#rules.clients === 'keep') return topic;
-    const id = LEADING_UUID.exec(topic)?.[1];
+    const id = this.#rules.clients === 'keep' ? undefined : LEADING_UUID.exec(topic)?.[1];
     if (id !== undefined) this.#known.add(id, this.clientId(id));
-    return this.#known.replaceInTopic(topic);
+    return this.#known.replaceInTopic(topic, (known) => this.#note(known, 'topic name'));
+  }
+
+  #note({ normal, isLabelled }: KnownText, place: Place): void {
+    if (isLabelled) this.#report.note(normal, place);
+  }
+
+  /** Code in which a text was replaced might not run any more, and would not say so. [PD-12] */
+  #code(code: string): string {
+    if (!this.#known.hasLabelled(code)) return code;
+    this.#report.noteCode(code);
+    return '';
   }
 }

@@ -1,11 +1,14 @@
-import { decodeRecord, type EmptyRecord, type TopicRecord } from '@ubii/proto';
+import { decodeRecord, type EmptyRecord, type PersonalLabel, type TopicRecord } from '@ubii/proto';
 import type { EventsReader } from '../reading/recording-reader.ts';
+import { findLabelledTexts, type LabelledTexts } from './labelled-texts.ts';
 
-/** Names and ids in a recording, and what of it cannot be searched for them. */
+/** Names, ids and labelled texts in a recording, and what of it cannot be searched for them. */
 export interface KnownPeople {
   readonly clientIds: ReadonlySet<string>;
   readonly clientNames: ReadonlySet<string>;
   readonly deviceNames: ReadonlySet<string>;
+  /** What labels name. */
+  readonly labelled: LabelledTexts;
   /** Topics with messages of other programs. */
   readonly foreignTopics: ReadonlySet<string>;
 }
@@ -13,8 +16,11 @@ export interface KnownPeople {
 /** Data formats that tell names. */
 const NAMING = new Set(['client', 'device', 'deviceList']);
 
-/** Finds the names and ids that a recording tells. Reads its events, and records of clients and devices. */
-export async function findPeople(reader: EventsReader): Promise<KnownPeople> {
+/** Finds what a recording tells of people. Reads its events, and records of clients, of devices and of labelled topics. */
+export async function findPeople(
+  reader: EventsReader,
+  labels: readonly PersonalLabel[],
+): Promise<KnownPeople> {
   const ids = new Set<string>();
   const names = new Set<string>();
   const deviceNames = new Set<string>();
@@ -47,7 +53,8 @@ export async function findPeople(reader: EventsReader): Promise<KnownPeople> {
     }
   }
   const foreignTopics = new Set(topics.filter(({ isRaw }) => isRaw).map(({ topic }) => topic));
-  return { clientIds: ids, clientNames: names, deviceNames, foreignTopics };
+  const labelled = await findLabelledTexts(reader, labels);
+  return { clientIds: ids, clientNames: names, deviceNames, labelled, foreignTopics };
 }
 
 function decodeSafely(record: Uint8Array): TopicRecord | EmptyRecord | undefined {

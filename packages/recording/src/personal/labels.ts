@@ -74,21 +74,68 @@ export function applyLabel(
         ? pseudonym(value, prefixOf(field))
         : value
       : roundedValue(field, value, step);
-  const target = path.at(-1) ?? VALUE_FIELDS.find(({ jsonName }) => record[jsonName] !== undefined);
+  const target = targetOf(record, path);
   if (target === undefined) return true;
-  let owners: Fields[] = [record];
-  for (const { jsonName } of path.slice(0, -1)) {
-    owners = owners.flatMap((owner) => listOf(owner[jsonName]) as Fields[]);
-  }
-  for (const owner of owners) {
+  for (const owner of ownersOf(record, path)) {
     if (owner[target.jsonName] === undefined) continue;
-    const isDropped =
-      treatment === PersonalTreatment.PERSONAL_TREATMENT_DROP || !isTreatable(target, treatment);
-    if (!isDropped) changeBelow(owner, target, change);
+    if (isTreated(target, treatment)) changeBelow(owner, target, change);
     else if (path.length <= 1) return false;
     else owner[target.jsonName] = emptyOf(target);
   }
   return true;
+}
+
+/**
+ * Visits the texts of a decoded record that a label drops or replaces.
+ *
+ * @param visit is called with the prefix of the pseudonym; with undefined for a text that is dropped
+ */
+export function eachLabelledText(
+  record: Fields,
+  { path, treatment, dropsTopic }: ReadyLabel,
+  visit: (text: string, prefix: string | undefined) => void,
+): void {
+  const target = targetOf(record, path);
+  if (target === undefined) return;
+  const isDropped = dropsTopic || !isTreated(target, treatment);
+  if (!isDropped && treatment === PersonalTreatment.PERSONAL_TREATMENT_ROUND) return;
+  for (const owner of ownersOf(record, path)) {
+    eachTextBelow(owner, target, (text, field) =>
+      visit(text, isDropped ? undefined : prefixOf(field)),
+    );
+  }
+}
+
+/** The member that a label names in a record; without a path, its value. */
+function targetOf(record: Fields, path: ReadyLabel['path']): FieldDescriptor | undefined {
+  return path.at(-1) ?? VALUE_FIELDS.find(({ jsonName }) => record[jsonName] !== undefined);
+}
+
+/** The messages that have the last member of a path. */
+function ownersOf(record: Fields, path: ReadyLabel['path']): readonly Fields[] {
+  let owners: readonly Fields[] = [record];
+  for (const { jsonName } of path.slice(0, -1)) {
+    owners = owners.flatMap((owner) => listOf(owner[jsonName]) as Fields[]);
+  }
+  return owners;
+}
+
+function eachTextBelow(
+  owner: Fields,
+  field: FieldDescriptor,
+  visit: (text: string, field: FieldDescriptor) => void,
+): void {
+  for (const value of listOf(owner[field.jsonName])) {
+    if (typeof value === 'string') visit(value, field);
+    else if (isMessage(field.type)) {
+      for (const inner of field.type.fields) eachTextBelow(value as Fields, inner, visit);
+    }
+  }
+}
+
+/** Whether a member is changed; if not, it is dropped. */
+function isTreated(field: FieldDescriptor, treatment: PersonalTreatment): boolean {
+  return treatment !== PersonalTreatment.PERSONAL_TREATMENT_DROP && isTreatable(field, treatment);
 }
 
 /** Whether a treatment changes anything in a member; if not, the member is dropped. */

@@ -1,4 +1,3 @@
-import { Opcode } from '@mcap/core';
 import {
   encode,
   encodeRecord,
@@ -10,10 +9,9 @@ import {
 import { expect, it } from 'vitest';
 import { SNAPSHOT_NAME } from '../mcap/snapshot-attachment.ts';
 import { openFile } from '../mcap/open-file.ts';
-import { storedRecords } from '../mcap/stored-records.ts';
-import { unpackChunk } from '../mcap/unpack-chunk.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
+import { contentOf } from '../testing/content-of.ts';
 import { recordedDevice } from '../testing/recorded-device.ts';
 import { MemoryFile } from '../testing/memory-file.ts';
 import { SAMPLE_HEADER, SAMPLE_START_NS } from '../testing/sample-records.ts';
@@ -187,15 +185,6 @@ function withUnknownField(): Uint8Array {
   return Uint8Array.from([...record, 0xc2, 0xb8, 0x02, text.length, ...text]);
 }
 
-/** All bytes of a file, with its chunks decompressed. */
-async function contentOf(file: MemoryFile): Promise<Buffer> {
-  const parts: Uint8Array[] = [file.bytes];
-  for await (const { opcode, content } of storedRecords(file)) {
-    if (opcode === Number(Opcode.CHUNK)) parts.push((await unpackChunk(content)).slice());
-  }
-  return Buffer.concat(parts);
-}
-
 function found(content: Buffer): string[] {
   const text = content.toString('latin1').toLowerCase();
   return SECRETS.filter((secret) => text.includes(secret.toLowerCase()));
@@ -206,7 +195,7 @@ it('[PD-10] [PD-11] [PD-13] nothing personal is left anywhere in a shared file',
   expect(found(await contentOf(file)).toSorted()).toEqual(SECRETS.toSorted());
   const reader = await RecordingReader.open(file);
   const pseudonyms = new Pseudonyms(createPseudonymKey((bytes) => bytes.fill(3)));
-  const treatment = createTreatment(RULES, await findPeople(reader), pseudonyms);
+  const treatment = createTreatment(RULES, await findPeople(reader, RULES.labels), pseudonyms);
   const shared = new MemoryFile();
   await treatRecording(reader, shared, treatment);
   const names = (await openFile(shared)).index.attachments.map(({ name }) => name);

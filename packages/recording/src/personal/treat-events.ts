@@ -3,6 +3,25 @@ import type { RecordedComponent, RecordingEvent } from '../records/recording-eve
 import type { PersonalRules } from './personal-rules.ts';
 import { treatMessage, type Fields, type MessageTreatment } from './treat-message.ts';
 
+/** Words of the master for states, directions and kinds of markers: readers know them. Others may be texts of a person. */
+const WORDS = new Set([
+  'active',
+  'inactive',
+  'unavailable',
+  'registered',
+  'deregistered',
+  'publisher',
+  'subscriber',
+  'created',
+  'running',
+  'paused',
+  'stopped',
+  'key',
+  'button',
+  'module',
+  'service',
+  'topic',
+]);
 const SESSION = messageDescriptor('ubii.sessions.Session');
 
 /** What becomes of events. */
@@ -19,6 +38,7 @@ export function treatEvent(
   treatment: EventTreatment,
 ): RecordingEvent | undefined {
   const { text, clientId, name, timeMs } = treatment;
+  const word = wordTreatment(treatment);
   const timeNs = event.timeNs + treatment.shiftNs;
   switch (event.kind) {
     case 'client': {
@@ -27,7 +47,7 @@ export function treatEvent(
         id: clientId(id),
         name: name(event.value.name, 'client'),
         tags: tags.map(text),
-        state,
+        state: word(state),
       };
       return { kind: 'client', timeNs, value };
     }
@@ -38,7 +58,7 @@ export function treatEvent(
         clientId: clientId(event.value.clientId),
         name: name(event.value.name, 'device'),
         tags: tags.map(text),
-        state,
+        state: word(state),
         components: components.flatMap((component) => treatComponent(component, treatment)),
       };
       return { kind: 'device', timeNs, value };
@@ -59,7 +79,7 @@ export function treatEvent(
           text: rules.markerTexts === 'keep' ? text(value.text) : '',
           author: name(value.author, 'client'),
           authorId: clientId(value.authorId),
-          kind: text(value.kind),
+          kind: word(value.kind),
           ...(value.isRemoved === true && { isRemoved: true }),
         },
       };
@@ -79,9 +99,9 @@ export function treatEvent(
     case 'session': {
       const { id, state, session } = event.value;
       const value = {
-        id,
+        id: text(id),
         name: text(event.value.name),
-        state,
+        state: word(state),
         session: treatSession(session, treatment),
       };
       return { kind: 'session', timeNs, value };
@@ -91,11 +111,17 @@ export function treatEvent(
 
 /** Empty when the topic of the component is dropped. */
 function treatComponent(component: RecordedComponent, treatment: EventTreatment) {
-  const { id, name, format, direction, tags } = component;
+  const { id, name, format, tags } = component;
   const { text } = treatment;
   const topic = treatment.topic(component.topic);
   if (topic === undefined) return [];
-  return [{ id: text(id), name: text(name), topic, format, direction, tags: tags.map(text) }];
+  const direction = wordTreatment(treatment)(component.direction);
+  const texts = { id: text(id), name: text(name), format: text(format), tags: tags.map(text) };
+  return [{ ...texts, topic, direction }];
+}
+
+function wordTreatment({ text }: MessageTreatment): (word: string) => string {
+  return (word) => (WORDS.has(word) ? word : text(word));
 }
 
 /** The session as its schema knows it, with its code; `{}` when it cannot be read. */

@@ -8,6 +8,8 @@ export interface MessageTreatment {
   /** Of a text that may contain names or ids. */
   text(text: string): string;
   clientId(id: string): string;
+  /** Of the code of a module. */
+  code(code: string): string;
   /** @param prefix what has the name, such as `client` */
   name(name: string, prefix: string): string;
   /** Of an absolute time, milliseconds since the Unix epoch. */
@@ -94,7 +96,7 @@ function changeOf(
   }
   if (type !== 'string') return undefined;
   const kind = BY_FIELD[`${name}.${jsonName}`] ?? BY_NAME[jsonName] ?? 'text';
-  if (kind === 'code') return undefined;
+  if (kind === 'code') return (value) => treatment.code(value as string);
   if (kind === 'dropped') return () => '';
   if (kind === 'text') return (value) => treatment.text(value as string);
   if (kind === 'clientId') return (value) => treatment.clientId(value as string);

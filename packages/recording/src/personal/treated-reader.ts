@@ -1,7 +1,8 @@
+import { DATA_FORMATS } from '@ubii/proto';
 import type { EventsReader, RecordsQuery } from '../reading/recording-reader.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { EventKind, EventValue, RecordingEvent } from '../records/recording-event.ts';
-import type { RecordingSummary } from '../records/recording-summary.ts';
+import type { RecordedTopic, RecordingSummary } from '../records/recording-summary.ts';
 import type { Treatment } from './treatment.ts';
 
 /** A recording as it is shared: everything that is read passes the treatment. Exports read it like any other. */
@@ -87,12 +88,7 @@ function treatedSummary(summary: RecordingSummary, treatment: Treatment): Record
       const event = { kind, timeNs: endNs, value } as unknown as RecordingEvent;
       return (treatment.event(event)?.value as EventValue<K> | undefined) ?? [];
     });
-  const topics = summary.topics.flatMap((row) => {
-    const topic = treatment.topic(row.topic);
-    if (topic === undefined) return [];
-    const clientId = treatment.clientId(row.clientId);
-    return { ...row, topic, clientId, clientName: treatment.clientName(row.clientName) };
-  });
+  const topics = treatedTopics(summary.topics, treatment);
   const { isForeign, isDamaged } = summary;
   return {
     ...treatment.header(summary),
@@ -107,4 +103,23 @@ function treatedSummary(summary: RecordingSummary, treatment: Treatment): Record
     isForeign,
     isDamaged,
   };
+}
+
+/** Topics that are shared under one name are one. */
+function treatedTopics(
+  topics: readonly RecordedTopic[],
+  treatment: Treatment,
+): readonly RecordedTopic[] {
+  const shared = new Map<string, RecordedTopic>();
+  for (const row of topics) {
+    const topic = treatment.topic(row.topic);
+    if (topic === undefined) continue;
+    const clientId = treatment.clientId(row.clientId);
+    const key = `${clientId} ${topic}`;
+    const records = row.records + (shared.get(key)?.records ?? 0);
+    const clientName = treatment.clientName(row.clientName);
+    const format = Object.hasOwn(DATA_FORMATS, row.format) ? row.format : '';
+    shared.set(key, { ...row, topic, clientId, clientName, format, records });
+  }
+  return [...shared.values()];
 }

@@ -29,6 +29,7 @@ const { PERSONAL_TREATMENT_DROP, PERSONAL_TREATMENT_PSEUDONYM, PERSONAL_TREATMEN
   PersonalTreatment;
 const KEY = createPseudonymKey((bytes) => bytes.fill(5));
 const NOBODY: KnownPeople = {
+  labelled: { texts: new Map<string, string>(), short: 0, isIncomplete: false },
   clientIds: new Set<string>(),
   clientNames: new Set<string>(),
   deviceNames: new Set<string>(),
@@ -190,7 +191,7 @@ it('[PD-15] a shift moves all times alike', async () => {
     value: { id: 'm', timeMs: ms, text: '', author: '', authorId: '', kind: '' },
   };
   const reader = await RecordingReader.open(await recorded([timed], [event]));
-  const treatment = treatmentWith({ time: 'shift' }, await findPeople(reader));
+  const treatment = treatmentWith({ time: 'shift' }, await findPeople(reader, []));
   const file = new MemoryFile();
   await treatRecording(reader, file, treatment);
   const shared = await RecordingReader.open(file);
@@ -207,7 +208,7 @@ it('[PD-11] [PD-13] rules that keep everything change nothing but the selection'
   const record = sampleRecord('/1b9d6bcd-bbfd-4b2d-9b5d-ab8dfbbd4bed/a', 0);
   const reader = await RecordingReader.open(await recorded([record]));
   const rules = { ...SHARING_RULES, clients: 'keep', notes: 'keep' } as const;
-  const treatment = treatmentWith(rules, await findPeople(reader));
+  const treatment = treatmentWith(rules, await findPeople(reader, []));
   expect(treatment.record(record)).toEqual(record);
   expect(treatment.header({ ...SAMPLE_HEADER, selection: '{"topics":[]}' })).toEqual(SAMPLE_HEADER);
 });
@@ -225,7 +226,7 @@ it('exports read a treated recording by its shared topics and times', async () =
   ];
   const reader = await RecordingReader.open(await recorded(records, [client]));
   const labels = [{ ...label('', PERSONAL_TREATMENT_DROP), topicPattern: '/dropped' }];
-  const treatment = treatmentWith({ labels, time: 'shift' }, await findPeople(reader));
+  const treatment = treatmentWith({ labels, time: 'shift' }, await findPeople(reader, []));
   const shared = new TreatedReader(reader, treatment);
   const topic = treatment.topic('/ada/a')!;
   expect(topic).toMatch(/^\/client-[0-9a-f]{6}\/a$/);
@@ -250,7 +251,7 @@ it('treating ends when it is cancelled', async () => {
   const abort = new AbortController();
   abort.abort(new Error('Cancelled'));
   const { signal } = abort;
-  const treatment = treatmentWith({}, await findPeople(reader));
+  const treatment = treatmentWith({}, await findPeople(reader, []));
   await expect(treatRecording(reader, new MemoryFile(), treatment, { signal })).rejects.toThrow(
     'Cancelled',
   );

@@ -19,6 +19,8 @@ export interface Treatment {
   record(record: RecordedRecord): RecordedRecord | undefined;
   /** Returns the event as it is shared; undefined when it is dropped. */
   event(event: RecordingEvent): RecordingEvent | undefined;
+  /** Says what was found of labelled values so far, as sentences without their ends. [PD-18] */
+  report(): readonly string[];
   /** Returns the header as it is shared. */
   header(header: RecordingHeader): RecordingHeader;
 }

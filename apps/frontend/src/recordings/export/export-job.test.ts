@@ -21,7 +21,11 @@ async function aRecording(): Promise<RecordingReader> {
   return RecordingReader.open(await recorded(records));
 }
 
-async function exported(request: Partial<ExportRequest>, signal = new AbortController().signal) {
+async function exported(
+  request: Partial<ExportRequest>,
+  signal = new AbortController().signal,
+  isZip?: boolean,
+) {
   const file = openMemory();
   const shares: number[] = [];
   const leftOut = await runExport(
@@ -30,6 +34,7 @@ async function exported(request: Partial<ExportRequest>, signal = new AbortContr
     file,
     {
       signal,
+      ...(isZip !== undefined && { isZip }),
       onProgress: (share) => shares.push(share),
       video: () => Promise.reject(new Error('not here')),
     },
@@ -58,6 +63,11 @@ describe('an export', () => {
     const options = { name: 'Again', version: '' };
     const table = new MemoryFile(files['lab-b.csv']);
     expect(await importCsv(table, again, options)).toMatchObject({ records: 10 });
+  });
+
+  it('is a ZIP also where labels left one of several topics', async () => {
+    const { bytes } = await exported({}, undefined, true);
+    expect(Object.keys(unzipSync(bytes))).toEqual(['lab-a.csv']);
   });
 
   it('writes a part as a recording of its own', async () => {

@@ -11,6 +11,8 @@ import type { writeVideo } from './video.ts';
 
 /** What an export is told, and tells. */
 export interface ExportRun {
+  /** The file is a ZIP, whatever labels left of its topics. @default when there are several files */
+  readonly isZip?: boolean;
   readonly signal: AbortSignal;
   /** @param share 0 to 1 */
   readonly onProgress: (share: number) => void;
@@ -40,7 +42,8 @@ export async function runExport(
     for await (const bytes of xdfOf(reader, { ...part, topics })) await output.write(bytes);
     return [];
   }
-  if (!isByTopic(format) || topics.length === 1) {
+  const isZip = run.isZip ?? topics.length > 1;
+  if (!isByTopic(format) || !isZip) {
     return exportTopic(reader, topics[0]!, format, output, part, run);
   }
   const video = format === 'video' ? await videoKind() : undefined;

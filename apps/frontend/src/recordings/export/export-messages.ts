@@ -34,6 +34,7 @@ export type ExportReport =
   | {
       readonly kind: 'done';
       readonly file: Blob | undefined;
+      /** With what was found of labelled values, as sentences without their ends. */
       readonly leftOut: readonly string[];
       /** Content of the key file, when personal data was replaced. */
       readonly key: string | undefined;

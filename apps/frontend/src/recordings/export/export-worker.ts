@@ -18,12 +18,15 @@ async function start({
   const { personal } = request;
   const shared =
     personal && (await (await import('../personal/share-reader.ts')).shareReader(whole, personal));
-  const topics = request.topics.flatMap((topic) => (shared ? (shared.topic(topic) ?? []) : topic));
+  const names = request.topics.flatMap((topic) => (shared ? (shared.topic(topic) ?? []) : topic));
+  // Topics that differed in a dropped value are one.
+  const topics = [...new Set(names)];
   if (topics.length === 0) throw new Error('The labels of personal data drop all of these topics.');
   const file = await (handle ? openHandle(handle) : openMemory());
   try {
     const leftOut = await runExport(shared?.reader ?? whole, { ...request, topics }, file, {
       signal: abort.signal,
+      isZip: request.topics.length > 1,
       onProgress: (share) => tell({ kind: 'progress', share }),
       video: () => import('./video.ts'),
     });
@@ -31,7 +34,7 @@ async function start({
     tell({
       kind: 'done',
       file: await file.end(),
-      leftOut: [...leftOut, ...parts],
+      leftOut: [...leftOut, ...parts, ...(shared?.report() ?? [])],
       key: shared?.key(),
     });
   } catch (error) {

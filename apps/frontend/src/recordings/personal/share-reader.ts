@@ -18,6 +18,8 @@ export interface SharedRecording {
   topic(topic: string): string | undefined;
   /** What a copy does not have because it cannot be searched for names, as sentences without their ends. [PD-14] */
   readonly leftOut: readonly string[];
+  /** What was found of labelled values in what was read so far, as sentences without their ends. [PD-18] */
+  report(): readonly string[];
   /** Content of the key file, with the pseudonyms given so far. */
   key(): string;
 }
@@ -32,12 +34,13 @@ export async function shareReader(
       ? createPseudonymKey((bytes) => crypto.getRandomValues(bytes))
       : parsePseudonymKey(key),
   );
-  const treatment = createTreatment(rules, await findPeople(reader), pseudonyms);
+  const treatment = createTreatment(rules, await findPeople(reader, rules.labels), pseudonyms);
   const parts = leftOutParts(reader.summary);
   return {
     leftOut: parts === '' ? [] : [`Left out: ${parts}`],
     reader: new TreatedReader(reader, treatment),
     topic: (topic) => treatment.topic(topic),
+    report: () => treatment.report(),
     key: () => formatPseudonymKey(pseudonyms.key),
   };
 }
