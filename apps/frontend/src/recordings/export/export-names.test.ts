@@ -1,3 +1,4 @@
+import { SHARING_RULES } from '@ubii/recording/personal';
 import { describe, expect, it } from 'vitest';
 import { exportableTopics, formatHint, formatRefusal, topicOption } from './export-choice.ts';
 import { exportName, topicFileNames } from './export-names.ts';
@@ -15,6 +16,16 @@ describe('what is exported', () => {
     expect(exportName({ ...request, format: 'xdf' }, 'webm')).toBe('Study- 7.xdf');
     expect(exportName({ ...request, format: 'csv', topics: ['/a', '/b'] }, 'webm')).toBe(
       'Study- 7 CSV.zip',
+    );
+  });
+
+  it('[PD-19] is named after neither recording nor topic where personal data is replaced', () => {
+    const personal = { rules: { ...SHARING_RULES, notes: 'keep' as const }, key: undefined };
+    const request = { topics: ['/lab/ada'], span: undefined, name: 'Ada', personal } as const;
+    expect(exportName({ ...request, format: 'csv' }, 'webm')).toBe('Shared recording.csv');
+    expect(exportName({ ...request, format: 'mcap' }, 'webm')).toBe('Shared recording.mcap');
+    expect(exportName({ ...request, format: 'csv', topics: ['/a', '/ada'] }, 'webm')).toBe(
+      'Shared recording CSV.zip',
     );
   });
 

@@ -11,12 +11,18 @@ export function extensionOf(format: ExportFormat, video: VideoKind = 'webm'): st
   return format === 'video' ? video : format;
 }
 
-/** Name of the file that is saved: several files are in one ZIP. */
-export function exportName({ format, topics, name }: ExportRequest, video: VideoKind): string {
-  const base = fileName(name) || 'recording';
+/**
+ * Name of the file that is saved: several files are in one ZIP. It is asked for before the recording is read, so that where
+ * personal data is replaced it tells nothing of the recording. [PD-19]
+ */
+export function exportName(
+  { format, topics, name, personal }: ExportRequest,
+  video: VideoKind,
+): string {
+  const base = personal ? 'Shared recording' : fileName(name) || 'recording';
   if (isByTopic(format) && topics.length > 1) return `${base} ${WORDS[format] ?? format}.zip`;
   const [topic = ''] = topics;
-  const suffix = isByTopic(format) ? ` ${topicFileName(topic)}` : '';
+  const suffix = isByTopic(format) && !personal ? ` ${topicFileName(topic)}` : '';
   return `${base}${suffix}.${extensionOf(format, video)}`;
 }
 
