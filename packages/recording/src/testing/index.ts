@@ -9,3 +9,12 @@ export {
   sampleRecord,
 } from './sample-records.ts';
 export { recordedDevice } from './recorded-device.ts';
+export {
+  attachmentIndexOf3Gib,
+  lz4Bomb,
+  manyMarkers,
+  manyMarkersWithoutEnd,
+  markerChunkIndexOf3Gib,
+  metadataIndexOf3Gib,
+  recordChunkIndexOf3Gib,
+} from './hostile-files.ts';
