@@ -1,3 +1,4 @@
+import { expectReadable } from '../storage/expect-readable.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 
 /** Reads a file that the user chose, or any other `Blob`. */
@@ -13,8 +14,8 @@ export class BlobSource implements RecordingSource {
   }
 
   async read(offset: bigint, length: bigint): Promise<Uint8Array> {
+    expectReadable(offset, length, BigInt(this.#blob.size));
     const slice = this.#blob.slice(Number(offset), Number(offset + length));
-    if (slice.size !== Number(length)) throw new RangeError('The file ends before these bytes.');
     return new Uint8Array(await slice.arrayBuffer());
   }
 }

@@ -1,5 +1,6 @@
 import { RecordingError } from '../records/recording-error.ts';
 import { LruCache } from '../reading/lru-cache.ts';
+import { expectReadable } from '../storage/expect-readable.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 
 /** Small reads get the block around them: magic, header and metadata lie together, and events in small chunks. */
@@ -30,6 +31,7 @@ export class RangeSource implements RecordingSource {
 
   async read(offset: bigint, length: bigint): Promise<Uint8Array> {
     const size = await this.size();
+    expectReadable(offset, length, size);
     if (length === 0n) return new Uint8Array();
     const start = (offset / BLOCK_BYTES) * BLOCK_BYTES;
     const end = start + BLOCK_BYTES < size ? start + BLOCK_BYTES : size;
@@ -47,7 +49,7 @@ export class RangeSource implements RecordingSource {
     }
     const bytes = new Uint8Array(await response.arrayBuffer());
     if (bytes.length !== Number(length)) {
-      throw new RangeError('The file ends before these bytes.');
+      throw new RecordingError('The file ends before these bytes.');
     }
     return bytes;
   }

@@ -14,7 +14,7 @@ export async function decompress(
   bytes: number,
 ): Promise<Uint8Array> {
   try {
-    if (compression === '') return content;
+    if (compression === '') return expectSize(content, bytes);
     if (compression === 'lz4') return decompressLz4(content, bytes);
     if (compression === 'zstd') {
       const zstd = await import('fzstd');
@@ -24,4 +24,9 @@ export async function decompress(
     throw new RecordingError(`A chunk cannot be decompressed (${compression}).`, { cause });
   }
   throw new RecordingError(`Chunks compressed by "${compression}" cannot be read.`);
+}
+
+function expectSize(content: Uint8Array, bytes: number): Uint8Array {
+  if (content.length === bytes) return content;
+  throw new RangeError(`The chunk has ${content.length} bytes, ${bytes} are stated.`);
 }

@@ -1,3 +1,4 @@
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 
 const WINDOW_BYTES = 1024 * 1024;
@@ -25,9 +26,21 @@ export class BufferedSource {
       offset >= this.#offset && offset + wanted <= this.#offset + this.#window.byteLength;
     if (!isHeld) {
       const ahead = Math.min(Math.max(wanted, WINDOW_BYTES), this.size - offset);
-      this.#window = await this.#source.read(BigInt(offset), BigInt(Math.max(0, ahead)));
+      this.#window = await this.#readAll(offset, Math.max(0, ahead));
       this.#offset = offset;
     }
     return this.#window.subarray(offset - this.#offset, offset - this.#offset + wanted);
+  }
+
+  /** Reads bytes, with as many reads as they need. */
+  async #readAll(offset: number, length: number): Promise<Uint8Array> {
+    const { readBytes } = READING_LIMITS;
+    if (length <= readBytes) return this.#source.read(BigInt(offset), BigInt(length));
+    const bytes = new Uint8Array(length);
+    for (let done = 0; done < length; done += readBytes) {
+      const part = Math.min(readBytes, length - done);
+      bytes.set(await this.#source.read(BigInt(offset + done), BigInt(part)), done);
+    }
+    return bytes;
   }
 }

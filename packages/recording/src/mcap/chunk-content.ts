@@ -1,5 +1,6 @@
-import { Opcode } from '@mcap/core';
-import { RecordingError } from '../records/recording-error.ts';
+import { Opcode, type ChunkIndex } from '@mcap/core';
+import { RecordingError, RecordingLimitError } from '../records/recording-error.ts';
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 
 /** A message in decompressed bytes. */
 export interface StoredMessage {
@@ -34,12 +35,20 @@ export function* mcapRecordsIn(bytes: Uint8Array): Generator<McapRecord> {
   }
 }
 
-/** The messages in a chunk or snapshot, in the order of the file. Their data are views of the bytes. */
+/**
+ * The messages in a chunk or snapshot, in the order of the file. Their data are views of the bytes.
+ *
+ * @throws RecordingError when one is cut off, or there are too many [RC-43]
+ */
 export function messagesIn(bytes: Uint8Array): StoredMessage[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const { chunkMessages } = READING_LIMITS;
   const messages: StoredMessage[] = [];
   for (const { opcode, start, end } of mcapRecordsIn(bytes)) {
     if (opcode !== Number(Opcode.MESSAGE)) continue;
+    if (end - start < MESSAGE_HEAD_BYTES) throw new RecordingError('A message is cut off.');
+    if (messages.length >= chunkMessages)
+      throw new RecordingLimitError(`A chunk has more than ${chunkMessages} messages.`);
     messages.push({
       channelId: view.getUint16(start, true),
       sequence: view.getUint32(start + 2, true),
@@ -64,6 +73,23 @@ export interface ChunkHead {
   /** 0 when the writer made none. */
   readonly uncompressedCrc: number;
   readonly content: Uint8Array;
+}
+
+/**
+ * Returns the content of a chunk record.
+ *
+ * @throws RecordingError when the index was wrong: these bytes are another record
+ */
+export function contentOfChunk(record: Uint8Array, { uncompressedSize }: ChunkIndex): Uint8Array {
+  const content = record.subarray(RECORD_HEAD_BYTES);
+  const view = new DataView(record.buffer, record.byteOffset, record.byteLength);
+  const isChunk =
+    record.length > RECORD_HEAD_BYTES &&
+    view.getUint8(0) === Number(Opcode.CHUNK) &&
+    view.getBigUint64(1, true) === BigInt(content.length) &&
+    parseChunk(content).uncompressedBytes === Number(uncompressedSize);
+  if (isChunk) return content;
+  throw new RecordingError('The index of the file is wrong: it names a chunk where there is none.');
 }
 
 /** Reads the content of a chunk record. @throws RecordingError when it is cut off */

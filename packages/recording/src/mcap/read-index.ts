@@ -1,9 +1,14 @@
-import { hasMcapPrefix, McapIndexedReader } from '@mcap/core';
-import { RecordingError } from '../records/recording-error.ts';
+import { hasMcapPrefix, McapIndexedReader, Opcode } from '@mcap/core';
+import { RecordingError, RecordingLimitError } from '../records/recording-error.ts';
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
+import { checkIndex } from './check-index.ts';
 import { FileIndex } from './file-index.ts';
 
 const MAGIC_BYTES = 8n;
+/** Footer record and magic. */
+const FOOTER_BYTES = 37n;
+const SUMMARY_START_AT = 9;
 
 /** The index of a file that is whole. */
 export interface WholeFile {
@@ -21,8 +26,31 @@ export async function expectMcap(source: RecordingSource): Promise<void> {
   }
 }
 
-/** Reads the summary of a file; undefined when its end is missing or broken. */
+/** Bytes of the index, as the footer says; 0 when the end of the file is missing or broken. */
+export async function indexBytesOf(source: RecordingSource): Promise<bigint> {
+  const size = await source.size();
+  if (size <= FOOTER_BYTES) return 0n;
+  const footer = await source.read(size - FOOTER_BYTES, FOOTER_BYTES);
+  const view = new DataView(footer.buffer, footer.byteOffset, footer.byteLength);
+  const magic = new DataView(footer.buffer, footer.byteOffset + Number(FOOTER_BYTES - MAGIC_BYTES));
+  if (view.getUint8(0) !== Number(Opcode.FOOTER) || !hasMcapPrefix(magic)) return 0n;
+  const summaryStart = view.getBigUint64(SUMMARY_START_AT, true);
+  return summaryStart > 0n && summaryStart < size ? size - summaryStart : 0n;
+}
+
+/**
+ * Reads the summary of a file.
+ *
+ * @returns undefined when its end is missing or broken
+ * @throws RecordingError when it is too long, or names what is not in the file [RC-43]
+ */
 export async function readIndex(source: RecordingSource): Promise<WholeFile | undefined> {
+  const { indexBytes } = READING_LIMITS;
+  if ((await indexBytesOf(source)) > indexBytes) {
+    throw new RecordingLimitError(
+      `The index of the file is too long. At most ${indexBytes} bytes are read.`,
+    );
+  }
   let reader: McapIndexedReader;
   try {
     reader = await McapIndexedReader.Initialize({ readable: source });
@@ -37,7 +65,8 @@ export async function readIndex(source: RecordingSource): Promise<WholeFile | un
     index.messages.set(id, count);
   }
   for (const chunk of reader.chunkIndexes) index.chunks.push(chunk);
-  index.attachments.push(...reader.attachmentIndexes);
-  index.metadata.push(...reader.metadataIndexes);
+  for (const attachment of reader.attachmentIndexes) index.attachments.push(attachment);
+  for (const metadata of reader.metadataIndexes) index.metadata.push(metadata);
+  checkIndex(index, reader.dataEndOffset);
   return { index, dataEnd: reader.dataEndOffset };
 }

@@ -1,6 +1,8 @@
 import { McapRecordBuilder, McapStreamReader, Opcode } from '@mcap/core';
 import type { Attachment, ChunkIndex, MessageIndex, TypedMcapRecord } from '@mcap/core';
 import { PROFILE } from '../records/recording-header.ts';
+import { RecordingLimitError } from '../records/recording-error.ts';
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { mcapRecordsIn, messagesIn, parseChunk } from './chunk-content.ts';
 import { encodeEnd, FileIndex } from './file-index.ts';
@@ -26,22 +28,38 @@ interface LastChunk {
   readonly index: ChunkIndex;
   readonly end: bigint;
   readonly messages: ReadonlyMap<number, MessageIndex>;
+  /** Of the schemas and channels in it. */
+  readonly definitionBytes: number;
 }
 
-/** Reads a file from its start, up to the last whole chunk, and makes the end that it lacks. */
+/** What a chunk takes in an index, and one of its channels. */
+const CHUNK_ENTRY_BYTES = 100;
+const CHANNEL_ENTRY_BYTES = 10;
+
+/**
+ * Reads a file from its start, up to the last whole chunk, and makes the end that it lacks.
+ *
+ * @throws RecordingLimitError when the index would be too long, or a part is too large [RC-43]
+ */
 export async function salvage(source: RecordingSource): Promise<Salvage> {
   const index = new FileIndex();
   let keptBytes = MAGIC_BYTES;
   let last: LastChunk | undefined;
+  let indexBytes = 0;
   for await (const record of storedRecords(source)) {
     try {
-      if (record.opcode === Number(Opcode.CHUNK)) last = await takeChunk(record, index);
-      else if (record.opcode === Number(Opcode.MESSAGE_INDEX)) takeMessageIndex(record, last);
+      if (record.opcode === Number(Opcode.CHUNK)) {
+        last = await takeChunk(record, index);
+        const channels = last.messages.size * CHANNEL_ENTRY_BYTES;
+        indexBytes += CHUNK_ENTRY_BYTES + channels + last.definitionBytes;
+      } else if (record.opcode === Number(Opcode.MESSAGE_INDEX)) takeMessageIndex(record, last);
       else {
-        takeRecord(record, index);
+        indexBytes += takeRecord(record, index);
         last = undefined;
       }
-    } catch {
+      expectShort(indexBytes);
+    } catch (error) {
+      if (error instanceof RecordingLimitError) throw error;
       // Written by half, or never written: the disk had kept its place.
       break;
     }
@@ -61,9 +79,13 @@ export async function salvage(source: RecordingSource): Promise<Salvage> {
 async function takeChunk(record: StoredRecord, index: FileIndex): Promise<LastChunk> {
   const head = parseChunk(record.content);
   const bytes = await unpackChunk(record.content);
+  let definitionBytes = 0;
   for (const { opcode, start, end } of mcapRecordsIn(bytes)) {
     const isDefinition = opcode === Number(Opcode.SCHEMA) || opcode === Number(Opcode.CHANNEL);
-    if (isDefinition) takeDefinition(parse(bytes.slice(start - 9, end)), index);
+    if (!isDefinition) continue;
+    takeDefinition(parse(bytes.slice(start - 9, end)), index);
+    definitionBytes += end - start;
+    expectShort(definitionBytes);
   }
   const messages = new Map<number, MessageIndex>();
   let messageStartTime: bigint | undefined;
@@ -91,7 +113,7 @@ async function takeChunk(record: StoredRecord, index: FileIndex): Promise<LastCh
     uncompressedSize: BigInt(bytes.length),
   };
   index.chunks.push(chunk);
-  return { index: chunk, end: record.offset + chunkLength, messages };
+  return { index: chunk, end: record.offset + chunkLength, messages, definitionBytes };
 }
 
 function takeMessageIndex(record: StoredRecord, last: LastChunk | undefined): void {
@@ -102,14 +124,25 @@ function takeMessageIndex(record: StoredRecord, last: LastChunk | undefined): vo
   last.index.messageIndexLength += BigInt(bytes.length);
 }
 
-function takeRecord({ offset, bytes }: StoredRecord, index: FileIndex): void {
+/** Returns the bytes that it takes in an index. */
+function takeRecord({ offset, bytes }: StoredRecord, index: FileIndex): number {
   const length = BigInt(bytes.length);
   const parsed = parse(bytes.slice());
   if (parsed?.type === 'Header') index.profile = parsed.profile;
   else if (parsed?.type === 'Metadata') index.metadata.push({ name: parsed.name, offset, length });
   else if (parsed?.type === 'Attachment') {
     index.attachments.push({ ...attachmentHead(parsed), offset, length });
-  } else takeDefinition(parsed, index);
+  } else {
+    takeDefinition(parsed, index);
+    return bytes.length;
+  }
+  return CHUNK_ENTRY_BYTES;
+}
+
+function expectShort(indexBytes: number): void {
+  const max = READING_LIMITS.indexBytes;
+  if (indexBytes <= max) return;
+  throw new RecordingLimitError(`The index of the file would have more than ${max} bytes.`);
 }
 
 function attachmentHead({ name, logTime, createTime, mediaType, data }: Attachment) {

@@ -1,5 +1,7 @@
 import { constants } from 'node:fs';
 import { open, type FileHandle } from 'node:fs/promises';
+import { RecordingError } from '../records/recording-error.ts';
+import { expectReadable } from '../storage/expect-readable.ts';
 import type { RecordingFile } from '../storage/recording-storage.ts';
 
 /** A recording on disk. */
@@ -33,11 +35,12 @@ export class DiskFile implements RecordingFile {
   }
 
   async read(offset: bigint, length: bigint): Promise<Uint8Array> {
+    expectReadable(offset, length, await this.size());
     const bytes = new Uint8Array(Number(length));
     for (let done = 0; done < bytes.length;) {
       const position = Number(offset) + done;
       const { bytesRead } = await this.#handle.read(bytes, done, bytes.length - done, position);
-      if (bytesRead === 0) throw new RangeError('The file ends before these bytes.');
+      if (bytesRead === 0) throw new RecordingError('The file ends before these bytes.');
       done += bytesRead;
     }
     return bytes;

@@ -8,19 +8,42 @@ export class LruCache<V> {
     this.#maxBytes = maxBytes;
   }
 
-  /** Returns the value of a key, from the cache or by `load`; failures are not kept. */
-  get(key: bigint, bytes: number, load: () => Promise<V>): Promise<V> {
+  /**
+   * Returns the value of a key, from the cache or by `load`; failures are not kept.
+   *
+   * @param more bytes that a loaded value takes besides. @default none
+   */
+  get(
+    key: bigint,
+    bytes: number,
+    load: () => Promise<V>,
+    more: (value: V) => number = () => 0,
+  ): Promise<V> {
     const known = this.find(key);
     if (known !== undefined) return known;
     const value = load();
-    this.#entries.set(key, { value, bytes });
-    this.#bytes += bytes;
-    value.catch(() => this.#remove(key));
+    const entry = { value, bytes: 0 };
+    this.#entries.set(key, entry);
+    const grow = (added: number): void => {
+      if (this.#entries.get(key) !== entry) return;
+      entry.bytes += added;
+      this.#bytes += added;
+      this.#evict(key);
+    };
+    grow(bytes);
+    value.then(
+      (loaded) => grow(more(loaded)),
+      () => this.#remove(key),
+    );
+    return value;
+  }
+
+  /** @param newest stays, however large it is */
+  #evict(newest: bigint): void {
     for (const oldest of this.#entries.keys()) {
-      if (this.#bytes <= this.#maxBytes || oldest === key) break;
+      if (this.#bytes <= this.#maxBytes || oldest === newest) return;
       this.#remove(oldest);
     }
-    return value;
   }
 
   has(key: bigint): boolean {

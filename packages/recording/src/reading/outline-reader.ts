@@ -1,7 +1,7 @@
 import type { ChunkIndex } from '@mcap/core';
 import { timesOf } from '../mcap/file-index.ts';
 import { readMetadata } from '../mcap/metadata-record.ts';
-import { expectMcap, readIndex } from '../mcap/read-index.ts';
+import { expectMcap, indexBytesOf, readIndex } from '../mcap/read-index.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { Marker } from '../records/recording-event.ts';
@@ -19,9 +19,6 @@ import { channelsOf, type FileChannels } from './topics-of.ts';
 const MAX_INDEX_BYTES = 8 * 1024 * 1024;
 /** Chunks with markers that are read. */
 const MAX_MARKER_CHUNKS = 32;
-/** Footer record and magic. */
-const FOOTER_BYTES = 37n;
-const SUMMARY_START_AT = 9;
 
 /** A topic and how much of it there is over time. */
 export interface TopicOutline extends RecordedTopic {
@@ -59,14 +56,8 @@ export class OutlineReader {
   /** @throws RecordingError when the source is no MCAP file, has no index or too long a one */
   static async open(source: RecordingSource): Promise<OutlineReader> {
     await expectMcap(source);
-    const size = await source.size();
-    if (size > FOOTER_BYTES) {
-      const footer = await source.read(size - FOOTER_BYTES, FOOTER_BYTES);
-      const view = new DataView(footer.buffer, footer.byteOffset, footer.byteLength);
-      const summaryStart = view.getBigUint64(SUMMARY_START_AT, true);
-      if (summaryStart > 0n && size - summaryStart > MAX_INDEX_BYTES && summaryStart < size) {
-        throw new RecordingError('The recording is too long for a preview.');
-      }
+    if ((await indexBytesOf(source)) > MAX_INDEX_BYTES) {
+      throw new RecordingError('The recording is too long for a preview.');
     }
     const whole = await readIndex(source);
     if (whole === undefined) throw new RecordingError('The end of the file is missing.');

@@ -1,18 +1,20 @@
-import type { Channel } from '@mcap/core';
+import type { Channel, ChunkIndex } from '@mcap/core';
 import type { StoredMessage } from '../mcap/chunk-content.ts';
 import { parseEvent } from '../records/parse-event.ts';
-import { RecordingError } from '../records/recording-error.ts';
+import { RecordingError, RecordingLimitError } from '../records/recording-error.ts';
 import {
   EVENT_TOPICS,
   type EventKind,
   type Marker,
   type RecordingEvent,
 } from '../records/recording-event.ts';
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { ChannelChunks } from './channel-chunks.ts';
 import type { StoredFile } from './stored-file.ts';
 
-/** Reads at the same time: events are in many small chunks. */
+/** Reads at the same time: events are in many small chunks. Large chunks are read one after the other. */
 const PARALLEL = 16;
+const PARALLEL_BYTES = 8n * 1024n * 1024n;
 
 /** Events of a file that were left out, because they are not what they should be. [RC-55] */
 export interface MalformedEvents {
@@ -36,24 +38,56 @@ export function eventKindOf(channel: Channel, schemaName: string): EventKind | u
   return kinds.find((kind) => EVENT_TOPICS[kind] === channel.topic);
 }
 
-/** Reads all events of some channels. @throws RecordingError when a chunk of them is broken */
+/**
+ * Reads all events of some channels.
+ *
+ * @throws RecordingError when a chunk of them is broken, or they are too many for the memory [RC-43]
+ */
 export async function readEvents(
   file: StoredFile,
   channelChunks: ChannelChunks,
   kinds: ReadonlyMap<number, EventKind>,
 ): Promise<EventsOfFile> {
+  if (kinds.size === 0) return { events: [], malformed: undefined };
   const groups = file.groupsOf(channelChunks.ofAny(new Set(kinds.keys())));
   const messages: StoredMessage[] = [];
-  for (let i = 0; i < groups.length; i += PARALLEL) {
+  let bytes = 0;
+  for (let i = 0; i < groups.length;) {
+    const together = countTogether(groups, i);
     const loaded = await Promise.all(
-      groups.slice(i, i + PARALLEL).map((group) => file.messagesOfAll(group)),
+      groups.slice(i, i + together).map((group) => file.messagesOfAll(group)),
     );
-    for (const { all } of loaded.flat()) {
-      for (const message of all) if (kinds.has(message.channelId)) messages.push(message);
+    i += together;
+    for (const message of loaded.flat().flatMap(({ all }) => all)) {
+      if (!kinds.has(message.channelId)) continue;
+      bytes += message.data.length;
+      expectFew(messages.length + 1, bytes);
+      // A copy, so that the chunk can be released.
+      messages.push({ ...message, data: message.data.slice() });
     }
   }
   messages.sort((a, b) => a.sequence - b.sequence);
   return parseEvents(messages, kinds);
+}
+
+/** How many groups, from a place on, are read at the same time. At least one. */
+function countTogether(groups: readonly (readonly ChunkIndex[])[], start: number): number {
+  let count = 0;
+  let bytes = 0n;
+  for (const group of groups.slice(start, start + PARALLEL)) {
+    for (const { uncompressedSize } of group) bytes += uncompressedSize;
+    if (count > 0 && bytes > PARALLEL_BYTES) break;
+    count++;
+  }
+  return count;
+}
+
+function expectFew(events: number, bytes: number): void {
+  const { events: maxEvents, eventBytes } = READING_LIMITS;
+  if (events <= maxEvents && bytes <= eventBytes) return;
+  throw new RecordingLimitError(
+    `The file has too many events, such as markers. At most ${maxEvents} with ${eventBytes} bytes are read.`,
+  );
 }
 
 /** The markers among events, by time; without those that were removed. */

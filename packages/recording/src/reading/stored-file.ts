@@ -1,11 +1,12 @@
 import type { AttachmentIndex, ChunkIndex } from '@mcap/core';
-import { messagesIn, type StoredMessage } from '../mcap/chunk-content.ts';
+import { contentOfChunk, messagesIn, type StoredMessage } from '../mcap/chunk-content.ts';
 import type { FileIndex } from '../mcap/file-index.ts';
 import { PROFILE } from '../records/recording-header.ts';
 import { SNAPSHOT_NAME } from '../mcap/snapshot-attachment.ts';
 import { storedAttachment, storedMetadata, type StoredPart } from '../mcap/stored-part.ts';
 import { unpackChunk } from '../mcap/unpack-chunk.ts';
 import { RecordingError } from '../records/recording-error.ts';
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { ChunkAhead } from './chunk-ahead.ts';
 import { ChunkMessages } from './chunk-messages.ts';
@@ -14,6 +15,8 @@ import { endOf, MAX_READ_BYTES, neighbours, spanOf, type ByteSpan } from './neig
 
 /** Decompressed chunks that are kept: those between two snapshots, and some more. */
 const CACHE_BYTES = 48 * 1024 * 1024;
+/** What a message takes besides its bytes. */
+const MESSAGE_BYTES = 256;
 /** Small chunks that came along with others: their records are kept as they are in the file. */
 const ALONG_BYTES = 4 * 1024 * 1024;
 const SMALL_CHUNK_BYTES = 16 * 1024;
@@ -45,7 +48,10 @@ export class StoredFile {
   constructor(source: RecordingSource, index: FileIndex) {
     this.#source = source;
     this.index = index;
-    this.#snapshots = index.attachments.filter(({ name }) => name === SNAPSHOT_NAME);
+    // One that is too long for a read is left out: what it holds is in the chunks as well. [RC-43]
+    this.#snapshots = index.attachments.filter(
+      ({ name, length }) => name === SNAPSHOT_NAME && length <= BigInt(READING_LIMITS.chunkBytes),
+    );
   }
 
   /** The messages of a chunk. @throws RecordingError when it is broken */
@@ -71,7 +77,7 @@ export class StoredFile {
     return (chunk) => {
       const load = (): Promise<Uint8Array> => ahead.recordOf(chunk);
       if (!isOnce) return this.#kept(chunk, load);
-      return this.#chunks.find(chunk.chunkStartOffset) ?? unpacked(load());
+      return this.#chunks.find(chunk.chunkStartOffset) ?? unpacked(load(), chunk);
     };
   }
 
@@ -94,7 +100,12 @@ export class StoredFile {
 
   #kept(chunk: ChunkIndex, load: () => Promise<Uint8Array>): Promise<ChunkMessages> {
     const { chunkStartOffset, uncompressedSize } = chunk;
-    return this.#chunks.get(chunkStartOffset, Number(uncompressedSize), () => unpacked(load()));
+    return this.#chunks.get(
+      chunkStartOffset,
+      Number(uncompressedSize),
+      () => unpacked(load(), chunk),
+      ({ all }) => all.length * MESSAGE_BYTES,
+    );
   }
 
   #recordOf({ chunkStartOffset, chunkLength }: ChunkIndex): Promise<Uint8Array> {
@@ -142,7 +153,7 @@ export class StoredFile {
       const record = await this.#source.read(entry.offset, entry.length);
       const end = record.length - CRC_BYTES;
       const data = record.subarray(end - Number(entry.dataSize), end);
-      if (data.byteOffset < RECORD_HEAD_BYTES + ATTACHMENT_TIMES_BYTES) {
+      if (data.byteOffset - record.byteOffset < RECORD_HEAD_BYTES + ATTACHMENT_TIMES_BYTES) {
         throw new RecordingError('A snapshot of last values is broken.');
       }
       const messages = new Map(messagesIn(data).map((message) => [message.channelId, message]));
@@ -151,10 +162,8 @@ export class StoredFile {
   }
 }
 
-async function unpacked(record: Promise<Uint8Array>): Promise<ChunkMessages> {
-  return new ChunkMessages(
-    messagesIn(await unpackChunk((await record).subarray(RECORD_HEAD_BYTES))),
-  );
+async function unpacked(record: Promise<Uint8Array>, chunk: ChunkIndex): Promise<ChunkMessages> {
+  return new ChunkMessages(messagesIn(await unpackChunk(contentOfChunk(await record, chunk))));
 }
 
 /** The record of a chunk, as a copy. @param from where the bytes begin in the file */

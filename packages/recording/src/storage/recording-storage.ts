@@ -6,7 +6,7 @@ export interface RecordingSource {
    * Reads bytes.
    *
    * @returns exactly `length` bytes, which the caller owns
-   * @throws when there are fewer
+   * @throws RecordingError when the file has fewer, or when they are too many for one read [RC-43]
    */
   read(offset: bigint, length: bigint): Promise<Uint8Array>;
 }

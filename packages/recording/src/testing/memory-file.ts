@@ -1,3 +1,4 @@
+import { expectReadable } from '../storage/expect-readable.ts';
 import type { RecordingFile } from '../storage/recording-storage.ts';
 
 /** A recording in memory, which counts what is read. */
@@ -24,14 +25,11 @@ export class MemoryFile implements RecordingFile {
     return Promise.resolve(BigInt(this.#length));
   }
 
-  read(offset: bigint, length: bigint): Promise<Uint8Array> {
-    const end = Number(offset + length);
-    if (end > this.#length) {
-      return Promise.reject(new RangeError('The file ends before these bytes.'));
-    }
+  async read(offset: bigint, length: bigint): Promise<Uint8Array> {
+    expectReadable(offset, length, await this.size());
     this.readBytes += Number(length);
     this.reads += 1;
-    return Promise.resolve(this.#bytes.slice(Number(offset), end));
+    return this.#bytes.slice(Number(offset), Number(offset + length));
   }
 
   write(bytes: Uint8Array): Promise<void> {

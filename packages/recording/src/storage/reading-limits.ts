@@ -1,0 +1,20 @@
+const KIB = 1024;
+const MIB = 1024 * KIB;
+
+/** Limits of what a reader takes from one file, whoever wrote it. Files beyond them are refused. [RC-43] */
+export const READING_LIMITS = {
+  /** Bytes of one read. The largest is a chunk that compression made no smaller, with its message indexes. */
+  readBytes: 80 * MIB,
+  /** Bytes of the index at the end: about a day with 100 topics. Each byte takes up to six in memory. */
+  indexBytes: 64 * MIB,
+  /** Bytes of a chunk when it is decompressed. Programs write 1 to 4 MiB, and one record more: at most 32 MiB. */
+  chunkBytes: 64 * MIB,
+  /** Messages in a chunk. Those of 1 MiB have up to 34 000; each is an object in memory. */
+  chunkMessages: 500_000,
+  /** Bytes of the header of a recording: its texts, its selection and 200 labels. */
+  headerBytes: 4 * MIB,
+  /** Events that are read together, such as all markers, clients and gaps. A day with 100 clients that reconnect hourly has 5000. */
+  events: 200_000,
+  /** Bytes of events that are read together. */
+  eventBytes: 32 * MIB,
+} as const;
