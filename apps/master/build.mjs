@@ -35,10 +35,11 @@ await build({
   },
   logLevel: 'warning',
 });
-// On their own: each is a thread, and shares nothing with the program.
+// On their own: each is a thread or a process, and shares nothing with the program.
 await build({
   entryPoints: {
     'decode-worker': inPackage('src/adapters/services/bodies/decode-worker.ts'),
+    'check-process': fileURLToPath(import.meta.resolve('@ubii/recording/check-process')),
     'recorder-worker': fileURLToPath(import.meta.resolve('@ubii/recording/recorder-worker')),
     'replay-worker': inPackage('src/adapters/recording/replay-worker.ts'),
   },

@@ -33,9 +33,10 @@ await build({
   },
   logLevel: 'warning',
 });
-// On its own: it is a thread, and shares nothing with the program.
+// On their own: a thread and a process, which share nothing with the program.
 await build({
   entryPoints: {
+    'check-process': fileURLToPath(import.meta.resolve('@ubii/recording/check-process')),
     'recorder-worker': fileURLToPath(import.meta.resolve('@ubii/recording/recorder-worker')),
   },
   outdir,

@@ -30,6 +30,7 @@ const assetsFolders = ['packages/vision', 'demos/ubi-party'].map((folder) =>
 const workerFile = findBuilt('pm-worker.js', import.meta.url);
 const decodeWorkerFile = findBuilt('decode-worker.js', import.meta.url);
 const recorderWorkerFile = findBuilt('recorder-worker.js', import.meta.url);
+const checkProcessFile = findBuilt('check-process.js', import.meta.url);
 const replayWorkerFile = findBuilt('replay-worker.js', import.meta.url);
 
 allowHeapGrowth();
@@ -49,6 +50,7 @@ async function run(config: Config): Promise<void> {
       workerFile,
       decodeWorkerFile,
       recorderWorkerFile,
+      checkProcessFile,
       replayWorkerFile,
     });
     endInGoodOrder(master, log, config);

@@ -27,6 +27,8 @@ export interface MasterParts {
   readonly decodeWorkerFile: URL | undefined;
   /** The built thread that records; undefined: the main thread does it. */
   readonly recorderWorkerFile: URL | undefined;
+  /** The built process that checks files for the thread that records; undefined: the main thread does it. */
+  readonly checkProcessFile: URL | undefined;
   /** The built thread that reads recordings to be played; undefined: the main thread does it. */
   readonly replayWorkerFile: URL | undefined;
 }

@@ -70,6 +70,7 @@ export async function startMaster({
   keepAliveMs,
   decodeWorkerFile,
   recorderWorkerFile,
+  checkProcessFile,
   replayWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   await refuseOriginal(config.dataDir);
@@ -169,7 +170,7 @@ export async function startMaster({
       ...openRecordings({
         folder: recordings,
         limits: { ...DEFAULT_LIMITS, ...limits },
-        ...{ clock, log, recorderWorkerFile, replayWorkerFile },
+        ...{ clock, log, recorderWorkerFile, checkProcessFile, replayWorkerFile },
       }),
       library: () => library.modules(),
     },

@@ -72,6 +72,7 @@ export async function startNode({
           ...{ client, log, credential, master: config.master, masterUrl },
           ...{ folder: config.recordDir, maxBytes: config.recordSpace },
           workerFile: findBuilt('recorder-worker.js', import.meta.url),
+          checkProcessFile: findBuilt('check-process.js', import.meta.url),
         });
   const node = createProcessingNode(client, {
     kind: 'node',

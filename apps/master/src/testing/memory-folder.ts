@@ -1,5 +1,5 @@
 import { MemoryFile } from '@ubii/recording/testing';
-import type { OpenFile, RecordingFolder } from '@ubii/recording/recorder';
+import type { OpenFile, RecordingFolder, RejectedFile, Rejection } from '@ubii/recording/recorder';
 
 /** A file in memory that stays when it is closed. */
 export class MemoryRecording extends MemoryFile implements OpenFile {
@@ -12,6 +12,7 @@ export class MemoryRecording extends MemoryFile implements OpenFile {
 export class MemoryFolder implements RecordingFolder {
   readonly files = new Map<string, MemoryRecording>();
   readonly uploads = new Map<string, MemoryRecording>();
+  readonly rejectedFiles = new Map<string, RejectedFile>();
   /** Free space, bytes. */
   free = 1e12;
   /** Writes beyond this many bytes of a file fail, as on a full disk. */
@@ -43,7 +44,34 @@ export class MemoryFolder implements RecordingFolder {
 
   delete(id: string): Promise<void> {
     this.files.delete(id);
+    this.rejectedFiles.delete(id);
     return Promise.resolve();
+  }
+
+  editUpload(id: string): Promise<OpenFile> {
+    const file = this.uploads.get(id);
+    return file === undefined ? Promise.reject(new Error('no such upload')) : Promise.resolve(file);
+  }
+
+  dropUpload(id: string): Promise<void> {
+    this.uploads.delete(id);
+    return Promise.resolve();
+  }
+
+  async reject(
+    id: string,
+    from: 'recording' | 'upload',
+    rejection: Rejection,
+  ): Promise<RejectedFile> {
+    const file = await (from === 'upload' ? this.editUpload(id) : this.open(id));
+    (from === 'upload' ? this.uploads : this.files).delete(id);
+    const rejected = { id, sizeBytes: Number(await file.size()), rejection };
+    this.rejectedFiles.set(id, rejected);
+    return rejected;
+  }
+
+  rejected(): Promise<readonly RejectedFile[]> {
+    return Promise.resolve([...this.rejectedFiles.values()]);
   }
 
   takeUpload(id: string): Promise<void> {

@@ -39,6 +39,8 @@ export interface EdgeMasterOptions extends Pick<MasterParts, 'clock' | 'keepAliv
   readonly decodeWorkerFile?: URL;
   /** The built thread that records; without it the main thread does. */
   readonly recorderWorkerFile?: URL;
+  /** The built process that checks files for it. */
+  readonly checkProcessFile?: URL;
   /** The built thread that reads recordings to be played; without it the main thread does. */
   readonly replayWorkerFile?: URL;
 }
@@ -71,6 +73,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     ...(options.models && { models: options.models }),
     decodeWorkerFile: options.decodeWorkerFile,
     recorderWorkerFile: options.recorderWorkerFile,
+    checkProcessFile: options.checkProcessFile,
     replayWorkerFile: options.replayWorkerFile,
   });
   onTestFinished(() => master.close());

@@ -6,7 +6,13 @@ import { temporaryFolder } from '@ubii/program/testing';
 import { fromJson, RecordingKind, type Recording } from '@ubii/proto';
 import { RecordingWriter } from '@ubii/recording';
 import { DiskFile } from '@ubii/recording/node';
-import { MemoryFile } from '@ubii/recording/testing';
+import {
+  lz4Bomb,
+  manyMarkers,
+  MemoryFile,
+  metadataIndexOf3Gib,
+  recordChunkIndexOf3Gib,
+} from '@ubii/recording/testing';
 import type { Clock } from '@ubii/timing';
 import { SystemClock } from '@ubii/timing/system';
 import { FakeClock } from '@ubii/timing/testing';
@@ -27,24 +33,28 @@ import { startEdgeMaster, type EdgeMaster } from './edge-master.ts';
 
 const built = temporaryFolder(afterAll);
 let workerFile: URL;
+let checkProcessFile: URL;
 
 beforeAll(async () => {
-  const outfile = join(built, 'recorder-worker.mjs');
-  const source = createRequire(import.meta.url).resolve('@ubii/recording/recorder-worker');
+  const { resolve } = createRequire(import.meta.url);
+  const entryPoints = Object.fromEntries(
+    ['recorder-worker', 'check-process'].map((name) => [name, resolve(`@ubii/recording/${name}`)]),
+  );
   await build({
-    entryPoints: [source],
-    ...{ outfile, bundle: true, platform: 'node', format: 'esm', logLevel: 'warning' },
+    ...{ entryPoints, outdir: built, outExtension: { '.js': '.mjs' } },
+    ...{ bundle: true, platform: 'node', format: 'esm', logLevel: 'warning' },
     banner: {
       js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);",
     },
   });
-  workerFile = pathToFileURL(outfile);
+  workerFile = pathToFileURL(join(built, 'recorder-worker.mjs'));
+  checkProcessFile = pathToFileURL(join(built, 'check-process.mjs'));
 }, 60_000);
 
 function openWorker(folder: string, file = workerFile, clock: Clock = new SystemClock()) {
   const log = new RecordingLog();
   const recorder = new WorkerRecorder({
-    ...{ folder, limits: DEFAULT_LIMITS, clock, workerFile: file },
+    ...{ folder, limits: DEFAULT_LIMITS, clock, workerFile: file, checkProcessFile },
     onFailure: (what, reason) => log.error(what, { reason }),
   });
   return { log, recorder };
@@ -97,20 +107,29 @@ describe('WorkerRecorder', () => {
   });
 });
 
+interface Reply {
+  readonly recording?: Recording;
+  readonly recordingList?: { readonly elements: Recording[] };
+}
+
+async function call(master: EdgeMaster, request: object): Promise<Reply> {
+  const response = await fetch(`${master.url}/services/json`, {
+    ...{ method: 'POST', body: JSON.stringify(request) },
+    headers: { 'content-type': 'application/json' },
+  });
+  return (await response.json()) as Reply;
+}
+
 /** A recording of this master that is finished. */
 async function record(master: EdgeMaster): Promise<Recording> {
-  const call = async (request: object): Promise<{ recording: Recording }> => {
-    const response = await fetch(`${master.url}/services/json`, {
-      ...{ method: 'POST', body: JSON.stringify(request) },
-      headers: { 'content-type': 'application/json' },
-    });
-    return (await response.json()) as { recording: Recording };
-  };
   const recordingStartRequest = { name: 'Größe 1' };
   const topic = '/services/ubii/recording_start';
-  const { recording } = await call({ topic, recordingStartRequest });
-  await call({ topic: '/services/ubii/recording_stop', recordingRequest: { id: recording.id } });
-  return recording;
+  const { recording } = await call(master, { topic, recordingStartRequest });
+  await call(master, {
+    topic: '/services/ubii/recording_stop',
+    recordingRequest: { id: recording!.id },
+  });
+  return recording!;
 }
 
 /** A small MCAP file. */
@@ -130,7 +149,7 @@ async function mcapFile(): Promise<Uint8Array<ArrayBuffer>> {
 
 describe('files of recordings over HTTP', () => {
   it('[RC-40] are sent as a whole, in ranges, and not twice', async () => {
-    const master = await startEdgeMaster({ recorderWorkerFile: workerFile });
+    const master = await startEdgeMaster({ recorderWorkerFile: workerFile, checkProcessFile });
     const { id } = await record(master);
     const url = `${master.url}/recordings/${id}.mcap`;
     const whole = await fetch(url);
@@ -161,7 +180,11 @@ describe('files of recordings over HTTP', () => {
 
   it('[RC-41] are uploaded, and listed as imports', async () => {
     const dataDir = temporaryFolder();
-    const master = await startEdgeMaster({ dataDir, recorderWorkerFile: workerFile });
+    const master = await startEdgeMaster({
+      dataDir,
+      recorderWorkerFile: workerFile,
+      checkProcessFile,
+    });
     const url = `${master.url}/recordings`;
     const upload = async (body: BodyInit, query = '') => {
       const response = await fetch(url + query, { method: 'POST', body });
@@ -180,7 +203,12 @@ describe('files of recordings over HTTP', () => {
   it('[RC-41] are refused when they are too large', async () => {
     const dataDir = temporaryFolder();
     const flags = ['--limits', 'recordingUploadBytes=1000'];
-    const master = await startEdgeMaster({ dataDir, flags, recorderWorkerFile: workerFile });
+    const master = await startEdgeMaster({
+      dataDir,
+      flags,
+      recorderWorkerFile: workerFile,
+      checkProcessFile,
+    });
     const send = (body: BodyInit, more: object = {}) =>
       fetch(`${master.url}/recordings`, { method: 'POST', body, ...more });
     expect((await send('x'.repeat(1_001))).status).toBe(429);
@@ -192,7 +220,12 @@ describe('files of recordings over HTTP', () => {
   it('[RC-41] are refused while they arrive when there is no space left for recordings', async () => {
     const dataDir = temporaryFolder();
     const flags = ['--limits', 'recordingsBytes=3000'];
-    const master = await startEdgeMaster({ dataDir, flags, recorderWorkerFile: workerFile });
+    const master = await startEdgeMaster({
+      dataDir,
+      flags,
+      recorderWorkerFile: workerFile,
+      checkProcessFile,
+    });
     const send = (bytes: number) =>
       fetch(`${master.url}/recordings`, {
         ...{ method: 'POST', body: new Blob(['x'.repeat(bytes)]).stream(), duplex: 'half' },
@@ -206,7 +239,11 @@ describe('files of recordings over HTTP', () => {
 
   it('[EX-90] [RC-41] leave entries in the audit log, refused ones included', async () => {
     const dataDir = temporaryFolder();
-    const master = await startEdgeMaster({ dataDir, recorderWorkerFile: workerFile });
+    const master = await startEdgeMaster({
+      dataDir,
+      recorderWorkerFile: workerFile,
+      checkProcessFile,
+    });
     for (const [body, name] of [
       [await mcapFile(), 'Mine'],
       ['no recording', 'Text'],
@@ -222,6 +259,56 @@ describe('files of recordings over HTTP', () => {
     expect(auditLog.entries).toMatchObject([
       { service, object: 'Text', error: 'invalid_argument' },
       { service, object: 'Mine', error: '' },
+    ]);
+  });
+});
+
+describe('files of others', () => {
+  it('[RC-43] [RC-44] [RC-45] end neither the master nor what it records', async () => {
+    const dataDir = temporaryFolder();
+    const folder = join(dataDir, 'recordings');
+    mkdirSync(folder);
+    writeFileSync(join(folder, 'liar.mcap'), metadataIndexOf3Gib());
+    const flags = ['--limits', 'recordingCheckBytes=33554432'];
+    const files = { recorderWorkerFile: workerFile, checkProcessFile };
+    const master = await startEdgeMaster({ dataDir, flags, ...files });
+    const running = await call(master, {
+      ...{ topic: '/services/ubii/recording_start', recordingStartRequest: { name: 'Own' } },
+    });
+    const upload = async (body: Uint8Array<ArrayBuffer>): Promise<string> => {
+      const response = await fetch(`${master.url}/recordings`, { method: 'POST', body });
+      return `${response.status} ${await response.text()}`;
+    };
+    expect(await upload(recordChunkIndexOf3Gib())).toMatch(/^400 .*no recording: The chunk at/);
+    expect(await upload(lz4Bomb())).toMatch(/^400 .*no recording: The chunk at/);
+    // Within all limits, and too much for a heap of 32 MiB.
+    expect(await upload(manyMarkers(200_000))).toMatch(/^400 .*check did not come to an end/);
+    const listOf = async (of: EdgeMaster): Promise<Recording[]> => {
+      const { recordingList } = await call(of, { topic: '/services/ubii/recording_list' });
+      return recordingList!.elements;
+    };
+    const states = (await listOf(master)).map(({ state }) => String(state)).sort();
+    expect(states).toEqual([
+      'RECORDING_STATE_RECORDING',
+      'RECORDING_STATE_REJECTED',
+      'RECORDING_STATE_REJECTED',
+    ]);
+    const { id } = running.recording!;
+    const recordingRequest = { id };
+    const topic = '/services/ubii/recording_stop';
+    expect((await call(master, { topic, recordingRequest })).recording!.state).toBe(
+      'RECORDING_STATE_COMPLETE',
+    );
+    const liar = await fetch(`${master.url}/recordings/liar.mcap`);
+    expect(`${liar.status} ${await liar.text()}`).toMatch(/^400 .*It can only be deleted/);
+    await master.close();
+
+    const next = await startEdgeMaster({ dataDir, ...files });
+    const again = (await listOf(next)).map(({ state }) => String(state)).sort();
+    expect(again).toEqual([
+      'RECORDING_STATE_COMPLETE',
+      'RECORDING_STATE_REJECTED',
+      'RECORDING_STATE_REJECTED',
     ]);
   });
 });

@@ -109,7 +109,9 @@ export class NodeRecorder {
 
   async #uploadAll(): Promise<void> {
     const { recordings } = await this.#context.recorder.list();
-    for (const { id, state } of recordings) if (!isRunning(state)) this.#uploads.add(id);
+    for (const { id, state } of recordings) {
+      if (!isRunning(state) && !isRejected(state)) this.#uploads.add(id);
+    }
   }
 
   async #handle(order: NodeRecorderOrder): Promise<void> {
@@ -155,6 +157,9 @@ export class NodeRecorder {
     }
     if (upload !== undefined) {
       const { recording } = await recorder.get(upload.id);
+      if (isRejected(recording.state)) {
+        throw new ServiceError('failed_precondition', recording.problem);
+      }
       this.#uploads.add(upload.id);
       return { recording: this.#describe(recording) };
     }
@@ -247,6 +252,11 @@ export class NodeRecorder {
       uploadedBytes: this.#uploads.sentBytesOf(id),
     };
   }
+}
+
+/** Its file cannot be read, and stays here until it is deleted. [RC-45] */
+function isRejected(state: RecordingState): boolean {
+  return state === RecordingState.RECORDING_STATE_REJECTED;
 }
 
 function isRunning(state: RecordingState): boolean {

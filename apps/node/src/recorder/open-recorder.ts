@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { ConfigError } from '@ubii/program';
 import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
-import { recordingPath } from '@ubii/recording/node';
+import { keepToOwner, OWNER_FOLDER_MODE, recordingPath } from '@ubii/recording/node';
 import { WorkerRecorder } from '@ubii/recording/thread';
 import { systemClock } from '@ubii/timing/system';
 import type { Log } from '@ubii/client-program';
@@ -11,8 +11,12 @@ import { keptFile } from './kept-file.ts';
 import { NodeRecorder } from './node-recorder.ts';
 import { sendFile } from './send-file.ts';
 
-/** Markers of one recording, as on the master. [RC-23] */
-const MARKERS_PER_RECORDING = 10_000;
+/** As on the master. [RC-23] [RC-44] */
+const LIMITS = {
+  markersPerRecording: 10_000,
+  recordingCheckMs: 20_000,
+  recordingCheckBytes: 640 * 1024 * 1024,
+};
 
 /** What a recorder of a node is opened with. */
 export interface RecorderSetup {
@@ -30,25 +34,26 @@ export interface RecorderSetup {
   readonly log: Log;
   /** The built thread that records. */
   readonly workerFile: URL;
+  /** The built process that checks the files of earlier runs. [RC-44] */
+  readonly checkProcessFile: URL;
 }
 
 /** Records into a folder of this machine. @throws ConfigError when it cannot be used */
 export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> {
-  const { client, master, masterUrl, log, credential, maxBytes, workerFile } = setup;
+  const { client, master, masterUrl, log, credential, maxBytes } = setup;
+  const { workerFile, checkProcessFile } = setup;
   // What was recorded at one master is not given to another one.
   const folder = join(setup.folder, encodeURIComponent(new URL(master).host));
   try {
-    await mkdir(folder, { recursive: true });
+    await mkdir(folder, { recursive: true, mode: OWNER_FOLDER_MODE });
+    await keepToOwner(folder);
   } catch (error) {
     const { message } = error as Error;
     throw new ConfigError(`The folder ${setup.folder} (--record-dir) cannot be used: ${message}.`);
   }
   const recorder = new WorkerRecorder({
-    ...{ folder, workerFile, clock: systemClock },
-    limits: {
-      ...DEFAULT_TEXT_LIMITS,
-      ...{ recordingsBytes: maxBytes, markersPerRecording: MARKERS_PER_RECORDING },
-    },
+    ...{ folder, workerFile, checkProcessFile, clock: systemClock },
+    limits: { ...DEFAULT_TEXT_LIMITS, ...LIMITS, recordingsBytes: maxBytes },
     onFailure: (what, reason) => log('error', `${what}: ${reason}`),
   });
   return new NodeRecorder({

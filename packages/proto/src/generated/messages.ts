@@ -414,6 +414,11 @@ export const RecordingState = {
    * RC-63.
    */
   RECORDING_STATE_AT_NODE: 5,
+  /**
+   * Its file was refused when the master checked it: problem says why. It is kept under another name, is not read any
+   * more, and can be deleted. Rule RC-45.
+   */
+  RECORDING_STATE_REJECTED: 6,
 } as const;
 export type RecordingState = (typeof RecordingState)[keyof typeof RecordingState];
 

@@ -75,20 +75,26 @@ export interface ChunkHead {
   readonly content: Uint8Array;
 }
 
+/** Opcode, length, times and size before compression. */
+const CHUNK_HEAD_BYTES = 33;
+
 /**
- * Returns the content of a chunk record.
+ * Checks that the index names a chunk where there is one.
  *
- * @throws RecordingError when the index was wrong: these bytes are another record
+ * @param head the first `CHUNK_HEAD_BYTES` of the record, or more
+ * @throws RecordingError when the index is wrong
  */
-export function contentOfChunk(record: Uint8Array, { uncompressedSize }: ChunkIndex): Uint8Array {
-  const content = record.subarray(RECORD_HEAD_BYTES);
-  const view = new DataView(record.buffer, record.byteOffset, record.byteLength);
+export function expectChunk(
+  head: Uint8Array,
+  { chunkLength, uncompressedSize }: Pick<ChunkIndex, 'chunkLength' | 'uncompressedSize'>,
+): void {
+  const view = new DataView(head.buffer, head.byteOffset, head.byteLength);
   const isChunk =
-    record.length > RECORD_HEAD_BYTES &&
+    head.length >= CHUNK_HEAD_BYTES &&
     view.getUint8(0) === Number(Opcode.CHUNK) &&
-    view.getBigUint64(1, true) === BigInt(content.length) &&
-    parseChunk(content).uncompressedBytes === Number(uncompressedSize);
-  if (isChunk) return content;
+    view.getBigUint64(1, true) === chunkLength - BigInt(RECORD_HEAD_BYTES) &&
+    view.getBigUint64(25, true) === uncompressedSize;
+  if (isChunk) return;
   throw new RecordingError('The index of the file is wrong: it names a chunk where there is none.');
 }
 

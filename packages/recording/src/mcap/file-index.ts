@@ -31,6 +31,15 @@ export class FileIndex {
   }
 }
 
+/** Bytes that a chunk takes in the summary, about. */
+export function indexBytesOf({
+  messageIndexOffsets,
+}: {
+  readonly messageIndexOffsets: { readonly size: number };
+}): number {
+  return 100 + 10 * messageIndexOffsets.size;
+}
+
 /** First and last log time in chunks; both 0 without chunks. */
 export function timesOf(chunks: readonly ChunkIndex[]): { startNs: bigint; endNs: bigint } {
   let startNs = chunks[0]?.messageStartTime ?? 0n;

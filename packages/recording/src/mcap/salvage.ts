@@ -5,7 +5,7 @@ import { RecordingLimitError } from '../records/recording-error.ts';
 import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { mcapRecordsIn, messagesIn, parseChunk } from './chunk-content.ts';
-import { encodeEnd, FileIndex } from './file-index.ts';
+import { encodeEnd, FileIndex, indexBytesOf } from './file-index.ts';
 import { writeMessageIndexes } from './open-chunk.ts';
 import { storedRecords, type StoredRecord } from './stored-records.ts';
 import { unpackChunk } from './unpack-chunk.ts';
@@ -32,9 +32,8 @@ interface LastChunk {
   readonly definitionBytes: number;
 }
 
-/** What a chunk takes in an index, and one of its channels. */
-const CHUNK_ENTRY_BYTES = 100;
-const CHANNEL_ENTRY_BYTES = 10;
+/** What an attachment or metadata takes in an index. */
+const PART_ENTRY_BYTES = 100;
 
 /**
  * Reads a file from its start, up to the last whole chunk, and makes the end that it lacks.
@@ -50,8 +49,8 @@ export async function salvage(source: RecordingSource): Promise<Salvage> {
     try {
       if (record.opcode === Number(Opcode.CHUNK)) {
         last = await takeChunk(record, index);
-        const channels = last.messages.size * CHANNEL_ENTRY_BYTES;
-        indexBytes += CHUNK_ENTRY_BYTES + channels + last.definitionBytes;
+        const entry = indexBytesOf({ messageIndexOffsets: last.messages });
+        indexBytes += entry + last.definitionBytes;
       } else if (record.opcode === Number(Opcode.MESSAGE_INDEX)) takeMessageIndex(record, last);
       else {
         indexBytes += takeRecord(record, index);
@@ -136,7 +135,7 @@ function takeRecord({ offset, bytes }: StoredRecord, index: FileIndex): number {
     takeDefinition(parsed, index);
     return bytes.length;
   }
-  return CHUNK_ENTRY_BYTES;
+  return PART_ENTRY_BYTES;
 }
 
 function expectShort(indexBytes: number): void {

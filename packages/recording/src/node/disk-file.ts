@@ -19,9 +19,14 @@ export class DiskFile implements RecordingFile {
     return new DiskFile(await open(path, 'r'), 0n);
   }
 
-  /** For writing; `position()` is 0. @throws when the file exists */
-  static async create(path: string): Promise<DiskFile> {
-    return new DiskFile(await open(path, 'wx+'), 0n);
+  /**
+   * For writing; `position()` is 0.
+   *
+   * @param mode of the file, before the mask of the process
+   * @throws when the file exists
+   */
+  static async create(path: string, mode = 0o666): Promise<DiskFile> {
+    return new DiskFile(await open(path, 'wx+', mode), 0n);
   }
 
   /** For repair and changes; `position()` is the end. */

@@ -1,12 +1,23 @@
-import { mkdir, readdir, rename, rm, stat, statfs } from 'node:fs/promises';
+import { mkdir, readdir, readFile, rename, rm, stat, statfs, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
-import { DiskFile } from './disk-file.ts';
-
 import type { OpenFile, RecordingFolder } from '../recorder/recording-folder.ts';
+import {
+  formatRejection,
+  parseRejection,
+  type RejectedFile,
+  type Rejection,
+} from '../recorder/rejected-file.ts';
+import { DiskFile } from './disk-file.ts';
+import { OWNER_FILE_MODE, OWNER_FOLDER_MODE } from './owner-modes.ts';
 
 const EXTENSION = '.mcap';
-/** Uploads that are under way. */
+/** Uploads that are under way, or not checked yet. */
 const UPLOAD = '.upload';
+/** Files that were refused, and why. [RC-45] */
+const REJECTED = '.rejected';
+const REJECTION = '.rejected.json';
+/** Longest note of a rejection that is read. */
+const MAX_REJECTION_BYTES = 64 * 1024;
 
 /** Where the recordings of a data directory are. */
 export function recordingsFolder(dataDir: string): string {
@@ -23,7 +34,7 @@ export function uploadPath(folder: string, id: string): string {
   return join(folder, `${id}${UPLOAD}`);
 }
 
-/** Files of recordings in a folder of the disk, which is created with the first. */
+/** Files of recordings in a folder of the disk, which is created with the first, for its owner alone. [RC-46] */
 export class DiskFolder implements RecordingFolder {
   readonly #path: string;
 
@@ -36,9 +47,7 @@ export class DiskFolder implements RecordingFolder {
     // Uploads of earlier runs; the list is asked for before the first of this run. [RC-42]
     const left = names.filter((name) => name.endsWith(UPLOAD));
     await Promise.all(left.map((name) => rm(join(this.#path, name), { force: true })));
-    return names
-      .filter((name) => name.endsWith(EXTENSION))
-      .map((name) => name.slice(0, -EXTENSION.length));
+    return idsOf(names, EXTENSION);
   }
 
   async has(id: string): Promise<boolean> {
@@ -52,8 +61,8 @@ export class DiskFolder implements RecordingFolder {
   }
 
   async create(id: string): Promise<OpenFile> {
-    await mkdir(this.#path, { recursive: true });
-    return DiskFile.create(recordingPath(this.#path, id));
+    await mkdir(this.#path, { recursive: true, mode: OWNER_FOLDER_MODE });
+    return DiskFile.create(recordingPath(this.#path, id), OWNER_FILE_MODE);
   }
 
   open(id: string): Promise<OpenFile> {
@@ -64,12 +73,41 @@ export class DiskFolder implements RecordingFolder {
     return DiskFile.edit(recordingPath(this.#path, id));
   }
 
-  delete(id: string): Promise<void> {
-    return rm(recordingPath(this.#path, id), { force: true });
+  async delete(id: string): Promise<void> {
+    await Promise.all(
+      [EXTENSION, REJECTED, REJECTION].map((end) => rm(this.#pathOf(id, end), { force: true })),
+    );
+  }
+
+  editUpload(id: string): Promise<OpenFile> {
+    return DiskFile.edit(uploadPath(this.#path, id));
   }
 
   takeUpload(id: string): Promise<void> {
     return rename(uploadPath(this.#path, id), recordingPath(this.#path, id));
+  }
+
+  dropUpload(id: string): Promise<void> {
+    return rm(uploadPath(this.#path, id), { force: true });
+  }
+
+  async reject(
+    id: string,
+    from: 'recording' | 'upload',
+    rejection: Rejection,
+  ): Promise<RejectedFile> {
+    // The reason first: a file without its new name is checked again.
+    await writeFile(this.#pathOf(id, REJECTION), formatRejection(rejection), {
+      mode: OWNER_FILE_MODE,
+    });
+    const path = this.#pathOf(id, REJECTED);
+    await rename(this.#pathOf(id, from === 'upload' ? UPLOAD : EXTENSION), path);
+    return { id, sizeBytes: (await stat(path)).size, rejection };
+  }
+
+  async rejected(): Promise<RejectedFile[]> {
+    const names = await readdir(this.#path).catch(() => []);
+    return Promise.all(idsOf(names, REJECTED).map((id) => this.#readRejected(id)));
   }
 
   async freeBytes(): Promise<number> {
@@ -78,4 +116,24 @@ export class DiskFolder implements RecordingFolder {
       .catch(() => undefined);
     return facts === undefined ? 0 : facts.bavail * facts.bsize;
   }
+
+  async #readRejected(id: string): Promise<RejectedFile> {
+    const note = this.#pathOf(id, REJECTION);
+    const noteBytes = await stat(note).then(
+      ({ size }) => size,
+      () => 0,
+    );
+    const text =
+      noteBytes <= MAX_REJECTION_BYTES ? await readFile(note, 'utf8').catch(() => '') : '';
+    const { size: sizeBytes } = await stat(this.#pathOf(id, REJECTED));
+    return { id, sizeBytes, rejection: parseRejection(text) };
+  }
+
+  #pathOf(id: string, end: string): string {
+    return join(this.#path, `${id}${end}`);
+  }
+}
+
+function idsOf(names: readonly string[], end: string): string[] {
+  return names.filter((name) => name.endsWith(end)).map((name) => name.slice(0, -end.length));
 }

@@ -1,5 +1,5 @@
 import type { AttachmentIndex, ChunkIndex } from '@mcap/core';
-import { contentOfChunk, messagesIn, type StoredMessage } from '../mcap/chunk-content.ts';
+import { expectChunk, messagesIn, type StoredMessage } from '../mcap/chunk-content.ts';
 import type { FileIndex } from '../mcap/file-index.ts';
 import { PROFILE } from '../records/recording-header.ts';
 import { SNAPSHOT_NAME } from '../mcap/snapshot-attachment.ts';
@@ -163,7 +163,9 @@ export class StoredFile {
 }
 
 async function unpacked(record: Promise<Uint8Array>, chunk: ChunkIndex): Promise<ChunkMessages> {
-  return new ChunkMessages(messagesIn(await unpackChunk(contentOfChunk(await record, chunk))));
+  const bytes = await record;
+  expectChunk(bytes, chunk);
+  return new ChunkMessages(messagesIn(await unpackChunk(bytes.subarray(RECORD_HEAD_BYTES))));
 }
 
 /** The record of a chunk, as a copy. @param from where the bytes begin in the file */

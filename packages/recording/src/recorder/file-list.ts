@@ -1,40 +1,25 @@
 import { RecordingKind, RecordingState, ServiceError, type Recording } from '@ubii/proto';
-import { counted, plural } from '@ubii/words';
 import { changeRecording } from '../repair/change-recording.ts';
 import { RecordingError } from '../records/recording-error.ts';
-import { judgeRecording } from '../reading/judge-recording.ts';
-import type { MalformedEvents } from '../reading/recorded-events.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
-import { repairRecording } from '../repair/repair-recording.ts';
+import { boundFacts } from './bound-facts.ts';
+import { readListed, type Outcome } from './check-file.ts';
+import type { FileChecker, ListedFile, Verdict } from './file-checker.ts';
 import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from './recorder.ts';
-import { adoptedFacts } from './adopted-facts.ts';
-import { boundFacts, listedSelection } from './bound-facts.ts';
-import { describeFile, describeTopic, formatHeader, parseFacts } from './file-facts.ts';
-import type { FileFacts } from './file-facts.ts';
-import { describeMarker, MarkerList } from './marker-list.ts';
-import { msOf } from './nanoseconds.ts';
+import { formatHeader, parseFacts } from './file-facts.ts';
+import { MarkerList } from './marker-list.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
 import type { OpenFile, RecordingFolder } from './recording-folder.ts';
 import { pageOf, type RecordingPage } from './recording-page.ts';
-
-interface ListedFile {
-  readonly facts: Pick<FileFacts, 'makerId'>;
-  readonly recording: Recording;
-}
-
-/** What became of a recording. */
-type Outcome = Pick<FileFacts, 'state' | 'problem'>;
-
-const NOT_REPAIRED: Outcome = {
-  state: RecordingState.RECORDING_STATE_FAILED,
-  problem:
-    'The end of the file is missing, and it could not be repaired, as on a full disk. The next start tries again.',
-};
+import { listRejected } from './rejected-file.ts';
 
 /** What the list works with. */
 export interface FileListContext {
   readonly folder: RecordingFolder;
   readonly limits: RecorderLimits;
+  /** Checks files that this list did not write. [RC-44] */
+  readonly checker: FileChecker;
+  readonly nowMs: () => number;
   /** The list changed. */
   onChange(): void;
 }
@@ -52,7 +37,7 @@ export class FileList {
     this.#context = context;
   }
 
-  /** Reads and repairs what earlier runs left, once. [RC-7] */
+  /** Checks what earlier runs left, and repairs it, once. [RC-7] */
   scan(): Promise<void> {
     this.#scanned ??= this.#scan();
     return this.#scanned;
@@ -95,21 +80,20 @@ export class FileList {
   async get(id: string, page?: RecordingPage): Promise<KeptRecording> {
     await this.scan();
     return this.#ofListed(id, async ({ facts: { makerId }, recording }) => {
-      const file = await this.#context.folder.open(id);
-      try {
+      if (isRejected(recording)) return { recording, makerId };
+      return this.#withFile(id, 'open', async (file) => {
         if (page === undefined) return { recording, makerId };
         return { recording: { ...recording, ...(await this.#pageOf(id, file, page)) }, makerId };
-      } finally {
-        await file.close();
-      }
+      });
     });
   }
 
   /** [RC-6] */
   async change(id: string, { name, notes }: RecordingTexts): Promise<Recording> {
     await this.scan();
-    return this.#ofListed(id, async () => {
-      await this.#edit(id, async (file) => {
+    return this.#ofListed(id, async ({ recording }) => {
+      requireReadable(recording);
+      await this.#withFile(id, 'edit', async (file) => {
         const { summary } = await RecordingReader.open(file);
         const facts = { ...boundFacts(parseFacts(summary), this.#context.limits), name, notes };
         await changeRecording(file, { header: formatHeader(facts) });
@@ -122,8 +106,9 @@ export class FileList {
   async mark(job: MarkerJob): Promise<void> {
     const { recordingId } = job.marker;
     await this.scan();
-    await this.#ofListed(recordingId, async () => {
-      await this.#edit(recordingId, async (file) => {
+    await this.#ofListed(recordingId, async ({ recording }) => {
+      requireReadable(recording);
+      await this.#withFile(recordingId, 'edit', async (file) => {
         const { summary } = await RecordingReader.open(file);
         const list = new MarkerList(summary.markers, this.#context.limits.markersPerRecording);
         await changeRecording(file, { events: [list.apply(job)] });
@@ -139,46 +124,26 @@ export class FileList {
     this.#forget(id);
   }
 
-  /** Takes in a file that was uploaded. [RC-41] */
+  /** Takes in a file that was uploaded. It is an upload until it was checked. [RC-41] [RC-44] */
   async adopt(job: RecordingJob, nowMs: number): Promise<Recording> {
-    const { folder, limits } = this.#context;
+    const { folder, checker } = this.#context;
     await this.scan();
-    await folder.takeUpload(job.id);
     try {
-      await this.#edit(job.id, async (file) => {
-        await repairRecording(file);
-        await judgeRecording(file, limits);
-        const { summary } = await RecordingReader.open(file);
-        const facts = adoptedFacts(job, parseFacts(summary), nowMs, limits);
-        await changeRecording(file, { header: formatHeader(facts) });
-      });
-      return await this.read(job.id);
+      const verdict = await checker.check({ id: job.id, upload: { job, nowMs } });
+      if (verdict.kind !== 'accepted') throw await this.#refuse(job, verdict);
+      await folder.takeUpload(job.id);
+      return this.#add(job.id, verdict.file);
     } catch (cause) {
-      await folder.delete(job.id);
-      if (!(cause instanceof RecordingError)) throw cause;
-      const text = `The file is no recording: ${cause.message} Upload an MCAP file.`;
-      throw new ServiceError('invalid_argument', text);
+      await folder.dropUpload(job.id);
+      throw cause;
     }
   }
 
   /** Reads a file whose writing is finished. @param outcome what became of it, where the file itself cannot say it */
   async read(id: string, outcome?: Outcome): Promise<Recording> {
-    const file = await this.#context.folder.open(id);
-    try {
-      const { summary, malformed } = await RecordingReader.open(file);
-      const facts = {
-        ...boundFacts(withProblem(parseFacts(summary), malformed), this.#context.limits),
-        ...(summary.isDamaged && NOT_REPAIRED),
-        ...outcome,
-      };
-      const described = describeFile(id, facts, summary, Number(await file.size()));
-      const recording = { ...described, selection: listedSelection(facts.selection) };
-      this.#files.set(id, { facts: { makerId: facts.makerId }, recording });
-      this.#context.onChange();
-      return recording;
-    } finally {
-      await file.close();
-    }
+    const read = (file: OpenFile): Promise<ListedFile> =>
+      readListed(id, file, this.#context.limits, outcome);
+    return this.#add(id, await this.#withFile(id, 'open', read));
   }
 
   /** Deletes the oldest keepings of the flight recorder as long as there is too much. [RC-18] */
@@ -192,6 +157,12 @@ export class FileList {
       if (this.sizeBytes + runningBytes <= maxBytes) return;
       await this.delete(id);
     }
+  }
+
+  #add(id: string, file: ListedFile): Recording {
+    this.#files.set(id, file);
+    this.#context.onChange();
+    return file.recording;
   }
 
   #require(id: string): ListedFile {
@@ -228,41 +199,53 @@ export class FileList {
     return { selection, ...pageOf(id, summary, page, limits) };
   }
 
+  /** What the sender of an upload hears. The file of a node stays at the node. */
+  async #refuse(
+    job: RecordingJob,
+    { kind, reason }: Exclude<Verdict, { kind: 'accepted' }>,
+  ): Promise<ServiceError> {
+    if (kind === 'refused') {
+      const text = `The file is no recording: ${reason} Upload an MCAP file.`;
+      return new ServiceError('invalid_argument', text);
+    }
+    if (job.isOfNode !== true) await this.#reject(job.id, 'upload', reason, job);
+    return new ServiceError('invalid_argument', `The file cannot be read. ${reason}`);
+  }
+
+  /** [RC-45] */
+  async #reject(
+    id: string,
+    from: 'recording' | 'upload',
+    reason: string,
+    job: Pick<RecordingJob, 'name' | 'author' | 'makerId'>,
+  ): Promise<void> {
+    const { folder, nowMs } = this.#context;
+    const { name, author, makerId } = job;
+    const rejection = { reason, name, author, makerId, rejectedMs: nowMs() };
+    this.#add(id, listRejected(await folder.reject(id, from, rejection)));
+  }
+
   async #scan(): Promise<void> {
-    for (const id of await this.#context.folder.list()) {
+    const { folder, checker } = this.#context;
+    for (const file of await folder.rejected()) this.#files.set(file.id, listRejected(file));
+    for (const id of await folder.list()) {
       if (this.#busy.has(id) || this.#files.has(id)) continue;
       try {
-        // A full disk has no room for it: it can be read anyway.
-        await this.#repair(id).catch(() => undefined);
-        await this.read(id);
+        const verdict = await checker.check({ id });
+        if (verdict.kind === 'accepted') this.#add(id, verdict.file);
+        else await this.#reject(id, 'recording', verdict.reason, UNKNOWN_MAKER);
       } catch {
-        // No recording, or not readable: it is left alone. [RC-7]
+        // It cannot be read or checked now: the next start tries again. [RC-7]
       }
     }
   }
 
-  /** [RC-7] */
-  async #repair(id: string): Promise<void> {
-    await this.#edit(id, async (file) => {
-      const repair = await repairRecording(file);
-      if (repair === undefined) return;
-      const { summary } = await RecordingReader.open(file);
-      const problem = problemOf(repair.lostAfterNs);
-      const facts = {
-        ...parseFacts(summary),
-        state: RecordingState.RECORDING_STATE_REPAIRED,
-        problem,
-      };
-      await changeRecording(file, { header: formatHeader(facts) });
-    });
-  }
-
-  /** Changes a file of the list, one after the other. */
-  #edit(id: string, change: (file: OpenFile) => Promise<void>): Promise<void> {
+  /** Works with files one after the other: the index of each takes memory. */
+  #withFile<T>(id: string, how: 'open' | 'edit', work: (file: OpenFile) => Promise<T>): Promise<T> {
     const done = this.#queue.then(async () => {
-      const file = await this.#context.folder.edit(id);
+      const file = await this.#context.folder[how](id);
       try {
-        await change(file);
+        return await work(file);
       } finally {
         await file.close();
       }
@@ -272,17 +255,15 @@ export class FileList {
   }
 }
 
-/** Says so when events are left out. [RC-55] */
-function withProblem(facts: FileFacts, malformed: MalformedEvents | undefined): FileFacts {
-  if (malformed === undefined) return facts;
-  const { count, first } = malformed;
-  const text = `${counted(count, 'malformed event')} ${plural(count, 'is', 'are')} left out. ${first}`;
-  return { ...facts, problem: [facts.problem, text].filter((one) => one !== '').join(' ') };
+const UNKNOWN_MAKER = { name: '', author: '', makerId: '' };
+
+function isRejected({ state }: Recording): boolean {
+  return state === RecordingState.RECORDING_STATE_REJECTED;
 }
 
-function problemOf(lostAfterNs: bigint | undefined): string {
-  const why = 'The program that wrote the file ended before it closed it.';
-  if (lostAfterNs === undefined) return `${why} There is no record in it.`;
-  const time = new Date(msOf(lostAfterNs)).toISOString();
-  return `${why} Records after ${time} may be missing, at most a second.`;
+/** @throws ServiceError when its file was rejected [RC-45] */
+function requireReadable(recording: Recording): void {
+  if (!isRejected(recording)) return;
+  const text = `${recording.problem} It can only be deleted.`;
+  throw new ServiceError('failed_precondition', text);
 }

@@ -18,6 +18,14 @@ export { MAX_TIME_MS } from '../records/event-schemas.ts';
 export { msOf, nsOf } from './nanoseconds.ts';
 export { RecorderEngine, type RecorderContext } from './recorder-engine.ts';
 export type { RecorderLimits } from './recorder-limits.ts';
+export { LocalChecker } from './check-file.ts';
+export type { CheckJob, FileChecker, Verdict } from './file-checker.ts';
+export {
+  formatRejection,
+  parseRejection,
+  type RejectedFile,
+  type Rejection,
+} from './rejected-file.ts';
 export type { OpenFile, RecordingFolder } from './recording-folder.ts';
 export { AT_MASTER, WITHOUT_PAGE } from './file-facts.ts';
 export { elementsFrom, type RecordingPage } from './recording-page.ts';

@@ -23,6 +23,8 @@ import {
   type RunningJob,
 } from './recorder.ts';
 import { factsOf, formatHeader } from './file-facts.ts';
+import { LocalChecker } from './check-file.ts';
+import type { FileChecker } from './file-checker.ts';
 import { FileList } from './file-list.ts';
 import { FlightRecorder } from './flight-recorder.ts';
 import { recordsOf } from './recording-batch.ts';
@@ -37,6 +39,8 @@ export interface RecorderContext {
   readonly folder: RecordingFolder;
   readonly clock: Clock;
   readonly limits: RecorderLimits;
+  /** Checks files that others wrote. @default this thread does it */
+  readonly checker?: FileChecker;
 }
 
 /** Time between two looks at what runs, milliseconds: chunks end with it, so that a crash loses less than a second [RC-7]. */
@@ -47,6 +51,7 @@ export class RecorderEngine implements Recorder {
   readonly #context: RecorderContext;
   readonly #flight: FlightRecorder;
   readonly #files: FileList;
+  readonly #checker: FileChecker;
   readonly #running: RunningRecordings;
   #listener: (state: RecorderState) => void = () => undefined;
   #queue: Promise<unknown> = Promise.resolve();
@@ -60,12 +65,19 @@ export class RecorderEngine implements Recorder {
   constructor(context: RecorderContext) {
     const { folder, clock, limits } = context;
     this.#context = context;
+    this.#checker = context.checker ?? new LocalChecker(folder, limits);
     this.#flight = new FlightRecorder({
       clock,
       maxMarkers: limits.markersPerRecording,
       onDrop: () => this.#emit(),
     });
-    this.#files = new FileList({ folder, limits, onChange: () => this.#listRevision++ });
+    this.#files = new FileList({
+      folder,
+      limits,
+      checker: this.#checker,
+      nowMs: () => this.#nowMs(),
+      onChange: () => this.#listRevision++,
+    });
     this.#running = new RunningRecordings({ ...context, files: this.#files });
   }
 
@@ -201,6 +213,7 @@ export class RecorderEngine implements Recorder {
 
   async close(): Promise<void> {
     this.#cancelTick?.();
+    await this.#checker.close();
     await this.#inOrder(() => {
       this.#flight.close();
       return this.#running.stopAll();

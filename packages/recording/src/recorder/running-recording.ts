@@ -4,6 +4,7 @@ import { RecordingWriter } from '../writing/recording-writer.ts';
 import { repairRecording } from '../repair/repair-recording.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingTexts, RunningJob } from './recorder.ts';
 import {
   AT_MASTER,
@@ -15,6 +16,9 @@ import {
 } from './file-facts.ts';
 import { MarkerList } from './marker-list.ts';
 import type { OpenFile } from './recording-folder.ts';
+
+/** The rest is for markers that are added later. */
+const MAX_INDEX_BYTES = 0.9 * READING_LIMITS.indexBytes;
 
 /** A recording whose file is being written. */
 export class RunningRecording {
@@ -57,6 +61,11 @@ export class RunningRecording {
 
   get sizeBytes(): number {
     return this.#writer.statistics.bytes;
+  }
+
+  /** The index of a file has a limit, so that it can be read again. [RC-16] */
+  get isIndexFull(): boolean {
+    return this.#writer.statistics.indexBytes > MAX_INDEX_BYTES;
   }
 
   get startedMs(): number {

@@ -150,11 +150,13 @@ export class RunningRecordings {
     }
   }
 
-  #reasonToStop({ job, startedMs, sizeBytes }: RunningRecording, free: number): string | undefined {
+  #reasonToStop(running: RunningRecording, free: number): string | undefined {
+    const { job, startedMs, sizeBytes } = running;
     const { maxDurationMs, maxBytes, minFreeBytes } = job.budget;
     const { files, limits } = this.#context;
     if (this.#nowMs() - startedMs >= maxDurationMs) return 'it reached its longest duration';
     if (sizeBytes >= maxBytes) return 'its file reached its largest size';
+    if (running.isIndexFull) return 'its index reached its largest size';
     if (free > 0 && free < minFreeBytes) return 'little space is free on the disk';
     const allBytes = files.sizeBytes + this.sizeBytes;
     return allBytes > limits.recordingsBytes ? 'all recordings take too much space' : undefined;

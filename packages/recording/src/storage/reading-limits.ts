@@ -13,8 +13,8 @@ export const READING_LIMITS = {
   chunkMessages: 500_000,
   /** Bytes of the header of a recording: its texts, its selection and 200 labels. */
   headerBytes: 4 * MIB,
-  /** Events that are read together, such as all markers, clients and gaps. A day with 100 clients that reconnect hourly has 5000. */
-  events: 200_000,
+  /** Events that are read together, such as all markers, clients and gaps. A day with 60 clients has up to 500 000 changes of clocks. */
+  events: 500_000,
   /** Bytes of events that are read together. */
-  eventBytes: 32 * MIB,
+  eventBytes: 64 * MIB,
 } as const;

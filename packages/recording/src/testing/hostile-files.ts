@@ -99,7 +99,7 @@ function fileOfChunk(
 }
 
 /** Magic and header, the data, and an end of the index. */
-function fileOf(index: FileIndex, data = new Uint8Array()): Uint8Array<ArrayBuffer> {
+function fileOf(index: FileIndex, data: Uint8Array = new Uint8Array()): Uint8Array<ArrayBuffer> {
   const start = startOfFile();
   const end = encodeEnd(index, BigInt(start.length + data.length));
   const file = new Uint8Array(start.length + data.length + end.length);

@@ -4,14 +4,16 @@ import { SystemClock } from '@ubii/timing/system';
 import { DiskFolder } from '../node/disk-folder.ts';
 import { RecorderEngine } from '../recorder/recorder-engine.ts';
 import type { RecordSource } from '../recorder/recorder.ts';
+import { ProcessChecker } from './process-checker.ts';
 import type { FromThread, RecorderThreadData, ToThread } from './thread-messages.ts';
 
 /* The thread that records: it holds the last minutes, and writes files. [RC-50] */
-const { folder, limits } = workerData as RecorderThreadData;
+const { folder, limits, checkProcessFile } = workerData as RecorderThreadData;
+const clock = new SystemClock();
+const processFile = new URL(checkProcessFile);
 const recorder = new RecorderEngine({
-  folder: new DiskFolder(folder),
-  clock: new SystemClock(),
-  limits,
+  ...{ folder: new DiskFolder(folder), clock, limits },
+  checker: new ProcessChecker({ processFile, folder, limits, clock }),
 });
 const send = (message: FromThread): void => parentPort!.postMessage(message);
 let sources: RecordSource[] = [];

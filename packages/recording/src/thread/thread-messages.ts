@@ -1,6 +1,7 @@
 import type { ServiceErrorCode } from '@ubii/proto';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecorderLimits } from '../recorder/recorder-limits.ts';
+import type { CheckLimits } from './check-messages.ts';
 import type {
   Recorder,
   RecorderState,
@@ -12,7 +13,9 @@ import type {
 export interface RecorderThreadData {
   /** Path of the folder of the recordings. */
   readonly folder: string;
-  readonly limits: RecorderLimits;
+  readonly limits: RecorderLimits & CheckLimits;
+  /** URL of the built process that checks files. */
+  readonly checkProcessFile: string;
 }
 
 /** What is called of the recorder, and answered. */

@@ -30,9 +30,11 @@ import type {
   ToThread,
 } from './thread-messages.ts';
 
-export interface WorkerRecorderOptions extends RecorderThreadData {
+export interface WorkerRecorderOptions extends Omit<RecorderThreadData, 'checkProcessFile'> {
   /** The built thread. */
   readonly workerFile: URL;
+  /** The built process that checks files. [RC-44] */
+  readonly checkProcessFile: URL;
   readonly clock: Clock;
   /** Is told what failed, for the log. @param reason what went wrong */
   readonly onFailure: (what: string, reason: string) => void;
@@ -43,8 +45,8 @@ interface Call {
   readonly reject: (error: ServiceError) => void;
 }
 
-/** Heap of the thread; the flight recorder has its memory besides. */
-const HEAP_MIB = 512;
+/** Heap of the thread: twice what the longest index takes. The flight recorder has its memory besides. */
+const HEAP_MIB = 1024;
 /** Time after a failure until the thread may start again. */
 const PAUSE_MS = 5_000;
 /** From so many sources on, the thread forgets all that it knows. */
@@ -202,8 +204,10 @@ export class WorkerRecorder implements Recorder {
   }
 
   #startThread(): Worker {
-    const { workerFile, folder, limits } = this.#options;
-    const workerData: RecorderThreadData = { folder, limits };
+    const { workerFile, folder, limits, checkProcessFile } = this.#options;
+    const workerData: RecorderThreadData = {
+      ...{ folder, limits, checkProcessFile: checkProcessFile.href },
+    };
     const worker: Worker = openThread<FromThread>({
       ...{ workerFile, name: 'ubii recorder', workerData, heapMib: HEAP_MIB },
       onMessage: (message) => {

@@ -1,7 +1,7 @@
 import { McapRecordBuilder } from '@mcap/core';
 import type { Attachment, Channel } from '@mcap/core';
 import { Lz4Compressor } from '../compression/lz4-frame.ts';
-import { encodeEnd, FileIndex } from '../mcap/file-index.ts';
+import { encodeEnd, FileIndex, indexBytesOf } from '../mcap/file-index.ts';
 import { OpenChunk } from '../mcap/open-chunk.ts';
 import type { StoredPart } from '../mcap/stored-part.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
@@ -28,6 +28,8 @@ export interface WriterStatistics {
   readonly refusedRecords: number;
   /** Bytes of the file so far, without what `flush` would write. */
   readonly bytes: number;
+  /** Bytes that the index will have at its end, about. */
+  readonly indexBytes: number;
 }
 
 /**
@@ -48,6 +50,7 @@ export class RecordingWriter {
   readonly #markers = new Set<string>();
   #recordCount = 0;
   #refusedRecords = 0;
+  #indexBytes = 0;
   #written: Promise<void> = Promise.resolve();
   #failure: { readonly error: unknown } | undefined;
 
@@ -88,6 +91,7 @@ export class RecordingWriter {
       markers: this.#markers.size,
       refusedRecords: this.#refusedRecords,
       bytes: Number(this.#position),
+      indexBytes: this.#indexBytes,
     };
   }
 
@@ -196,6 +200,7 @@ export class RecordingWriter {
       if (chunk.isEmpty) continue;
       const { bytes, index } = chunk.close(this.#position);
       this.#file.chunks.push(index);
+      this.#indexBytes += indexBytesOf(index);
       void this.#write(bytes);
     }
     const snapshot = this.#lastValues.snapshotAt(this.#position);

@@ -2,18 +2,19 @@ import type { Clock } from '@ubii/timing';
 import type { Log, Recorder, ReplayFiles } from '../../core/ports/index.ts';
 import { DiskFolder } from '@ubii/recording/node';
 import { RecorderEngine, type RecorderLimits } from '@ubii/recording/recorder';
-import { WorkerRecorder } from '@ubii/recording/thread';
+import { WorkerRecorder, type CheckLimits } from '@ubii/recording/thread';
 import { FolderReplays } from '../../core/replayer/folder-replays.ts';
 import { WorkerReplayFiles } from './worker-replay-files.ts';
 
 export interface RecordingOptions {
   /** Path of the folder of the recordings. */
   readonly folder: string;
-  readonly limits: RecorderLimits;
+  readonly limits: RecorderLimits & CheckLimits;
   readonly clock: Clock;
   readonly log: Log;
-  /** The built threads; undefined: this thread does their work. */
+  /** The built threads, and the process of the first; undefined: this thread does their work. */
   readonly recorderWorkerFile: URL | undefined;
+  readonly checkProcessFile: URL | undefined;
   readonly replayWorkerFile: URL | undefined;
 }
 
@@ -22,16 +23,16 @@ export function openRecordings(options: RecordingOptions): {
   readonly recorder: Recorder;
   readonly replayFiles: ReplayFiles;
 } {
-  const { folder, clock, log, recorderWorkerFile, replayWorkerFile } = options;
-  const { limits } = options;
+  const { folder, clock, log, limits } = options;
+  const { recorderWorkerFile, checkProcessFile, replayWorkerFile } = options;
   const here = { folder: new DiskFolder(folder), clock };
   const onThread = { folder, clock, log };
   return {
     recorder:
-      recorderWorkerFile === undefined
+      recorderWorkerFile === undefined || checkProcessFile === undefined
         ? new RecorderEngine({ ...here, limits })
         : new WorkerRecorder({
-            ...{ folder, clock, limits, workerFile: recorderWorkerFile },
+            ...{ folder, clock, limits, checkProcessFile, workerFile: recorderWorkerFile },
             onFailure: (what, reason) => log.error(what, { reason }),
           }),
     replayFiles:

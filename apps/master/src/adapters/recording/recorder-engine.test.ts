@@ -8,8 +8,16 @@ import {
   runningJob,
 } from '../../testing/acceptance/index.ts';
 import { MemoryFolder } from '../../testing/index.ts';
+import { MemoryRecording } from '../../testing/memory-folder.ts';
 import { readRecording } from '../../testing/read-recording.ts';
-import { RecorderEngine, type RecorderLimits } from '@ubii/recording/recorder';
+import {
+  LocalChecker,
+  RecorderEngine,
+  type FileChecker,
+  type Recorder,
+  type RecorderLimits,
+} from '@ubii/recording/recorder';
+import { manyMarkers, metadataIndexOf3Gib, recordChunkIndexOf3Gib } from '@ubii/recording/testing';
 
 const LIMITS: RecorderLimits = {
   ...DEFAULT_TEXT_LIMITS,
@@ -19,9 +27,11 @@ const LIMITS: RecorderLimits = {
 function openEngine({
   folder = new MemoryFolder(),
   limits = LIMITS,
-}: { folder?: MemoryFolder; limits?: RecorderLimits } = {}) {
+  checker,
+}: { folder?: MemoryFolder; limits?: RecorderLimits; checker?: FileChecker } = {}) {
   const clock = new FakeClock();
-  return { folder, clock, recorder: new RecorderEngine({ folder, clock, limits }) };
+  const parts = { folder, clock, limits, ...(checker && { checker }) };
+  return { folder, clock, recorder: new RecorderEngine(parts) };
 }
 
 recorderSuite('RecorderEngine in memory', () => {
@@ -119,12 +129,75 @@ describe('RecorderEngine', () => {
     expect((await third.list()).recordings).toMatchObject([{ id: 'cut', state: cut!.state }]);
   });
 
-  it('[RC-7] leaves files alone that are no recordings', async () => {
+  it('[RC-45] lists files that it cannot read with the reason, does not read them again, and deletes them', async () => {
     const { recorder, folder } = openEngine();
-    const file = await folder.create('text');
-    await file.write(new TextEncoder().encode('Not a recording at all.'));
-    expect((await recorder.list()).recordings).toEqual([]);
-    expect(folder.files.has('text')).toBe(true);
+    folder.files.set('liar', new MemoryRecording(metadataIndexOf3Gib()));
+    folder.files.set('markers', new MemoryRecording(manyMarkers()));
+    folder.files.set('text', new MemoryRecording(new TextEncoder().encode('Not a recording.')));
+    await recorder.start(runningJob('own'));
+    const rejected = async (from: Recorder) =>
+      (await from.list()).recordings
+        .filter(({ state }) => state === RecordingState.RECORDING_STATE_REJECTED)
+        .map(({ id, problem }) => ({ id, problem }));
+    const before = await rejected(recorder);
+    expect(before.map(({ id }) => id).sort()).toEqual(['liar', 'markers', 'text']);
+    for (const { problem } of before) expect(problem).toMatch(/^The file cannot be read. [A-Z]/);
+    expect([...folder.files.keys()]).toEqual(['own']);
+    expect((await recorder.stop('own')).state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
+
+    const { recorder: next } = openEngine({ folder });
+    expect(await rejected(next)).toEqual(before);
+    expect((await next.get('liar')).recording.problem).toContain('cannot be read');
+    const refusal = { code: 'failed_precondition' };
+    await expect(next.change('liar', { name: 'x', notes: '' })).rejects.toMatchObject(refusal);
+    for (const { id } of before) await next.delete(id);
+    expect(await rejected(next)).toEqual([]);
+    expect(folder.rejectedFiles.size).toBe(0);
+  });
+
+  it('[RC-45] an upload that ended its check is kept, rejected, for the one who sent it', async () => {
+    const { recorder, folder } = openEngine({
+      checker: {
+        check: () => Promise.resolve({ kind: 'unchecked', reason: 'It ended.' }),
+        close: () => Promise.resolve(),
+      },
+    });
+    folder.uploads.set('bad', new MemoryRecording(manyMarkers(2)));
+    const refused = { code: 'invalid_argument', message: 'The file cannot be read. It ended.' };
+    await expect(recorder.adopt(runningJob('bad'))).rejects.toMatchObject(refused);
+    expect(await recorder.get('bad')).toMatchObject({
+      makerId: 'grant',
+      recording: { name: 'Recording bad', problem: 'The file cannot be read. It ended.' },
+    });
+    folder.uploads.set('node', new MemoryRecording(manyMarkers(2)));
+    const ofNode = { ...runningJob('node'), isOfNode: true };
+    await expect(recorder.adopt(ofNode)).rejects.toMatchObject(refused);
+    await expect(recorder.get('node')).rejects.toMatchObject({ code: 'not_found' });
+    expect(folder.uploads.size).toBe(0);
+  });
+
+  it('[RC-44] an upload is an upload until it was checked', async () => {
+    const { recorder, folder } = openEngine();
+    folder.uploads.set('liar', new MemoryRecording(recordChunkIndexOf3Gib()));
+    await expect(recorder.adopt(runningJob('liar'))).rejects.toMatchObject({
+      code: 'invalid_argument',
+    });
+    expect([folder.files.size, folder.uploads.size, folder.rejectedFiles.size]).toEqual([0, 0, 0]);
+    const seen: boolean[] = [];
+    const local = new LocalChecker(folder);
+    const { recorder: other } = openEngine({
+      folder,
+      checker: {
+        check(job) {
+          seen.push(folder.files.has('good'));
+          return local.check(job);
+        },
+        close: () => Promise.resolve(),
+      },
+    });
+    folder.uploads.set('good', new MemoryRecording(manyMarkers(2)));
+    await other.adopt(runningJob('good'));
+    expect([seen, folder.files.has('good')]).toEqual([[false], true]);
   });
 
   it('[RC-18] deletes the oldest keepings of the flight recorder, and nothing else', async () => {

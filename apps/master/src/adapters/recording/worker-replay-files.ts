@@ -34,8 +34,8 @@ interface Call {
   readonly reject: (error: ServiceError) => void;
 }
 
-/** Heap of the thread. */
-const HEAP_MIB = 512;
+/** Heap of the thread: twice what the longest index takes. */
+const HEAP_MIB = 1024;
 
 /** Plays recordings on a thread of its own, which runs while a file is open. [RP-15] */
 export class WorkerReplayFiles implements ReplayFiles {

@@ -1,6 +1,5 @@
 import { counted, oneLine } from '@ubii/words';
 
-
 /** Names that one line lists. */
 export const MAX_NAMES = 6;
 const MAX_NAME_CHARACTERS = 48;

@@ -43,6 +43,18 @@ export const RECORDING_LIMITS = {
     'Free space on the disk below which recordings stop, so that other programs can go on.',
   ),
   recordingUploadBytes: limit(8 * GIB, 'bytes', 'storage', 'One uploaded recording.'),
+  recordingCheckMs: limit(
+    20_000,
+    'ms',
+    'time',
+    'Time in which an uploaded recording is checked, before the connection of its sender is closed as idle. Files that are found at the start get a second more for each 4 MiB, because a repair reads all of them.',
+  ),
+  recordingCheckBytes: limit(
+    640 * MIB,
+    'bytes',
+    'storage',
+    'Heap of the process that checks recordings. The longest index that is read takes 470 MiB of it.',
+  ),
   recorderQueueBytes: limit(
     32 * MIB,
     'bytes',

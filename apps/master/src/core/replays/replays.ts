@@ -115,6 +115,9 @@ export class Replays {
         `The recording ${quote(recording.name)} is still running. Stop it before you play it.`,
       );
     }
+    if (recording.state === RecordingState.RECORDING_STATE_REJECTED) {
+      throw new ServiceError('failed_precondition', `${recording.problem} It cannot be played.`);
+    }
     const file = await replayFiles.open(request.recordingId);
     try {
       const id = ids.uuid();
