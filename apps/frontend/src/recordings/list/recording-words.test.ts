@@ -37,6 +37,8 @@ it('a recording says what is wrong with it, and nothing when it is whole', () =>
   expect(recordingLook(repaired)).toEqual({ mark: 'warning', word: 'Repaired' });
   const failed = aRecording({ state: RecordingState.RECORDING_STATE_FAILED });
   expect(recordingLook(failed)?.word).toBe('Stopped early');
+  const rejected = aRecording({ state: RecordingState.RECORDING_STATE_REJECTED });
+  expect(recordingLook(rejected)?.word).toBe('Cannot be read');
   expect(recordingLook(aRecording({ lostCount: 1 }))?.word).toBe('1 record missing');
 });
 

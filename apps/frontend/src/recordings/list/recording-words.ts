@@ -18,6 +18,10 @@ export const isRunning = ({ state }: Pick<Recording, 'state'>): boolean =>
 export const isAtNode = ({ state }: Pick<Recording, 'state'>): boolean =>
   state === RecordingState.RECORDING_STATE_AT_NODE;
 
+/** Its file was refused, and can only be deleted. [RC-45] */
+export const isRejected = ({ state }: Pick<Recording, 'state'>): boolean =>
+  state === RecordingState.RECORDING_STATE_REJECTED;
+
 /** Where a recording of a node is, in one sentence. */
 export function placeSentence(recording: Recording): string {
   const { nodeName, nodeIsAway, uploadedBytes, sizeBytes, problem } = recording;
@@ -52,6 +56,8 @@ export function recordingLook(recording: Recording): RecordingLook | undefined {
       return { mark: 'warning', word: 'Repaired' };
     case RecordingState.RECORDING_STATE_FAILED:
       return { mark: 'error', word: 'Stopped early' };
+    case RecordingState.RECORDING_STATE_REJECTED:
+      return { mark: 'error', word: 'Cannot be read' };
     default:
       return lostCount > 0
         ? { mark: 'warning', word: `${counted(lostCount, 'record')} missing` }
