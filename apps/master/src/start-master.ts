@@ -36,7 +36,7 @@ import { originsOf } from './adapters/network/page-origins.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
-import { recordingsFolder } from '@ubii/recording/node';
+import { keepToOwner, recordingsFolder } from '@ubii/recording/node';
 import { openRecordings } from './adapters/recording/open-recordings.ts';
 import { AuditFile } from './adapters/storage/audit-file.ts';
 import { KNOWN_MODELS } from './adapters/models/catalogue.ts';
@@ -74,7 +74,8 @@ export async function startMaster({
   replayWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   await refuseOriginal(config.dataDir);
-  prepareDataDir(config.dataDir);
+  prepareDataDir(config.dataDir, log);
+  await keepToOwner(recordingsFolder(config.dataDir));
   const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
   const stores = await openStores(config, limits.frameBytes ?? DEFAULT_LIMITS.frameBytes, {
     clock,

@@ -1,4 +1,4 @@
-import { statSync, writeFileSync } from 'node:fs';
+import { chmodSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it } from 'vitest';
@@ -22,3 +22,18 @@ describe('the data directory', () => {
     expect(() => prepareDataDir(join(file, 'below'))).toThrow(/--data-dir/);
   });
 });
+
+it.skipIf(process.platform === 'win32')(
+  '[RC-46] warns when other users may read the data directory',
+  () => {
+    const folder = temporaryFolder();
+    const warnings: string[] = [];
+    const log = { warn: (text: string) => void warnings.push(text) };
+    chmodSync(folder, 0o700);
+    prepareDataDir(folder, log);
+    expect(warnings).toEqual([]);
+    chmodSync(folder, 0o755);
+    prepareDataDir(folder, log);
+    expect(warnings).toEqual([expect.stringContaining(`chmod 700`)]);
+  },
+);

@@ -5,7 +5,7 @@ import { Transform, type TransformCallback } from 'node:stream';
 import { pipeline } from 'node:stream/promises';
 import { ServiceError } from '@ubii/proto';
 
-import { uploadPath } from '@ubii/recording/node';
+import { OWNER_FILE_MODE, OWNER_FOLDER_MODE, uploadPath } from '@ubii/recording/node';
 
 /**
  * Writes the body of a request as the upload `id`. [RC-41]
@@ -20,8 +20,9 @@ export async function receiveUpload(
 ): Promise<void> {
   const path = uploadPath(folder, id);
   try {
-    await mkdir(folder, { recursive: true });
-    await pipeline(body, taken(take), createWriteStream(path, { flags: 'wx' }));
+    await mkdir(folder, { recursive: true, mode: OWNER_FOLDER_MODE });
+    const file = createWriteStream(path, { flags: 'wx', mode: OWNER_FILE_MODE });
+    await pipeline(body, taken(take), file);
   } catch (cause) {
     await rm(path, { force: true });
     if (cause instanceof ServiceError) throw cause;
