@@ -119,7 +119,8 @@ describe('a participant', () => {
       master.recordings.uploads.set('copy', new MemoryRecording(bytes));
       await Promise.resolve();
     };
-    const upload = { id: 'copy', declaredBytes: bytes.length, receive };
+    const isAwaited = (): boolean => true;
+    const upload = { id: 'copy', declaredBytes: bytes.length, receive, isAwaited };
     const { study } = await master.master.uploadRecording(upload, 'Copy', TRUSTED_CALLER);
     expect(study).toMatchObject({ participantCode: CODE });
     const deletion = await deleteParticipant(master, { participantCode: CODE });

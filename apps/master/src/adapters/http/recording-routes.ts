@@ -37,7 +37,8 @@ async function sendFile(
   { master, callers, recordingsFolder }: RecordingRoutesOptions,
 ): Promise<FastifyReply> {
   const { id } = params as { readonly id: string };
-  const { name, state, nodeName } = await master.requireRecording(id, callers.read(raw));
+  const recording = await master.requireRecording(id, callers.read(raw));
+  const { name, state, nodeName, problem } = recording;
   if (state === RecordingState.RECORDING_STATE_RECORDING) {
     throw new ServiceError(
       'failed_precondition',
@@ -49,6 +50,9 @@ async function sendFile(
       'failed_precondition',
       `The file of this recording is still on the node ${quote(nodeName)}. It can be downloaded when it is uploaded.`,
     );
+  }
+  if (state === RecordingState.RECORDING_STATE_REJECTED) {
+    throw new ServiceError('failed_precondition', `${problem} It can only be deleted.`);
   }
   const path = recordingPath(recordingsFolder, id);
   const { size, mtimeMs } = await stat(path);
@@ -101,5 +105,9 @@ async function takeFile(
   const caller = callers.read(raw);
   return recordingId
     ? master.uploadNodeRecording({ ...upload, recordingId, clientId: clientId! }, caller)
-    : master.uploadRecording({ ...upload, id }, name!, caller);
+    : master.uploadRecording(
+        { ...upload, id, isAwaited: () => !raw.socket.destroyed },
+        name!,
+        caller,
+      );
 }

@@ -43,6 +43,18 @@ export const RECORDING_LIMITS = {
     'Free space on the disk below which recordings stop, so that other programs can go on.',
   ),
   recordingUploadBytes: limit(8 * GIB, 'bytes', 'storage', 'One uploaded recording.'),
+  uploadsPerClient: limit(
+    2,
+    'uploads',
+    'rates',
+    'Uploads of recordings of one client, or of one address that needs no token, at the same time. Each is checked on its own when it has arrived.',
+  ),
+  uploadBytesPerClient: limit(
+    8 * GIB,
+    'bytes',
+    'storage',
+    'Bytes of all uploads of one client at the same time. One of the largest uploads.',
+  ),
   recordingCheckMs: limit(
     20_000,
     'ms',

@@ -9,7 +9,7 @@ import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ClientClaim, ConnectionPeer } from '../ports/connection-facts.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
-import type { NodeUpload, Upload } from '../recordings/recording-uploads.ts';
+import { uploadSenderOf, type NodeUpload, type Upload } from '../recordings/recording-uploads.ts';
 import { openAudit, writeResult } from '../services/audit.ts';
 import { watchGrants } from '../services/grant-work.ts';
 import { IncomingRequest } from '../services/incoming-request.ts';
@@ -85,7 +85,8 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
       const keepsStudy = caller.role === 'admin';
       const wish = { name, notes: '', author: '', makerId: fileMakerOf(caller), keepsStudy };
       const write = openAudit(core, caller, { service: 'POST /recordings', object: name });
-      return writeResult(write, () => core.recordings.upload(upload, wish));
+      const sender = uploadSenderOf(caller, facts.place);
+      return writeResult(write, () => core.recordings.upload(upload, wish, sender));
     },
     uploadNodeRecording(upload: NodeUpload, facts: CallerFacts): Promise<Recording> {
       const caller = core.access.identify(facts);

@@ -4,7 +4,7 @@ import type { Caller } from '../access/caller.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { NodeRecordings } from './node-recordings.ts';
 import type { RecordingRoom } from './recording-room.ts';
-import { UploadSpace } from './upload-space.ts';
+import { UploadSpace, type HeldUpload } from './upload-space.ts';
 
 /** A file that is uploaded. */
 export interface Upload {
@@ -14,10 +14,12 @@ export interface Upload {
   readonly declaredBytes: number;
   /** Stores it; calls `take` for each part before, which rejects when there is no space. Nothing is kept when it fails. */
   readonly receive: (take: (bytes: number) => Promise<void>) => Promise<void>;
+  /** Whether its sender still waits for the reply. */
+  readonly isAwaited: () => boolean;
 }
 
 /** The file of a recording that a node made. [RC-63] */
-export interface NodeUpload extends Omit<Upload, 'id'> {
+export interface NodeUpload extends Omit<Upload, 'id' | 'isAwaited'> {
   readonly recordingId: string;
   /** Id of the client that brings it, as it says. */
   readonly clientId: string;
@@ -28,6 +30,16 @@ export type UploadWish = Pick<
   RecordingJob,
   'name' | 'notes' | 'author' | 'makerId' | 'study' | 'replayedRecordingId' | 'keepsStudy'
 >;
+
+/** Who uploads, as `HeldUpload` counts it. */
+export type UploadSender = Pick<HeldUpload, 'sender' | 'clientId'>;
+
+/** @param place of the caller; callers without a client count together by it */
+export function uploadSenderOf(caller: Caller, place: string): UploadSender {
+  return caller.kind === 'client'
+    ? { sender: `client ${caller.clientId}`, clientId: caller.clientId }
+    : { sender: `place ${place}`, clientId: '' };
+}
 
 /** What uploads work with. */
 export interface RecordingUploadsContext {
@@ -50,28 +62,32 @@ export class RecordingUploads {
   }
 
   /** [RC-41] @throws ServiceError when the upload is too large or no recording */
-  async take({ id, declaredBytes, receive }: Upload, wish: UploadWish): Promise<Recording> {
+  take(upload: Upload, wish: UploadWish, sender: UploadSender): Promise<Recording> {
     const { recorder, jobOf } = this.#context;
-    await this.#space.hold(declaredBytes, receive);
-    return recorder.adopt({ ...jobOf(wish), id, name: wish.name });
+    const { id, isAwaited } = upload;
+    return this.#space.hold({ ...upload, ...sender }, async () => {
+      const recording = await recorder.adopt({ ...jobOf(wish), id, name: wish.name });
+      if (isAwaited()) return recording;
+      // Its sender takes it for failed, and may send it again. [RC-42]
+      await recorder.delete(id);
+      throw new ServiceError('deadline_exceeded', 'The upload was closed before it was checked.');
+    });
   }
 
   /** The same for what a node recorded. [RC-63] */
   async takeOfNode(upload: NodeUpload, caller: Caller): Promise<Recording> {
     const { recorder, atNodes, jobOf } = this.#context;
-    const { recordingId: id, clientId, receive, declaredBytes } = upload;
+    const { recordingId: id, clientId } = upload;
     const known = await recorder.get(id).catch(() => undefined);
     if (known !== undefined) {
       throw new ServiceError('already_exists', 'The master has this recording already.');
     }
     const wish = atNodes.requireUpload(id, clientId, caller);
-    await this.#space.hold(declaredBytes, receive);
-    const recording = await recorder.adopt({
-      ...jobOf({ ...wish, notes: '' }),
-      id,
-      isOfNode: true,
+    return this.#space.hold({ ...upload, sender: `client ${clientId}` }, async () => {
+      const job = { ...jobOf({ ...wish, notes: '' }), id, isOfNode: true };
+      const recording = await recorder.adopt(job);
+      atNodes.handleUploaded(id);
+      return recording;
     });
-    atNodes.handleUploaded(id);
-    return recording;
   }
 }

@@ -41,6 +41,7 @@ import {
   RecordingUploads,
   type NodeUpload,
   type Upload,
+  type UploadSender,
   type UploadWish,
 } from './recording-uploads.ts';
 import { CompiledSelection, type SelectionContext } from './selection.ts';
@@ -232,8 +233,8 @@ export class Recordings {
   }
 
   /** [RC-41] @throws ServiceError when the upload is too large or no recording */
-  upload(upload: Upload, wish: UploadWish): Promise<Recording> {
-    return this.#uploads.take(upload, wish);
+  upload(upload: Upload, wish: UploadWish, sender: UploadSender): Promise<Recording> {
+    return this.#uploads.take(upload, wish, sender);
   }
 
   /** The same for what a node recorded. [RC-63] */
