@@ -20,6 +20,10 @@ export class Reader {
   pos = 0;
   /** First byte that does not belong to the message being read. */
   end: number;
+  /** Fields whose tag was read. */
+  fields = 0;
+  /** Reading the tag of one more than so many fails. */
+  maxFields = Number.MAX_SAFE_INTEGER;
   #messagesLeft = MAX_NESTED_MESSAGES;
 
   constructor(input: Uint8Array) {
@@ -32,6 +36,7 @@ export class Reader {
 
   /** Field number and wire type: at most 5 bytes, 32 bits. */
   tag(): number {
+    if (++this.fields > this.maxFields) this.#failAtField();
     return this.#uint32(0x0f);
   }
 
@@ -220,6 +225,10 @@ export class Reader {
     throw new MalformedError(
       `what starts at byte ${this.pos} does not end before byte ${this.end}`,
     );
+  }
+
+  #failAtField(): never {
+    throw new MalformedError(`too many fields before byte ${this.pos}`);
   }
 
   #failTooLong(): never {

@@ -40,5 +40,11 @@ export {
 } from './record-parts.ts';
 export { readRecordHead, type RecordHead } from './record-head.ts';
 export { readRecordTimestamp } from './record-timestamp.ts';
-export { recordValueField, scanTopicData, type TopicDataSink } from './scan-topic-data.ts';
+export {
+  TopicDataScan,
+  recordValueField,
+  scanTopicData,
+  type ScanOptions,
+  type TopicDataSink,
+} from './scan-topic-data.ts';
 export { scanServiceRequest, type RequestScan } from './scan-service-request.ts';

@@ -10,7 +10,7 @@ import { arbitraryMessage } from '../testing/arbitrary-message.ts';
 import { createCollectingSink } from '../testing/collecting-sink.ts';
 import { damagedBytes } from '../testing/damaged-bytes.ts';
 import { fromHex } from '../testing/hex.ts';
-import { recordValueField, scanTopicData } from './scan-topic-data.ts';
+import { TopicDataScan, recordValueField, scanTopicData } from './scan-topic-data.ts';
 
 const FRAME = 'ubii.topicData.TopicData';
 const RECORD = 'ubii.topicData.TopicDataRecord';
@@ -225,3 +225,69 @@ function isAccepted(read: () => unknown): boolean {
     throw error;
   }
 }
+
+describe('TopicDataScan', () => {
+  const topics = Array.from({ length: 10 }, (_, i) => `/${i}`);
+  const list = encode(FRAME, {
+    topicDataRecordList: { elements: topics.map((topic) => ({ topic, double: 1 })) },
+  });
+  const frame = Uint8Array.from([...list, ...list]);
+
+  it('[TD-71] hands over each record once when its sink pauses it after each', () => {
+    const sink = createCollectingSink();
+    const scan = new TopicDataScan(frame);
+    const runs: string[][] = [];
+    for (let isDone = false; !isDone; ) {
+      isDone = scan.run({
+        ...sink,
+        record(...found) {
+          sink.record(...found);
+          scan.pause();
+        },
+      });
+      runs.push(sink.records.splice(0).map(({ topic }) => topic));
+    }
+    expect(runs.flat()).toEqual([...topics, ...topics]);
+    expect(Math.max(...runs.map(({ length }) => length))).toBe(1);
+  });
+
+  it('[TD-71] pauses after the record with which it has read enough fields', () => {
+    const sink = createCollectingSink();
+    const scan = new TopicDataScan(frame);
+    expect(scan.run(sink, 9)).toBe(false);
+    expect(sink.records).toHaveLength(3);
+    expect(scan.run(sink)).toBe(true);
+    expect(sink.records).toHaveLength(20);
+  });
+
+  it('[TD-70] counts records that it steps over', () => {
+    const sink = createCollectingSink();
+    const scan = new TopicDataScan(frame);
+    scan.run(sink, 9);
+    scan.skipRecords();
+    expect(scan.run(sink)).toBe(true);
+    expect(sink.records).toHaveLength(3);
+    expect(scan.skippedRecords).toBe(17);
+  });
+
+  it.each([
+    ['nested messages', { object2DList: { elements: [{}, {}, {}, {}, {}] } }],
+    ['values', { stringList: { elements: ['a', 'b', 'c', 'd', 'e'] } }],
+  ])('[TD-12] refuses a record with too many %s', (_, value) => {
+    const sink = createCollectingSink();
+    const many = encode(FRAME, { topicDataRecord: { topic: '/a', ...value } });
+    scanTopicData(many, sink);
+    expect(sink.records).toHaveLength(1);
+    expect(() => new TopicDataScan(many, { maxMemberFields: 6 }).run(sink)).toThrow(DecodeError);
+  });
+
+  it('[TD-12] counts unknown fields and those of groups', () => {
+    const sink = createCollectingSink();
+    for (const unknown of ['f80601f80601f80601', '9b069806019806019c06']) {
+      const record = fromHex(`0a022f61${unknown}`);
+      const one = Uint8Array.from([0x12, record.length, ...record]);
+      expect(new TopicDataScan(one, { maxMemberFields: 6 }).run(sink)).toBe(true);
+      expect(() => new TopicDataScan(one, { maxMemberFields: 4 }).run(sink)).toThrow('fields');
+    }
+  });
+});

@@ -57,73 +57,159 @@ const NODE_MESSAGE = messageCheck('ubii.extension.NodeMessage');
  * @throws DecodeError at the first record that fails, after those before it were handed over
  */
 export function scanTopicData(frame: Uint8Array, sink: TopicDataSink, topics?: TextCache): void {
-  const reader = new Reader(frame);
-  try {
-    while (reader.pos < reader.end) scanMember(reader, sink, topics);
-  } catch (cause) {
-    throw cause instanceof MalformedError
-      ? DecodeError.wrap('ubii.topicData.TopicData', frame.length, cause)
-      : cause;
-  }
+  new TopicDataScan(frame, { topics }).run(sink);
 }
 
-function scanMember(reader: Reader, sink: TopicDataSink, topics?: TextCache): void {
-  const tag = reader.tag();
-  switch (tag) {
-    case RECORD_TAG:
-      return scanRecord(reader, sink, topics);
-    case LIST_TAG:
-      return scanList(reader, sink, topics);
-    case ERROR_TAG: {
-      const outerEnd = reader.enter();
-      const start = reader.pos;
-      checkMessage(reader, ERROR);
-      reader.end = outerEnd;
-      return sink.error(start, reader.pos);
-    }
-    case NODE_MESSAGE_TAG: {
-      const outerEnd = reader.enter();
-      const start = reader.pos;
-      checkMessage(reader, NODE_MESSAGE);
-      reader.end = outerEnd;
-      return sink.nodeMessage?.(start, reader.pos);
-    }
-    default:
-      skipField(reader, tag);
-  }
+/** Settings of a scan. */
+export interface ScanOptions {
+  /** Remembers topics from frame to frame, for callers that scan many frames. */
+  readonly topics?: TextCache | undefined;
+  /** Most fields of one record or other member, those of nested messages included. Default: no limit. */
+  readonly maxMemberFields?: number;
 }
 
-function scanList(reader: Reader, sink: TopicDataSink, topics?: TextCache): void {
-  const outerEnd = reader.enter();
-  while (reader.pos < reader.end) {
+/** Scans a frame as `scanTopicData` does, in as many steps as its sink wants. [TD-71] */
+export class TopicDataScan {
+  readonly #reader: Reader;
+  readonly #topics: TextCache | undefined;
+  readonly #maxMemberFields: number;
+  /** End of the list that the scan is in; 0: it is in none. */
+  #listEnd = 0;
+  #isPaused = false;
+  #isSkipping = false;
+  #skippedRecords = 0;
+
+  constructor(
+    frame: Uint8Array,
+    { topics, maxMemberFields = Number.MAX_SAFE_INTEGER }: ScanOptions = {},
+  ) {
+    this.#reader = new Reader(frame);
+    this.#topics = topics;
+    this.#maxMemberFields = maxMemberFields;
+  }
+
+  /** Fields read so far: what the check costs grows with their number. */
+  get fields(): number {
+    return this.#reader.fields;
+  }
+
+  /** Records that were stepped over since `skipRecords`. */
+  get skippedRecords(): number {
+    return this.#skippedRecords;
+  }
+
+  /** Makes `run` return after the member at hand. For its sink. */
+  pause(): void {
+    this.#isPaused = true;
+  }
+
+  /** From now on records are stepped over and counted, without a check of their structure. */
+  skipRecords(): void {
+    this.#isSkipping = true;
+  }
+
+  /**
+   * Goes on to the end of the frame, or until the sink pauses the scan.
+   *
+   * @param maxFields pauses after the member with which it has read so many. Default: no limit
+   * @returns whether the end was reached
+   * @throws DecodeError at the first record that fails, after those before it were handed over
+   */
+  run(sink: TopicDataSink, maxFields = Number.MAX_SAFE_INTEGER): boolean {
+    const reader = this.#reader;
+    const frameEnd = reader.input.byteLength;
+    const stopAt = reader.fields + maxFields;
+    this.#isPaused = false;
+    try {
+      while (!this.#isPaused && reader.fields < stopAt) {
+        if (this.#listEnd > 0) this.#scanList(sink, stopAt);
+        else if (reader.pos < reader.end) this.#scanMember(sink);
+        else break;
+      }
+    } catch (cause) {
+      throw cause instanceof MalformedError
+        ? DecodeError.wrap('ubii.topicData.TopicData', frameEnd, cause)
+        : cause;
+    }
+    return this.#listEnd === 0 && reader.pos >= frameEnd;
+  }
+
+  #scanMember(sink: TopicDataSink): void {
+    const reader = this.#reader;
+    this.#limitFields();
     const tag = reader.tag();
-    if (tag === LIST_ELEMENT_TAG) scanRecord(reader, sink, topics);
-    else skipField(reader, tag);
+    switch (tag) {
+      case RECORD_TAG:
+        return this.#scanRecord(sink);
+      case LIST_TAG:
+        reader.enter();
+        this.#listEnd = reader.end;
+        return;
+      case ERROR_TAG: {
+        const outerEnd = reader.enter();
+        const start = reader.pos;
+        checkMessage(reader, ERROR);
+        reader.end = outerEnd;
+        return sink.error(start, reader.pos);
+      }
+      case NODE_MESSAGE_TAG: {
+        const outerEnd = reader.enter();
+        const start = reader.pos;
+        checkMessage(reader, NODE_MESSAGE);
+        reader.end = outerEnd;
+        return sink.nodeMessage?.(start, reader.pos);
+      }
+      default:
+        skipField(reader, tag);
+    }
   }
-  reader.end = outerEnd;
-}
 
-function scanRecord(reader: Reader, sink: TopicDataSink, topics?: TextCache): void {
-  const outerEnd = reader.enter();
-  const start = reader.pos;
-  let topic = '';
-  let valueField = 0;
-  while (reader.pos < reader.end) {
-    const tag = reader.tag();
-    if (tag === TOPIC_TAG) {
-      topic = readTopic(reader, topics);
-      continue;
-    }
-    const field = fieldOf(RECORD, tag);
-    if (field === undefined) {
-      skipField(reader, tag);
-      continue;
-    }
-    if (field.isOneofMember) valueField = field.number;
-    checkField(reader, field, tag & 7);
+  /** A member cannot be read in parts. */
+  #limitFields(): void {
+    this.#reader.maxFields = this.#reader.fields + this.#maxMemberFields;
   }
-  reader.end = outerEnd;
-  sink.record(topic, start, reader.pos, valueField);
+
+  #scanList(sink: TopicDataSink, stopAt: number): void {
+    const reader = this.#reader;
+    while (reader.pos < reader.end) {
+      if (this.#isPaused || reader.fields >= stopAt) return;
+      this.#limitFields();
+      const tag = reader.tag();
+      if (tag === LIST_ELEMENT_TAG) this.#scanRecord(sink);
+      else skipField(reader, tag);
+    }
+    this.#listEnd = 0;
+    reader.end = reader.input.byteLength;
+  }
+
+  #scanRecord(sink: TopicDataSink): void {
+    const reader = this.#reader;
+    if (this.#isSkipping) {
+      reader.skip(reader.length());
+      this.#skippedRecords++;
+      return;
+    }
+    const outerEnd = reader.enter();
+    const start = reader.pos;
+    let topic = '';
+    let valueField = 0;
+    while (reader.pos < reader.end) {
+      const tag = reader.tag();
+      if (tag === TOPIC_TAG) {
+        topic = readTopic(reader, this.#topics);
+        continue;
+      }
+      const field = fieldOf(RECORD, tag);
+      if (field === undefined) {
+        skipField(reader, tag);
+        continue;
+      }
+      if (field.isOneofMember) valueField = field.number;
+      checkField(reader, field, tag & 7);
+    }
+    reader.end = outerEnd;
+    sink.record(topic, start, reader.pos, valueField);
+  }
 }
 
 function readTopic(reader: Reader, topics: TextCache | undefined): string {
