@@ -7,7 +7,7 @@ import { RecordingConnection } from './recording-connection.ts';
 /** What a `TestClient` does: it calls the master's side itself. */
 clientConnectionSuite('RecordingConnection', (host) => ({
   dial(claim): ClientEnd {
-    const connection = new RecordingConnection();
+    const connection = new WaitingConnection();
     const isRefused = host.refuseConnection(claim, LOCAL_CALLER) !== undefined;
     const handle = isRefused ? undefined : host.openConnection(claim, connection, LOCAL_CALLER);
     return endOf(connection, handle);
@@ -18,14 +18,30 @@ clientConnectionSuite('RecordingConnection', (host) => ({
   close: () => undefined,
 }));
 
-function endOf(connection: RecordingConnection, handle: ConnectionHandle | undefined): ClientEnd {
+/** A pipe whose other end waits while it is not read. */
+class WaitingConnection extends RecordingConnection {
+  readonly #waiting: (() => void)[] = [];
+
+  /** Sends now, or when it is read again. */
+  whenRead(send: () => void): void {
+    if (this.isReading) send();
+    else this.#waiting.push(send);
+  }
+
+  override setReading(on: boolean): void {
+    super.setReading(on);
+    if (on) for (const send of this.#waiting.splice(0)) send();
+  }
+}
+
+function endOf(connection: WaitingConnection, handle: ConnectionHandle | undefined): ClientEnd {
   const send = (text: string): void => {
     if (handle !== undefined) handleText(handle, text);
   };
   return {
     next: () => Promise.resolve(connection.sent.shift()!),
     ended: () => Promise.resolve(),
-    sendTopicData: (bytes) => handle?.handleTopicData(bytes.slice()),
+    sendTopicData: (bytes) => connection.whenRead(() => handle?.handleTopicData(bytes.slice())),
     sendPing: (timed) => send(pingText(timed)),
     sendPong: () => send('PONG'),
     sendNonsense: () => send('neither PING nor PONG'),

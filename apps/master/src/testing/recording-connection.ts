@@ -23,6 +23,7 @@ export class RecordingConnection implements ClientConnection {
   #isStalled = false;
   #takesLists = false;
   #isClosed = false;
+  #isReading = true;
 
   get queuedBytes(): number {
     return this.#queuedBytes;
@@ -66,6 +67,15 @@ export class RecordingConnection implements ClientConnection {
 
   setRecordLists(on: boolean): void {
     this.#takesLists = on;
+  }
+
+  /** Whether the master reads what the client sends. */
+  get isReading(): boolean {
+    return this.#isReading;
+  }
+
+  setReading(on: boolean): void {
+    this.#isReading = on;
   }
 
   /** From now on the system takes nothing; `queuedBytes` beyond any limit makes it wait at once. */

@@ -40,6 +40,7 @@ export {
 } from './record-parts.ts';
 export { readRecordHead, type RecordHead } from './record-head.ts';
 export { readRecordTimestamp } from './record-timestamp.ts';
+export { MAX_NESTED_MESSAGES } from '../binary/max-nested-messages.ts';
 export {
   TopicDataScan,
   recordValueField,

@@ -75,6 +75,11 @@ export class WebSocketConnection implements ClientConnection {
     this.#recordLists = on;
   }
 
+  setReading(on: boolean): void {
+    if (on) this.#webSocket.resume();
+    else this.#webSocket.pause();
+  }
+
   #write(parts: FrameParts): void {
     // Nothing may follow the close frame. What is written to a socket that broke a moment ago, before
     // the library heard of it, is lost silently.

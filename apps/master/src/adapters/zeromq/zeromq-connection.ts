@@ -29,6 +29,7 @@ export class ZeroMqConnection implements ClientConnection {
   readonly #end: EndSocket;
   #state: 'greeted' | 'open' | 'closed' = 'greeted';
   #recordLists = false;
+  #isReading = true;
 
   /** @param peer greeted, and neither taken nor refused yet */
   constructor(socket: Socket, peer: ZmtpPeer, end: EndSocket) {
@@ -39,6 +40,11 @@ export class ZeroMqConnection implements ClientConnection {
 
   get queuedBytes(): number {
     return this.#socket.writableLength;
+  }
+
+  /** Whether messages of the client are read. */
+  get isReading(): boolean {
+    return this.#isReading;
   }
 
   /** Takes the peer, unless that has happened, or it was refused. */
@@ -81,6 +87,12 @@ export class ZeroMqConnection implements ClientConnection {
 
   setRecordLists(on: boolean): void {
     this.#recordLists = on;
+  }
+
+  setReading(on: boolean): void {
+    this.#isReading = on;
+    if (on) this.#socket.resume();
+    else this.#socket.pause();
   }
 
   #write(parts: FrameParts): void {

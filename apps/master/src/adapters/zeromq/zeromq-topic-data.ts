@@ -95,10 +95,15 @@ export class ZeroMqTopicData {
     if (handle === undefined) return;
     connection.open();
     doorkeeper?.of(socket)?.handleClient();
-    this.#listen(socket, handle, rest);
+    this.#listen(socket, connection, handle, rest);
   }
 
-  #listen(socket: Socket, handle: ConnectionHandle, rest: Buffer): void {
+  #listen(
+    socket: Socket,
+    connection: ZeroMqConnection,
+    handle: ConnectionHandle,
+    rest: Buffer,
+  ): void {
     const { log, maxMessageBytes } = this.#options;
     const reader = new MessageReader(handle, maxMessageBytes, answersOn(socket));
     const read = (chunk: Buffer): void => {
@@ -117,7 +122,8 @@ export class ZeroMqTopicData {
     socket.on('drain', () => handle.handleDrain());
     socket.on('close', () => handle.handleClose('lost'));
     if (rest.length > 0) read(rest);
-    if (!socket.destroyed && !this.#ending.has(socket)) socket.resume();
+    if (socket.destroyed || this.#ending.has(socket)) return;
+    if (connection.isReading) socket.resume();
   }
 
   /** Reads no more messages, and ends the socket when what was written has left. */

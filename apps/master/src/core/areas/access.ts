@@ -2,6 +2,7 @@ import { TextCache } from '@ubii/proto/wire';
 import { Access } from '../access/access.ts';
 import { Grants } from '../access/grants.ts';
 import { GuessLimit } from '../access/guess-limit.ts';
+import { FrameSlices } from '../clients/frame-slices.ts';
 import { SocketAdmission } from '../clients/socket-admission.ts';
 import { BodyAccounts } from '../connections/body-accounts.ts';
 import { Connections } from '../connections/connections.ts';
@@ -58,6 +59,7 @@ export function createAccess(dependencies: AccessDependencies) {
       ...dependencies,
       access,
       topicTexts: new TextCache(),
+      slices: new FrameSlices(clock),
       onNodeMessage: (client, bytes) => reports.handleMessage(client, bytes),
     }),
   };

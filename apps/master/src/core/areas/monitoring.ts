@@ -25,7 +25,6 @@ export function createMonitoring(dependencies: MonitoringDependencies) {
   const clientMeter = new ClientMeter(clients);
   const checks = new OverloadChecks({
     clock,
-    limits,
     events,
     clients,
     settings: { ...DEFAULT_CHECKS, ...settings.checks },

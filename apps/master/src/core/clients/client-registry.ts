@@ -1,7 +1,8 @@
 import { encode, ServiceError, StatusEventKind, type Client as ClientMessage } from '@ubii/proto';
 import type { PatternCompiler } from '@ubii/patterns';
-import { TokenBucket, type Clock } from '@ubii/timing';
+import type { Clock } from '@ubii/timing';
 import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
+import { PublishLimitTable } from '../access/publish-limit-table.ts';
 import { shareOf } from '../access/share-of.ts';
 import { topicRightsOf } from '../access/topic-rights.ts';
 import { areEqual } from '../topics/equal-bytes.ts';
@@ -59,9 +60,11 @@ export class ClientRegistry {
   sendForeign: (client: Client, frame: Uint8Array) => void = () => undefined;
   readonly #context: ClientContext;
   readonly #clients = new Map<string, Client>();
+  readonly #publishLimits: PublishLimitTable;
 
   constructor(context: ClientContext) {
     this.#context = context;
+    this.#publishLimits = new PublishLimitTable(context.limits.limits);
   }
 
   get size(): number {
@@ -164,12 +167,10 @@ export class ClientRegistry {
     const { accounts, clock, createSubscriber } = this.#context;
     const account = accounts.createForeign(id);
     const nowMs = clock.monotonicMs();
-    const { recordsPerSecond, publishedBytesPerSecond } = this.#context.limits.limits;
     const client = new Client({
       ...{ id, spec, isExtension, account, nowMs },
       subscriber: createSubscriber(id, isExtension, account),
-      recordBudget: new TokenBucket(recordsPerSecond, nowMs),
-      byteBudget: new TokenBucket(publishedBytesPerSecond, nowMs),
+      publishLimits: this.#publishLimits.of(TRUSTED_ACCESS),
       epochMs: hereSinceMs,
     });
     client.home = home;
@@ -183,6 +184,7 @@ export class ClientRegistry {
   admitForeign(client: Client, access: ClientAccess): void {
     const { devices, patterns } = this.#context;
     client.access = access;
+    client.setPublishLimits(this.#publishLimits.of(access), this.#context.clock.monotonicMs());
     const scope = { clients: this.#clients, devices };
     const { publish } = topicRightsOf(client.id, access.role, access.grant, scope, patterns);
     client.publishRights = publish;
@@ -303,8 +305,7 @@ export class ClientRegistry {
   }
 
   #create(message: ClientMessage, id: string, access: ClientAccess): Client {
-    const { limits, clock, createSubscriber, accounts } = this.#context;
-    const { recordsPerSecond, publishedBytesPerSecond } = limits.limits;
+    const { clock, createSubscriber, accounts } = this.#context;
     const account = accounts.createClient(id, shareOf(access));
     accounts.require(account, RESOURCE.clients, 1);
     const nowMs = clock.monotonicMs();
@@ -315,8 +316,7 @@ export class ClientRegistry {
       isExtension,
       account,
       subscriber: createSubscriber(id, isExtension, account),
-      recordBudget: new TokenBucket(recordsPerSecond, nowMs),
-      byteBudget: new TokenBucket(publishedBytesPerSecond, nowMs),
+      publishLimits: this.#publishLimits.of(access),
       nowMs,
       epochMs: clock.nowMs(),
     });
@@ -346,7 +346,8 @@ export class ClientRegistry {
     client.access = access;
     this.#context.accounts.move(client.account, shareOf(access));
     if (before.role === access.role && before.grant === access.grant) return;
-    const { devices, patterns } = this.#context;
+    const { devices, patterns, clock } = this.#context;
+    client.setPublishLimits(this.#publishLimits.of(access), clock.monotonicMs());
     const { publish, read } = topicRightsOf(
       client.id,
       access.role,

@@ -1,11 +1,12 @@
 import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
 import type { ToldClock } from '@ubii/proto/wire';
-import type { TokenBucket } from '@ubii/timing';
+import { TokenBucket } from '@ubii/timing';
 import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
 import type { Account } from '../shares/account.ts';
 import { Streak } from '../counters/streak.ts';
 import type { PublishingClient } from '../topics/publication.ts';
+import type { PublishLimits } from '../topics/publish-limits.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
 import type { PublishRights } from '../topics/rights.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
@@ -24,8 +25,7 @@ export interface ClientParts {
   readonly isExtension: boolean;
   readonly account: Account;
   readonly subscriber: ClientSubscriber;
-  readonly recordBudget: TokenBucket;
-  readonly byteBudget: TokenBucket;
+  readonly publishLimits: PublishLimits;
   /** Monotonic and epoch milliseconds. */
   readonly nowMs: number;
   readonly epochMs: number;
@@ -55,8 +55,9 @@ export class Client implements PublishingClient {
   /** Its use of limited resources [AC-80]. */
   readonly account: Account;
   readonly subscriber: ClientSubscriber;
+  #publishLimits: PublishLimits;
   recordBudget: TokenBucket;
-  readonly byteBudget: TokenBucket;
+  byteBudget: TokenBucket;
   readonly traffic = new Traffic();
   readonly ownedTopics = new Set<TopicEntry>();
   readonly devices = new Map<string, Device>();
@@ -111,11 +112,30 @@ export class Client implements PublishingClient {
     this.isExtension = parts.isExtension;
     this.account = parts.account;
     this.subscriber = parts.subscriber;
-    this.recordBudget = parts.recordBudget;
-    this.byteBudget = parts.byteBudget;
+    this.#publishLimits = parts.publishLimits;
+    this.recordBudget = this.#newRecordBudget(parts.nowMs);
+    this.byteBudget = this.#newByteBudget(parts.nowMs);
     this.statusSinceMs = parts.nowMs;
     this.lastSignMs = parts.nowMs;
     this.latencyMeasuredMs = parts.nowMs;
+  }
+
+  get publishLimits(): PublishLimits {
+    return this.#publishLimits;
+  }
+
+  /** Holds the client to other limits than before, such as those of another role. [TD-70] */
+  setPublishLimits(limits: PublishLimits, nowMs: number): void {
+    if (limits === this.#publishLimits) return;
+    this.#publishLimits = limits;
+    this.byteBudget = this.#newByteBudget(nowMs);
+    if (this.throttle === undefined) this.endThrottle(nowMs);
+  }
+
+  /** From now on only the limits of its role hold. */
+  endThrottle(nowMs: number): void {
+    this.throttle = undefined;
+    this.recordBudget = this.#newRecordBudget(nowMs);
   }
 
   /** The client as others may see it [CL-23]. */
@@ -127,6 +147,14 @@ export class Client implements PublishingClient {
       state: wireState(this.status),
       latency: this.latencyMs,
     };
+  }
+
+  #newRecordBudget(nowMs: number): TokenBucket {
+    return new TokenBucket(this.#publishLimits.recordsPerSecond.value, nowMs);
+  }
+
+  #newByteBudget(nowMs: number): TokenBucket {
+    return new TokenBucket(this.#publishLimits.bytesPerSecond.value, nowMs);
   }
 
   /** Name and id as they stand in messages for people. */

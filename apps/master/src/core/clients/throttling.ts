@@ -1,6 +1,5 @@
 import { StatusEventKind } from '@ubii/proto';
 import { TokenBucket, type Clock } from '@ubii/timing';
-import type { Limits } from '../limits/index.ts';
 import type { EventLog } from '../counters/event-log.ts';
 import type { Client } from './client.ts';
 import { describeThrottle, type Throttle } from '../counters/throttle.ts';
@@ -8,7 +7,6 @@ import { describeThrottle, type Throttle } from '../counters/throttle.ts';
 /** Dependencies of throttling. */
 export interface ThrottlingContext {
   readonly clock: Clock;
-  readonly limits: Limits;
   readonly events: EventLog;
 }
 
@@ -35,13 +33,12 @@ export function throttleClient(
 
 /** Lets a client publish as much as others. Does nothing when it may. */
 export function unthrottleClient(
-  { clock, limits, events }: ThrottlingContext,
+  { clock, events }: ThrottlingContext,
   client: Client,
   byName: string,
 ): void {
   if (client.throttle === undefined) return;
-  client.throttle = undefined;
-  client.recordBudget = new TokenBucket(limits.recordsPerSecond, clock.monotonicMs());
+  client.endThrottle(clock.monotonicMs());
   const who = byName === '' ? '' : `, says ${byName}`;
   const text = `${client.label} is no longer throttled${who}`;
   events.add(StatusEventKind.CLIENT_THROTTLED, text, client.id);

@@ -1,28 +1,21 @@
-import { DecodeError, ServiceError, type ServiceErrorCode } from '@ubii/proto';
-import { scanTopicData } from '@ubii/proto/wire';
-import type { TextCache, TimedPing, TopicDataSink } from '@ubii/proto/wire';
+import { ServiceError, type ServiceErrorCode } from '@ubii/proto';
+import type { TimedPing } from '@ubii/proto/wire';
 import { TokenBucket, type EndOfTurn, type PreciseClock } from '@ubii/timing';
-import type { LimitName } from '../limits/index.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ClientEnding, CloseReason } from '../ports/close-reason.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
-import type { Log } from '../ports/log.ts';
 import type { Counters } from '../counters/counters.ts';
-import type { LimitWatch } from '../counters/limit-watch.ts';
-import { Publication } from '../topics/publication.ts';
-import { publish, type PublishContext } from '../topics/publisher.ts';
+import type { Publication } from '../topics/publication.ts';
+import type { Refusal } from '../topics/refusals.ts';
 import type { ClientRegistry } from './client-registry.ts';
 import type { ClientSocket } from './client-socket.ts';
 import type { Client } from './client.ts';
+import { IncomingFrames, type FrameContext, type FrameOwner } from './incoming-frames.ts';
 
 /** Dependencies of a socket. */
-export interface SocketContext extends PublishContext {
+export interface SocketContext extends FrameContext {
   readonly clock: PreciseClock;
-  readonly log: Log;
   readonly endOfTurn: EndOfTurn;
-  /** Topics that came lately, of all clients. */
-  readonly topicTexts: TextCache;
-  readonly limitWatch: LimitWatch;
   readonly counters: Counters;
   readonly clients: Pick<ClientRegistry, 'handleSign'>;
   /** A node says something. @throws DecodeError when it cannot be read */
@@ -31,18 +24,18 @@ export interface SocketContext extends PublishContext {
   readonly onClosed: (socket: TopicDataSocket, ending: ClientEnding) => void;
 }
 
-const NO_BYTES = new Uint8Array(0);
-
 /** The live socket of one client: what comes in on it, and how it ends. */
-export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDataSink {
+export class TopicDataSocket implements ClientSocket, ConnectionHandle, FrameOwner {
   readonly client: Client;
   readonly #context: SocketContext;
   readonly #connection: ClientConnection;
-  readonly #publication = new Publication();
+  readonly #frames: IncomingFrames;
   readonly #errorBudget: TokenBucket;
   /** When the latest protocol errors happened, oldest first. */
   #protocolErrorsMs: number[] = [];
   #isOpen = true;
+  /** How its transport ended, while frames that came before are still to be read. */
+  #ending: ClientEnding | undefined = undefined;
   /** Queue of the connection and bytes handed to it, when it was last seen to take something. */
   #queuedBytes = 0;
   #handedBytes: number;
@@ -52,11 +45,15 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
     this.client = client;
     this.#context = context;
     this.#connection = connection;
-    this.#publication.client = client;
+    this.#frames = new IncomingFrames(context, this);
     const nowMs = context.clock.monotonicMs();
     this.#errorBudget = new TokenBucket(context.limits.errorsPerSecond, nowMs);
     this.#handedBytes = client.subscriber.outbox.handedBytes;
     this.#tookSomethingMs = nowMs;
+  }
+
+  get isOpen(): boolean {
+    return this.#isOpen;
   }
 
   get connection(): ClientConnection {
@@ -77,23 +74,8 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
 
   handleTopicData(bytes: Uint8Array): void {
     if (!this.#isOpen) return;
-    const { clock, log, limits, topicTexts } = this.#context;
-    const publication = this.#publication;
     this.#handleSign();
-    if (bytes.byteLength > limits.frameBytes) return this.#refuseFrame(bytes.byteLength);
-    publication.frame = bytes;
-    publication.monotonicMs = this.client.lastSignMs;
-    publication.nowMs = clock.nowMs();
-    try {
-      scanTopicData(bytes, this, topicTexts);
-    } catch (error) {
-      if (error instanceof DecodeError)
-        this.handleProtocolError(`${error.message}.`); // [TD-12]
-      else log.error('a record could not be published', { reason: String(error) });
-    } finally {
-      publication.frame = NO_BYTES;
-      publication.entry = undefined;
-    }
+    this.#frames.handleFrame(bytes);
   }
 
   /** [TD-2] [EX-6] */
@@ -147,42 +129,40 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
   }
 
   handleClose(ending: ClientEnding): void {
-    if (!this.#isOpen) return;
-    this.#isOpen = false;
-    this.#context.onClosed(this, ending);
+    if (this.#frames.hasUnread) this.#ending ??= ending;
+    else this.#end(ending);
   }
 
-  // --- What scanTopicData finds ---
+  // --- What its frames bring ---
 
-  record(topic: string, start: number, end: number, valueField: number): void {
-    const publication = this.#publication;
-    publication.topic = topic;
-    publication.start = start;
-    publication.end = end;
-    publication.valueField = valueField;
-    const refusal = publish(this.#context, publication);
-    if (refusal === undefined) return;
-    // Only what is sent is put into words. [TD-17]
-    const { limits } = this.#context;
-    const { limit } = refusal;
-    this.#refuse(
-      refusal.code,
-      typeof limit === 'function' ? limit(publication, limits) : limit,
-      () => refusal.describe(publication, limits),
-    );
-  }
-
-  error(): void {
-    // Nothing is asked of the master by a client's error.
-  }
-
-  nodeMessage(start: number, end: number): void {
-    const { frame } = this.#publication;
+  handleNodeMessage(bytes: Uint8Array): void {
     if (this.client.node === undefined) {
       this.handleProtocolError('A node message was received from a client that is not a node.'); // [EX-20]
       return;
     }
-    this.#context.onNodeMessage(this.client, frame.subarray(start, end));
+    this.#context.onNodeMessage(this.client, bytes);
+  }
+
+  handleRefused(refusal: Refusal, publication: Publication): void {
+    const { limits, limitWatch } = this.#context;
+    const { code, limit } = refusal;
+    this.handleRestRefused(refusal, 1);
+    const name = typeof limit === 'function' ? limit(publication, limits) : limit;
+    if (name !== undefined) limitWatch.count(name, this.client.id);
+    // Only what is sent is put into words. [TD-17]
+    if (this.#mayTellError()) {
+      const message = refusal.describe(publication, limits);
+      this.#connection.sendError(new ServiceError(code, message).toWire());
+    }
+  }
+
+  handleRestRefused({ code }: Refusal, count: number): void {
+    this.#context.counters.refused[code] += count;
+    this.client.traffic.refused += count;
+  }
+
+  handleAllRead(): void {
+    if (this.#ending !== undefined) this.#end(this.#ending);
   }
 
   // --- What the master does with it ---
@@ -196,13 +176,14 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
   close(reason: CloseReason, explanation?: string): void {
     if (!this.#isOpen) return;
     this.#connection.close(reason, explanation);
-    this.handleClose('lost');
+    this.#end('lost');
   }
 
   /** Another socket took the place of this one [TD-7]. */
   supersede(): void {
     this.#isOpen = false;
     this.#connection.close('superseded');
+    this.#frames.discard();
   }
 
   /** Tells the client what went wrong, unless it was told too much lately [TD-17]. */
@@ -243,24 +224,11 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
     this.#context.clients.handleSign(this.client);
   }
 
-  #refuseFrame(byteLength: number): void {
-    const { frameBytes } = this.#context.limits;
-    this.#refuse(
-      'resource_exhausted',
-      'frameBytes',
-      () =>
-        `The message has ${byteLength} bytes, but a message has at most ${frameBytes} (limit frameBytes).`,
-    );
-  }
-
-  #refuse(code: ServiceErrorCode, limit: LimitName | undefined, describe: () => string): void {
-    const { counters, limitWatch } = this.#context;
-    counters.refused[code]++;
-    this.client.traffic.refused++;
-    if (limit !== undefined) limitWatch.count(limit, this.client.id);
-    if (this.#mayTellError()) {
-      this.#connection.sendError(new ServiceError(code, describe()).toWire());
-    }
+  #end(ending: ClientEnding): void {
+    if (!this.#isOpen) return;
+    this.#isOpen = false;
+    this.#frames.discard();
+    this.#context.onClosed(this, ending);
   }
 
   #mayTellError(): boolean {

@@ -12,7 +12,31 @@ export const DELIVERY_LIMITS = {
     1_024 * MIB,
     'bytes/s',
     'rates',
-    'Bytes of records that a client may publish per second, also in one burst. Enough for three raw 4K cameras at 10 Hz.',
+    'Bytes that a client may publish per second, also in one burst; a shorter field counts as 16 bytes. Beyond it, the messages of the client are read later. Enough for three raw 4K cameras at 10 Hz.',
+  ),
+  recordsPerSecondOfParticipant: limit(
+    200_000,
+    'records/s',
+    'rates',
+    'The same limit for a participant with an invitation. Four times the 50 000 records per second that one replay plays.',
+  ),
+  recordsPerSecondOfPlayer: limit(
+    10_000,
+    'records/s',
+    'rates',
+    'The same limit for a player or viewer. A phone with 20 topics at 60 Hz publishes 1200.',
+  ),
+  publishedBytesPerSecondOfParticipant: limit(
+    256 * MIB,
+    'bytes/s',
+    'rates',
+    'The same limit for a participant with an invitation. Enough for a raw 4K camera at 8 Hz.',
+  ),
+  publishedBytesPerSecondOfPlayer: limit(
+    32 * MIB,
+    'bytes/s',
+    'rates',
+    'The same limit for a player or viewer. Ten times a camera with pictures of 100 kB at 30 Hz.',
   ),
   errorsPerSecond: limit(
     10,

@@ -1,5 +1,6 @@
 import { DEFAULT_PATTERN_LIMITS } from '@ubii/patterns';
 import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
+import { MAX_NESTED_MESSAGES } from '@ubii/proto/wire';
 import { MIB, limit } from './limit.ts';
 
 /** Limits of messages and of the values in them. */
@@ -9,6 +10,36 @@ export const MESSAGE_LIMITS = {
     'bytes',
     'messages',
     'One WebSocket message. A raw 4K image (3840 x 2160 RGBA) is 31.6 MiB.',
+  ),
+  frameBytesOfPlayer: limit(
+    8 * MIB,
+    'bytes',
+    'messages',
+    'The same limit for a player or viewer. A picture of a phone camera at full resolution has some 5 MB, one of a video some 100 kB.',
+  ),
+  frameRecords: limit(
+    MAX_NESTED_MESSAGES,
+    'records',
+    'messages',
+    'Records of one WebSocket message. Further records of the message are refused. A large message is read in slices.',
+  ),
+  frameRecordsOfPlayer: limit(
+    4_096,
+    'records',
+    'messages',
+    'The same limit for a player or viewer. A phone with 20 topics at 60 Hz publishes so many in 3 s.',
+  ),
+  recordFields: limit(
+    1_048_576,
+    'fields',
+    'messages',
+    'Fields of one record, with those of nested messages. A record cannot be read in slices; its check takes some 25 ns per field. A list of 40 000 objects with poses has so many.',
+  ),
+  recordFieldsOfPlayer: limit(
+    65_536,
+    'fields',
+    'messages',
+    'The same limit for a player or viewer. Landmarks of a body, a face and hands have some 5000.',
   ),
   serviceValues: limit(
     8_192,

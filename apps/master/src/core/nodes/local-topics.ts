@@ -1,3 +1,5 @@
+import { TRUSTED_ACCESS } from '../access/caller.ts';
+import { PublishLimitTable } from '../access/publish-limit-table.ts';
 import { Traffic } from '../clients/traffic.ts';
 import type { EncodedRecord, TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
 import { globToRegExpSource } from '@ubii/proto';
@@ -8,6 +10,7 @@ import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
+import { REFUSALS } from '../topics/refusals.ts';
 import type { RecordedSources } from '../topics/recorded-sources.ts';
 import { localSubscriber } from '../topics/local-subscriber.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
@@ -57,6 +60,7 @@ export class LocalTopics implements TopicPort {
     const nowMs = clock.monotonicMs();
     this.#publisher = {
       id: nodeId,
+      publishLimits: new PublishLimitTable(limits).of(TRUSTED_ACCESS),
       recordBudget: new TokenBucket(limits.recordsPerSecond, nowMs),
       byteBudget: new TokenBucket(limits.publishedBytesPerSecond, nowMs),
       traffic: new Traffic(),
@@ -149,7 +153,8 @@ export class LocalTopics implements TopicPort {
     publication.nowMs = clock.nowMs();
     publication.monotonicMs = clock.monotonicMs();
     publication.entry = undefined;
-    const refusal = publish(this.#context, publication);
+    const isWithinRate = publisher.byteBudget.take(record.byteLength, publication.monotonicMs);
+    const refusal = isWithinRate ? publish(this.#context, publication) : REFUSALS.tooManyBytes;
     // Release the frame of a record that is not retained before the next record.
     publication.frame = NO_BYTES;
     return refusal?.describe(publication, this.#context.limits);

@@ -29,4 +29,10 @@ export interface ClientConnection {
   close(reason: CloseReason, explanation?: string): void;
   /** Whether a batch may leave as one message. Set before the first batch, may change later. */
   setRecordLists(on: boolean): void;
+  /**
+   * Whether messages of the client are read; at the beginning they are. While they are not, they wait at the client
+   * and in the system; those that were read already may still come. A connection without it has every message handled
+   * at once. [TD-71]
+   */
+  setReading?(on: boolean): void;
 }

@@ -1,4 +1,5 @@
 import type { TokenBucket } from '@ubii/timing';
+import type { PublishLimits } from './publish-limits.ts';
 import type { PublishRights } from './rights.ts';
 import type { Throttle } from '../counters/throttle.ts';
 import type { Shortage } from '../shares/shortage.ts';
@@ -15,6 +16,7 @@ export interface PublishedCounts {
 
 /** A client as a publisher. */
 export interface PublishingClient extends TopicOwner {
+  readonly publishLimits: PublishLimits;
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
   readonly traffic: PublishedCounts;

@@ -96,11 +96,7 @@ function checkClients(context: PublishContext, publication: Publication): Refusa
 
 function checkRate(publication: Publication): Refusal | undefined {
   const client = publication.client!;
-  const { monotonicMs } = publication;
-  if (!client.recordBudget.take(1, monotonicMs)) return tooManyRecords(client);
-  return client.byteBudget.take(publication.byteLength, monotonicMs)
-    ? undefined
-    : REFUSALS.tooManyBytes;
+  return client.recordBudget.take(1, publication.monotonicMs) ? undefined : tooManyRecords(client);
 }
 
 /** [EX-32] */

@@ -3,6 +3,7 @@ import { describeThrottle } from '../counters/throttle.ts';
 import type { LimitName, Limits } from '../limits/index.ts';
 import { describeShortage, limitOf } from '../shares/shortage.ts';
 import type { Publication } from './publication.ts';
+import type { HeldLimit } from './publish-limits.ts';
 import { quote } from '../texts/quote.ts';
 
 /** Why a record is refused. A constant, because refusing must not cost more than publishing. */
@@ -10,6 +11,8 @@ export interface Refusal {
   readonly code: ServiceErrorCode;
   /** The limit that was met, if it was one. */
   readonly limit?: LimitName | ((publication: Publication, limits: Limits) => LimitName);
+  /** It holds for the rest of the records of the message as well: they are counted without being read. [TD-70] */
+  readonly isForRest?: boolean;
   /** Names the topic, what was expected and what was received: one sentence [TD-17]. */
   describe(publication: Publication, limits: Limits): string;
 }
@@ -45,21 +48,38 @@ export const REFUSALS = {
   },
   tooManyRecords: {
     code: 'resource_exhausted',
-    limit: 'recordsPerSecond',
-    describe: ({ topic }, { recordsPerSecond }) =>
-      `The record on ${quote(topic)} exceeds the rate limit: a client publishes at most ${recordsPerSecond} records per second (limit recordsPerSecond).`,
+    limit: ({ client }) => client!.publishLimits.recordsPerSecond.name,
+    isForRest: true,
+    describe: ({ topic, client }) =>
+      `The record on ${quote(topic)} exceeds the rate limit: this client publishes at most ${described(client!.publishLimits.recordsPerSecond, 'records per second')}.`,
+  },
+  /** [TD-70] */
+  manyRecords: {
+    code: 'resource_exhausted',
+    limit: ({ client }) => client!.publishLimits.frameRecords.name,
+    isForRest: true,
+    describe: ({ topic, client }) =>
+      `The record on ${quote(topic)} and those after it were refused: a message of this client has at most ${described(client!.publishLimits.frameRecords, 'records')}.`,
+  },
+  /** [TD-70] */
+  largeFrame: {
+    code: 'resource_exhausted',
+    limit: ({ client }) => client!.publishLimits.frameBytes.name,
+    describe: ({ byteLength, client }) =>
+      `The message has ${byteLength} bytes, but a message of this client has at most ${described(client!.publishLimits.frameBytes, 'bytes')}.`,
   },
   /** [EX-32] */
   throttled: {
     code: 'resource_exhausted',
+    isForRest: true,
     describe: ({ topic, client }) =>
       `The record on ${quote(topic)} was dropped: this client is ${client?.throttle === undefined ? 'throttled' : describeThrottle(client.throttle)}.`,
   },
   tooManyBytes: {
     code: 'resource_exhausted',
-    limit: 'publishedBytesPerSecond',
-    describe: ({ topic, byteLength }, { publishedBytesPerSecond }) =>
-      `The record of ${byteLength} bytes on ${quote(topic)} exceeds the rate limit: a client publishes at most ${publishedBytesPerSecond} bytes per second (limit publishedBytesPerSecond).`,
+    limit: ({ client }) => client!.publishLimits.bytesPerSecond.name,
+    describe: ({ byteLength, client }) =>
+      `A message of ${byteLength} bytes exceeds the rate limit: this client publishes at most ${described(client!.publishLimits.bytesPerSecond, 'bytes per second')}.`,
   },
   /** [RP-20] */
   replayed: {
@@ -75,3 +95,8 @@ export const REFUSALS = {
       `The record on ${quote(topic)} was refused: with it there would be ${describeShortage(shortage!, limits)}`,
   },
 } as const satisfies Record<string, Refusal>;
+
+/** The limit and its name: `10000 records per second (limit recordsPerSecondOfPlayer)`. */
+function described({ name, value }: HeldLimit, unit: string): string {
+  return `${value} ${unit} (limit ${name})`;
+}

@@ -12,6 +12,8 @@ import type { ClientEnd, ConnectionBench, OpenBench, Seen } from './connection-b
 /** Most that is sent to a client that reads nothing: more than any system keeps for one connection. */
 const MAX_SENT_BYTES = 64 * 1024 * 1024;
 
+const UNREAD_MESSAGES = 5;
+
 /** Acceptance tests of transports for topic data: of both directions, from opening to the end. */
 export function clientConnectionSuite(name: string, openBench: OpenBench): void {
   describe(`${name}, a transport of client connections`, () => {
@@ -170,6 +172,29 @@ export function clientConnectionSuite(name: string, openBench: OpenBench): void 
         const seen = await heard.next();
         expect(seen.kind === 'protocol error' && seen.reason).toMatch(/^[A-Z].*\.$/);
         expect((await heard.next()).kind).toBe('topic data');
+      });
+    });
+
+    describe('that is not to be read', () => {
+      it('leaves most messages with the client until it is read again [TD-71]', async () => {
+        const { client, connection, heard } = await dial();
+        if (connection.setReading === undefined) return;
+        connection.setReading(false);
+        for (let i = 0; i < UNREAD_MESSAGES; i++) client.sendTopicData(bytesOf(1, 100_000));
+        await bench.settle();
+        expect(heard.waiting.length).toBeLessThan(2);
+        connection.setReading(true);
+        for (let i = 0; i < UNREAD_MESSAGES; i++) {
+          expect((await heard.next()).kind).toBe('topic data');
+        }
+      });
+
+      it('can still be closed', async () => {
+        const { client, connection } = await dial();
+        connection.setReading?.(false);
+        connection.close('superseded');
+        connection.setReading?.(true);
+        await client.ended();
       });
     });
 
