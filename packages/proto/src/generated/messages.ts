@@ -2664,7 +2664,7 @@ export interface ModuleExtension {
    * the master. Rule SE-31.
    */
   replaceable: boolean;
-  /** Where the master has it from. Set by the master when it lists modules. Rule SE-22. */
+  /** Where the master has it, or the code that a session runs, from. Set by the master. Rule SE-22. */
   origin: ModuleOrigin;
   /** Of stored ones: ids of the invitations whose clients made or changed it. Set by the master. Rule AC-90. */
   grantIds: string[];

@@ -2,6 +2,7 @@ import {
   fromJson,
   decode,
   encode,
+  ModuleOrigin,
   ProcessingModuleLanguage,
   type Init,
   type ProcessingModule,
@@ -43,6 +44,10 @@ const code = {
   processingMode: { free: {} },
 };
 
+function extensionOf(origin: ModuleOrigin) {
+  return { ...moduleOf({ name: 'm', extension: {} }).extension!, origin };
+}
+
 describe('a module of a session', () => {
   it('keeps an id that is an unused UUID, and otherwise gets a new one [SE-1]', () => {
     const { modules } = complete({
@@ -53,6 +58,33 @@ describe('a module of a session', () => {
     expect(new Set(ids).size).toBe(4);
     const taken = complete({ processingModules: [{ id: UUID }] }, { isTaken: () => true });
     expect(taken.modules[0]?.spec.id).not.toBe(UUID);
+  });
+
+  it.each([
+    ['none of its own', {}, ModuleOrigin.MODULE_ORIGIN_BUILT_IN],
+    ['that of the library', code, ModuleOrigin.MODULE_ORIGIN_BUILT_IN],
+    ['other code', { onProcessingStringified: '() => 3' }, ModuleOrigin.MODULE_ORIGIN_UNKNOWN],
+    ['another start', { ...code, onCreatedStringified: '' }, ModuleOrigin.MODULE_ORIGIN_UNKNOWN],
+  ])('with %s has the origin of its code, whatever it says [SE-22]', (_, own, origin) => {
+    const module = { ...moduleOf(code), extension: extensionOf(1) };
+    const stored = () => ({ module, isTrusted: true });
+    for (const extension of [undefined, extensionOf(1), extensionOf(2)]) {
+      const given = { name: 'm', ...own, ...(extension && { extension }) };
+      const [draft] = complete({ processingModules: [given] }, { stored }).modules;
+      expect(draft?.spec.extension?.origin ?? 0).toBe(origin);
+      expect(draft?.isLibraryCode).toBe(origin !== 0);
+    }
+  });
+
+  it('has the origin of a stored module, or of a node that offers it, with their code alone [SE-22]', () => {
+    const stored = () => ({ module: moduleOf(code), isTrusted: false });
+    const offered = () => moduleOf({ name: 'm' });
+    const originOf = (given: Init<ProcessingModule>, context: Partial<CompletionContext>) =>
+      complete({ processingModules: [given] }, context).modules[0]?.spec.extension?.origin ?? 0;
+    expect(originOf({ name: 'm' }, { stored })).toBe(ModuleOrigin.MODULE_ORIGIN_STORED);
+    expect(originOf({ name: 'm' }, { offered })).toBe(ModuleOrigin.MODULE_ORIGIN_NODE);
+    const other = { name: 'm', onProcessingStringified: '() => 3' };
+    expect(originOf(other, { stored, offered })).toBe(0);
   });
 
   it('has the defaults of its inputs from the library [PM-5]', () => {

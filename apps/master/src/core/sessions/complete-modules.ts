@@ -1,6 +1,7 @@
 import { hasSameCode } from '@ubii/pm-sandbox';
 import {
   isUuid,
+  ModuleOrigin,
   type IOMapping,
   type ModuleIO,
   type ProcessingModule,
@@ -8,6 +9,7 @@ import {
   type SessionProblem,
 } from '@ubii/proto';
 import type { DraftModule } from './draft.ts';
+import { withOrigin } from '../library/module-library.ts';
 import type { ModuleOffer } from '../library/module-offer.ts';
 import { errorProblem } from './problems.ts';
 import { quote } from '../texts/quote.ts';
@@ -62,7 +64,9 @@ function completeModule(
   const offered = context.offered(given.name, wishedNodeId);
   // A node's own description takes precedence; without a node, the stored module, which users see in the list.
   const base = wishedNodeId === '' ? (stored?.module ?? offered) : (offered ?? stored?.module);
-  const spec = mergeModules(given, base);
+  const merged = mergeModules(given, base);
+  const origin = originOf(merged, stored, offered);
+  const spec = (merged.extension?.origin ?? 0) === origin ? merged : withOrigin(merged, origin);
   const isLibraryCode =
     stored !== undefined && stored.isTrusted && hasSameCode(spec, stored.module);
   return {
@@ -73,6 +77,20 @@ function completeModule(
     mappingPath: `ioMappings[${index}]`,
     isLibraryCode,
   };
+}
+
+/** Where the code that runs is from: own code has the name of another module, or says so itself, at will. [SE-22] */
+function originOf(
+  spec: ProcessingModule,
+  stored: ModuleOffer | undefined,
+  offered: ProcessingModule | undefined,
+): ModuleOrigin {
+  if (stored !== undefined && hasSameCode(spec, stored.module)) {
+    const { isTrusted, module } = stored;
+    return isTrusted ? (module.extension?.origin ?? 0) : ModuleOrigin.MODULE_ORIGIN_STORED;
+  }
+  const isOffered = offered !== undefined && hasSameCode(spec, offered);
+  return isOffered ? ModuleOrigin.MODULE_ORIGIN_NODE : ModuleOrigin.MODULE_ORIGIN_UNKNOWN;
 }
 
 /** A client that sends back a session does not request the node that the master chose [SE-30]. */
