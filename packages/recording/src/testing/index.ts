@@ -1,5 +1,6 @@
 export { FOREIGN_PICTURE_BYTES, foreignRecording } from './foreign-recording.ts';
 export { MemoryFile } from './memory-file.ts';
+export { plainRecording } from './plain-recording.ts';
 export { readRecords } from './read-records.ts';
 export { recorded } from './recorded.ts';
 export {
