@@ -21,6 +21,8 @@ export interface MasterEndpoints {
   readonly servicesJson: string;
   readonly servicesBinary: string;
   readonly topicDataWs: string;
+  readonly adminToken?: string;
+  readonly adminCode?: string;
   readonly joinToken?: string;
   readonly joinCode?: string;
 }

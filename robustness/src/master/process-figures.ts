@@ -42,6 +42,24 @@ export function readProcess(pid: number): ProcessFigures {
   };
 }
 
+/** Resident memory of a process and of all processes that it started, bytes; 0 where there is no `/proc`. */
+export function residentOfTree(pid: number): number {
+  let children: number[] = [];
+  try {
+    const tasks = readdirSync(`/proc/${pid}/task`);
+    children = tasks.flatMap((task) =>
+      readFileSync(`/proc/${pid}/task/${task}/children`, 'utf8')
+        .split(' ')
+        .filter((text) => text !== '')
+        .map(Number),
+    );
+  } catch {
+    // The process has ended, or this is no Linux.
+  }
+  const own = readProcess(pid).residentBytes ?? 0;
+  return children.reduce((sum, child) => sum + residentOfTree(child), own);
+}
+
 /** @param stat as `/proc/<pid>/stat` says it, where the name of the program may have spaces and parentheses */
 function cpuMsOf(stat: string): number | undefined {
   if (stat === '') return undefined;

@@ -1,16 +1,28 @@
 import type { Attack } from '../attack.ts';
 import { amplification } from './amplification.ts';
+import { awayClients } from './away.ts';
+import { clusterSecrets } from './cluster.ts';
 import { connections } from './connections.ts';
 import { descriptors } from './descriptors.ts';
+import { guests } from './guests.ts';
+import { deletedIds, fileModes, flightSilence } from './kept-data.ts';
 import { largeBodies } from './large-bodies.ts';
 import { longNames } from './long-names.ts';
 import { moduleMemory } from './module-memory.ts';
 import { localName, localUsers, originNull, proxies } from './pretenders.ts';
+import { ghostInputs, replayRights, studyCodes } from './replays.ts';
 import { revoking } from './revoking.ts';
 import { runawayDemuxer } from './runaway-demuxer.ts';
 import { shares } from './shares.ts';
 import { slowHeads } from './slow-heads.ts';
 import { unfinishedBodies } from './unfinished-bodies.ts';
+import {
+  uploadClaims,
+  uploadLengths,
+  uploadsAtOnce,
+  uploadTexts,
+  uploadWeight,
+} from './uploads.ts';
 import { wrongCodes } from './wrong-codes.ts';
 
 /** Every attack, in the order of the report. */
@@ -31,4 +43,18 @@ export const ATTACKS: readonly Attack[] = [
   localName,
   localUsers,
   slowHeads,
+  uploadLengths,
+  uploadWeight,
+  uploadTexts,
+  uploadClaims,
+  uploadsAtOnce,
+  guests,
+  replayRights,
+  studyCodes,
+  ghostInputs,
+  fileModes,
+  flightSilence,
+  deletedIds,
+  awayClients,
+  clusterSecrets,
 ];

@@ -5,6 +5,7 @@ import { AccessRole } from '@ubii/proto';
 
 import { StartRefused, type MasterProcess } from '../../master/master-process.ts';
 import { finding, type Attack, type Finding } from '../attack.ts';
+import { roleName } from '../parts/role-name.ts';
 import type { World } from '../world/world.ts';
 
 const NOBODY = 65_534;
@@ -12,6 +13,22 @@ const asker = fileURLToPath(new URL('../parts/ask-role.mjs', import.meta.url));
 
 /** As the master is started by people: nothing said of whom to trust. */
 const PLAIN = { loopback: 'unsaid' } as const;
+
+/** Headers that proxies, gateways and development environments add. */
+const PROXY_HEADERS: Readonly<Record<string, string>> = {
+  'X-Client-IP': '198.51.100.7',
+  'CF-Connecting-IP': '198.51.100.7',
+  'X-Remote-Source': '198.51.100.7',
+  'X-Client-Port': '50123',
+  'X-NginX-Proxy': 'true',
+  'X-ProxyUser-IP': '198.51.100.7',
+  'Front-End-Https': 'on',
+  'X-MS-Proxy': 'AzureAD-Application-Proxy',
+  'X-SSL-Client-Cert': 'a',
+  'Proxy-Connection': 'keep-alive',
+  'X-Coder-Session': 'a',
+  'X-GitHub-Token': 'a',
+};
 
 export const originNull: Attack = {
   name: 'origin-null',
@@ -32,10 +49,14 @@ export const proxies: Attack = {
   about: 'proxies on this machine that pass strangers on',
   async run(world) {
     const master = await world.startMaster(PLAIN);
-    const findings = [await noAdmin(world, master, 'HTTP/1.1, no header', {})];
-    const headers = ['X-Client-IP', 'CF-Connecting-IP', 'X-Gateway-Caller', 'X-Remote-Source'];
-    for (const name of headers) {
-      findings.push(await noAdmin(world, master, name, { [name]: '198.51.100.7' }));
+    const findings = [
+      await noAdmin(world, master, 'HTTP/1.1, no header', {}),
+      await noAdmin(world, master, 'an unknown header', { 'X-Gateway-Caller': '198.51.100.7' }),
+    ];
+    for (const [name, value] of Object.entries(PROXY_HEADERS)) {
+      const role = await roleOf(world, master, { [name]: value });
+      const isStranger = role === AccessRole.ACCESS_ROLE_NONE;
+      findings.push(finding(name, roleName(role), 'stranger', isStranger));
     }
     return findings;
   },
@@ -90,13 +111,16 @@ async function noAdmin(
   what: string,
   headers: Readonly<Record<string, string>>,
 ): Promise<Finding> {
-  const caller = world.insider(master, headers);
-  const role = await caller.role().catch((error: unknown) => String((error as Error).message));
+  const role = await roleOf(world, master, headers);
   return finding(what, roleName(role), 'no admin', role !== AccessRole.ACCESS_ROLE_ADMIN);
 }
 
-function roleName(role: number | string): string {
-  if (typeof role === 'string') return `refused (${role.replace(/^.*answered with /, '')})`;
-  const name = Object.entries(AccessRole).find(([, value]) => value === role)?.[0] ?? '?';
-  return name === 'ACCESS_ROLE_NONE' ? 'stranger' : name.replace('ACCESS_ROLE_', '').toLowerCase();
+/** @returns the reason when there is no answer */
+function roleOf(
+  world: World,
+  master: MasterProcess,
+  headers: Readonly<Record<string, string>>,
+): Promise<AccessRole | string> {
+  const caller = world.insider(master, headers);
+  return caller.role().catch((error: unknown) => String((error as Error).message));
 }

@@ -54,7 +54,8 @@ export async function bePhone(world: PhoneWorld): Promise<void> {
   }
 }
 
-async function registerDevice(phone: Outsider, { client, bearer }: Member): Promise<void> {
+/** Registers the device of a phone, with three components. */
+export async function registerDevice(phone: Outsider, { client, bearer }: Member): Promise<void> {
   const { error } = await phone.call(
     {
       topic: '/services/device/registration',
@@ -81,8 +82,13 @@ async function comeBack(phone: Outsider, { client, bearer }: Member): Promise<Me
   return member;
 }
 
-async function publish(socket: WebSocket, { id }: Client): Promise<void> {
-  for (let index = 0; index < RECORDS; index++) {
+/** Publishes values of its components, one after the other. */
+export async function publish(
+  socket: WebSocket,
+  { id }: Client,
+  records: number = RECORDS,
+): Promise<void> {
+  for (let index = 0; index < records; index++) {
     const topic = `/${id}/${['touch', 'orientation', 'acceleration'][index % 3]}`;
     const topicDataRecord = { topic, vector3: { x: index, y: 0, z: 0 } };
     socket.send(encode('ubii.topicData.TopicData', { topicDataRecord }));

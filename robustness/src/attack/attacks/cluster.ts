@@ -1,0 +1,83 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { AccessRole } from '@ubii/proto';
+import { reasonAgainstNats, startNats } from '@ubii/program/testing/brokers';
+
+import { StartRefused, type MasterProcess } from '../../master/master-process.ts';
+import { pause } from '../../pause.ts';
+import { comparison, finding, type Attack, type Finding } from '../attack.ts';
+import { roleName } from '../parts/role-name.ts';
+import type { World } from '../world/world.ts';
+
+/** Time in which masters of a cluster find each other. */
+const SETTLE_MS = 5_000;
+
+export const clusterSecrets: Attack = {
+  name: 'cluster-secrets',
+  about:
+    "secrets of one master's machine at another master of the cluster, and NATS without a login",
+  async run(world) {
+    const reason = reasonAgainstNats();
+    if (reason !== undefined) return [comparison('left out', reason)];
+    const folder = mkdtempSync(join(tmpdir(), 'ubii-cluster-'));
+    world.closeLater(() => rmSync(folder, { recursive: true, force: true }));
+    const nats = await startNats({ jetstream: true, host: '127.0.0.1', parentFolder: folder });
+    world.closeLater(() => nats.stop());
+    const flags = ['--cluster', `nats://127.0.0.1:${nats.port}`];
+    const masters: MasterProcess[] = [];
+    for (const name of ['a', 'b']) {
+      const start = { loopback: 'unsaid', flags: [...flags, '--name', name] } as const;
+      masters.push(await world.startMaster(start));
+    }
+    await pause(SETTLE_MS);
+    const [first, second] = masters as [MasterProcess, MasterProcess];
+    const { adminToken, adminCode } = first.endpoints;
+    const findings: Finding[] = [];
+    for (const [what, secret] of [
+      ['token', adminToken!],
+      ['code', adminCode!],
+    ] as const) {
+      const here = await roleWith(world, first, secret);
+      findings.push(comparison(`the admin's ${what} at its own machine`, roleName(here)));
+      const there = await roleWith(world, second, secret);
+      const holds = there !== AccessRole.ACCESS_ROLE_ADMIN;
+      findings.push(
+        finding(`the admin's ${what} at another machine`, roleName(there), 'no admin', holds),
+      );
+    }
+    const warns = first.log.some((line) => /NATS/.test(line) && /"level":"warn/.test(line));
+    findings.push(
+      finding('a warning about NATS without a login', warns ? 'yes' : 'no', 'yes', warns),
+    );
+    findings.push(await startAtOpenNats(world, folder));
+    return findings;
+  },
+};
+
+/** A NATS server that programs of other machines can use without a login. */
+async function startAtOpenNats(world: World, parentFolder: string): Promise<Finding> {
+  const nats = await startNats({ jetstream: true, host: '0.0.0.0', parentFolder });
+  world.closeLater(() => nats.stop());
+  const flags = ['--cluster', `nats://127.0.0.1:${nats.port}`];
+  const started = await world.startMaster({ flags }).then(
+    () => 'used',
+    (error: unknown) => {
+      if (!(error instanceof StartRefused)) throw error;
+      return 'refused at the start';
+    },
+  );
+  const isRefused = started !== 'used';
+  return finding('NATS without a login for other machines', started, 'refused', isRefused);
+}
+
+/** The role of a client of the machine of a master that joins with a secret. */
+async function roleWith(world: World, master: MasterProcess, secret: string): Promise<AccessRole> {
+  const caller = world.insider(master);
+  try {
+    const { bearer } = await caller.join(secret);
+    return await caller.role(bearer);
+  } catch {
+    return AccessRole.ACCESS_ROLE_NONE;
+  }
+}
