@@ -19,6 +19,8 @@ export interface Entrance {
   readonly about: string;
   /** Receiver of an input: a running master, a master that it starts with, or a parser in this process. */
   readonly kind: 'running' | 'start' | 'parser';
+  /** Inputs in the gate. Default: by the kind. */
+  readonly gateCases?: number;
   /** Good inputs, to begin with. */
   seeds(): readonly Uint8Array[];
   mutate(random: Random, seed: Uint8Array, other: Uint8Array): Uint8Array;
