@@ -9,17 +9,18 @@ import { soak } from './soak.ts';
 
 const HELP = `Keeps a built master busy, and looks whether anything grows.
 
-  npm run soak                       64 clients, sessions and phones, for 20 minutes
+  npm run soak                       64 clients, sessions, phones and files, for 20 minutes
 
   --minutes <n>     time of the whole run (default 20)
   --clients <n>     clients that stay (default 64)
   --phones <n>      phones at once that come and go (default 16)
   --sessions <n>    sessions at once that start and end (default 4)
+  --uploads <n>     files at once that are uploaded, played and deleted; a third of them hostile (default 2)
   --seed <n>        of what phones do (default: random; it is printed)
   --master <file>   another build of the master
   --help            this text
 
-A quarter of the time is warm-up. Then memory, descriptors, timers, topics and the like are compared: the quarters of
+A quarter of the time is warm-up. Then memory, descriptors, files, timers, topics and the like are compared: the quarters of
 the rest of the run by their medians, and the master at rest after the warm-up with the master at rest at the end.
 Ends with 1 when something has grown by more than is tolerated, or something went wrong. Needs Linux for all figures.`;
 
@@ -29,6 +30,7 @@ const { values } = parseArgs({
     clients: { type: 'string', default: '64' },
     phones: { type: 'string', default: '16' },
     sessions: { type: 'string', default: '4' },
+    uploads: { type: 'string', default: '2' },
     seed: { type: 'string' },
     master: { type: 'string' },
     help: { type: 'boolean', short: 'h' },
@@ -50,6 +52,7 @@ else {
     clients: Number(values.clients),
     phones: Number(values.phones),
     sessions: Number(values.sessions),
+    uploads: Number(values.uploads),
     seed,
     onSample({ heapBytes, residentBytes, descriptors, topics, timers }, tally) {
       if (samples++ % 6 !== 0) return;

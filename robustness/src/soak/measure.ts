@@ -1,4 +1,5 @@
-import { readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 
 import type { MasterProcess } from '../master/master-process.ts';
 import { pause } from '../pause.ts';
@@ -14,6 +15,7 @@ export const QUANTITIES = {
   externalBytes: { title: 'buffers', isBytes: true, relative: 0.1, absolute: 8 << 20 },
   residentBytes: { title: 'resident memory', isBytes: true, relative: 0.1, absolute: 48 << 20 },
   descriptors: { title: 'descriptors', isBytes: false, relative: 0.25, absolute: 8 },
+  files: { title: 'files of recordings', isBytes: false, relative: 0, absolute: 4 },
   threads: { title: 'threads', isBytes: false, relative: 0, absolute: 2 },
   timers: { title: 'timers', isBytes: false, relative: 0.25, absolute: 8 },
   handles: { title: 'other resources of Node', isBytes: false, relative: 0.25, absolute: 8 },
@@ -62,6 +64,7 @@ export class Gauge {
       externalBytes: told.external,
       residentBytes: figures.residentBytes ?? 0,
       descriptors: figures.descriptors ?? 0,
+      files: filesIn(join(this.#master.dataDir, 'recordings')),
       threads: figures.threads ?? 0,
       timers,
       handles: Object.values(others).reduce((all, one) => all + one, 0),
@@ -86,6 +89,10 @@ export class Gauge {
     }
     throw new Error('The master did not tell what it holds.');
   }
+}
+
+function filesIn(folder: string): number {
+  return existsSync(folder) ? readdirSync(folder).length : 0;
 }
 
 interface Told {

@@ -9,6 +9,7 @@ import { judgeGrowth, type Growth } from './growth.ts';
 import { Gauge, probeFlags, QUANTITIES, type Quantity, type Sample } from './measure.ts';
 import { inviteAnew, look, runSession } from './workload/operator.ts';
 import { bePhone, type PhoneWorld } from './workload/phones.ts';
+import { bringFile, makeUploadedFiles, record, type UploadedFiles } from './workload/recordings.ts';
 import { Shift } from './workload/shift.ts';
 import { Tally } from './workload/tally.ts';
 import { Talker } from './workload/talkers.ts';
@@ -28,6 +29,8 @@ export interface SoakPlan {
   readonly clients: number;
   readonly phones: number;
   readonly sessions: number;
+  /** Files at once that are uploaded, played and deleted; hostile ones among them. */
+  readonly uploads: number;
   readonly seed: number;
   onSample?(sample: Sample, tally: Tally): void;
 }
@@ -70,10 +73,11 @@ async function soakMaster(
   for (let index = 0; index < plan.clients; index++) {
     talkers.push(await Talker.open(master, `talker ${index}`, tally));
   }
+  const files = await makeUploadedFiles();
   const world: PhoneWorld = { master, tally, random: new Random(plan.seed), token: '' };
   const samples: Sample[] = [];
   const work = async (durationMs: number, into?: Sample[]): Promise<void> => {
-    const shift = begin(plan, world, talkers);
+    const shift = begin(plan, world, talkers, files);
     const endMs = performance.now() + durationMs;
     while (performance.now() < endMs) {
       await pause(plan.durationMs / SAMPLES);
@@ -107,8 +111,13 @@ async function soakMaster(
   return { growth, quiet: [first, last], tally, failures: master.failures };
 }
 
-function begin(plan: SoakPlan, world: PhoneWorld, talkers: readonly Talker[]): Shift {
-  const { master, tally } = world;
+function begin(
+  plan: SoakPlan,
+  world: PhoneWorld,
+  talkers: readonly Talker[],
+  files: UploadedFiles,
+): Shift {
+  const { master, random, tally } = world;
   const shift = new Shift();
   for (const talker of talkers) talker.work(shift);
   for (let index = 0; index < plan.sessions; index++) {
@@ -117,6 +126,16 @@ function begin(plan: SoakPlan, world: PhoneWorld, talkers: readonly Talker[]): S
       (error) => tally.failed('session', error),
     );
   }
+  for (let index = 0; index < plan.uploads; index++) {
+    shift.employ(
+      () => bringFile(master, files, random, tally),
+      (error) => tally.failed('upload', error),
+    );
+  }
+  shift.employ(
+    () => record(master, tally),
+    (error) => tally.failed('recording', error),
+  );
   shift.employ(
     () => inviteAnew(world),
     (error) => tally.failed('invitation', error),
@@ -133,7 +152,7 @@ function begin(plan: SoakPlan, world: PhoneWorld, talkers: readonly Talker[]): S
       },
       // Its invitation was revoked meanwhile: that is part of the work.
       (error) =>
-        /taken back|403|Unexpected server response/.test(String(error))
+        /revoked|403|Unexpected server response/.test(String(error))
           ? tally.done('phones sent away')
           : tally.failed('phone', error),
     );
