@@ -2,6 +2,9 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateSync } from 'node:zlib';
 
+import { readPictureFile } from '@ubii/pictures';
+import { jpegWithDecoy, webpFile, webpLossless, webpLossy } from '@ubii/pictures/testing';
+
 import { decodePicture } from '../../../../packages/vision/src/decoding/decode-picture.ts';
 import type { Entrance } from '../entrance.ts';
 import { joined } from '../mutate-bytes.ts';
@@ -19,23 +22,28 @@ const SIDE = 8;
 /** Pictures in records, as modules and pages of this repository read them where there is no browser. */
 export const pictures: Entrance = {
   name: 'pictures',
-  about: 'heads and decoding of JPEG and PNG files, in this process',
+  about: 'heads and decoding of JPEG, PNG and WebP files, in this process',
   kind: 'parser',
   gateCases: GATE_CASES,
   seeds() {
     const { jpeg } = JSON.parse(readFileSync(SEEDS_FILE, 'utf8')) as { readonly jpeg: string };
     const file = new Uint8Array(Buffer.from(jpeg, 'base64'));
-    return [file, withFillByte(file), withSize(file, 20_000), pngOf(2), pngOf(6), pngOf(3)];
+    return [
+      ...[file, withFillByte(file), withSize(file, 20_000), jpegWithDecoy('fill')],
+      ...[pngOf(2), pngOf(6), pngOf(3)],
+      ...[webpFile(webpLossy(40, 30)), webpFile(webpLossless(40, 30))],
+    ];
   },
   mutate: mutatePicture,
   async deliver(input) {
-    try {
-      const { width, height, data } = await decodePicture(input);
-      if (width * height > MAX_PIXELS || data.length < width * height) {
-        throw new Error(`A picture of ${width} × ${height} pixels has ${data.length} bytes.`);
-      }
-    } catch (error) {
-      if (!(error instanceof RangeError)) throw error;
+    const head = allowing(() => readPictureFile(input));
+    // Pixels are decoded of what the strict reader takes, and as many as it says.
+    const picture = await decodePicture(input).catch(onlyRangeErrors);
+    if (picture === undefined) return;
+    const { width, height } = picture;
+    if (head === undefined) throw new Error('A picture was decoded that the reader refuses.');
+    if (width * height !== head.width * head.height || width * height > MAX_PIXELS) {
+      throw new Error(`A head of ${head.width} × ${head.height} became ${width} × ${height}.`);
     }
   },
 };
@@ -79,4 +87,17 @@ function pngOf(colorType: 2 | 3 | 6): Uint8Array {
     pngChunk('IDAT', deflateSync(rows)),
     pngChunk('IEND', new Uint8Array()),
   );
+}
+
+function allowing<T>(read: () => T): T | undefined {
+  try {
+    return read();
+  } catch (error) {
+    return onlyRangeErrors(error);
+  }
+}
+
+/** @throws what is no documented error */
+function onlyRangeErrors(error: unknown): undefined {
+  if (!(error instanceof RangeError)) throw error;
 }
