@@ -1,7 +1,7 @@
 import { McapRecordBuilder, McapStreamReader, Opcode } from '@mcap/core';
 import type { Attachment, ChunkIndex, MessageIndex, TypedMcapRecord } from '@mcap/core';
 import { PROFILE } from '../records/recording-header.ts';
-import { RecordingLimitError } from '../records/recording-error.ts';
+import { RecordingError, RecordingLimitError } from '../records/recording-error.ts';
 import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { mcapRecordsIn, messagesIn, parseChunk } from './chunk-content.ts';
@@ -38,6 +38,7 @@ const PART_ENTRY_BYTES = 100;
 /**
  * Reads a file from its start, up to the last whole chunk, and makes the end that it lacks.
  *
+ * @throws RecordingError when it does not begin with a header
  * @throws RecordingLimitError when the index would be too long, or a part is too large [RC-43]
  */
 export async function salvage(source: RecordingSource): Promise<Salvage> {
@@ -46,6 +47,7 @@ export async function salvage(source: RecordingSource): Promise<Salvage> {
   let last: LastChunk | undefined;
   let indexBytes = 0;
   for await (const record of storedRecords(source)) {
+    if (keptBytes === MAGIC_BYTES) expectHeader(record);
     try {
       if (record.opcode === Number(Opcode.CHUNK)) {
         last = await takeChunk(record, index);
@@ -73,6 +75,12 @@ export async function salvage(source: RecordingSource): Promise<Salvage> {
   }
   const position = keptBytes + BigInt(indexes.length);
   return { index, keptBytes, end: concat(indexes.buffer, encodeEnd(index, position)) };
+}
+
+/** Without one, no reader opens the file. Where nothing was written yet, the disk has zeros. */
+function expectHeader({ opcode }: StoredRecord): void {
+  if (opcode === 0 || opcode === Number(Opcode.HEADER)) return;
+  throw new RecordingError('The file does not begin with the header of an MCAP file.');
 }
 
 async function takeChunk(record: StoredRecord, index: FileIndex): Promise<LastChunk> {

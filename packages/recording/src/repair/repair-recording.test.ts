@@ -120,3 +120,11 @@ it('changes nothing in a file without its end', async () => {
   const file = new MemoryFile(whole.subarray(0, -9));
   await expect(changeRecording(file, {})).rejects.toThrow('Repair it first');
 });
+
+it('refuses a file that begins with another record than a header', async () => {
+  const headerBytes =
+    9 + Number(new DataView(whole.buffer, whole.byteOffset).getBigUint64(9, true));
+  const bytes = new Uint8Array([...whole.subarray(0, 8), ...whole.subarray(8 + headerBytes)]);
+  const file = new MemoryFile(bytes.slice(0, -20));
+  await expect(repairRecording(file)).rejects.toThrow(RecordingError);
+});

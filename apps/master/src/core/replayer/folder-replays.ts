@@ -1,6 +1,7 @@
 import { ServiceError } from '@ubii/proto';
 import {
   devicesInSpan,
+  RecordingError,
   RecordingReader,
   type RecordedDevice,
   type RecordedSession,
@@ -43,7 +44,8 @@ export class FolderReplays implements ReplayFiles {
     });
     try {
       const reader = await RecordingReader.open(file);
-      const replay = new FolderReplay(clock, file, reader, () => this.#open.delete(replay));
+      const onClosed = () => this.#open.delete(replay);
+      const replay = new FolderReplay(recordingId, { clock, file, reader, onClosed });
       this.#open.add(replay);
       return replay;
     } catch (cause) {
@@ -57,41 +59,48 @@ export class FolderReplays implements ReplayFiles {
   }
 }
 
+interface OpenedRecording {
+  readonly clock: Clock;
+  readonly file: OpenFile;
+  readonly reader: RecordingReader;
+  readonly onClosed: () => void;
+}
+
 class FolderReplay implements ReplayFile {
-  readonly #clock: Clock;
-  readonly #file: OpenFile;
-  readonly #reader: RecordingReader;
+  readonly #id: string;
+  readonly #opened: OpenedRecording;
   readonly #players = new Set<RecordingPlayer>();
-  readonly #onClosed: () => void;
   #closed: Promise<void> | undefined = undefined;
 
-  constructor(clock: Clock, file: OpenFile, reader: RecordingReader, onClosed: () => void) {
-    this.#clock = clock;
-    this.#file = file;
-    this.#reader = reader;
-    this.#onClosed = onClosed;
+  constructor(id: string, opened: OpenedRecording) {
+    this.#id = id;
+    this.#opened = opened;
   }
 
   get facts(): ReplayFacts {
-    const { startNs, endNs, topics } = this.#reader.summary;
+    const { startNs, endNs, topics } = this.#opened.reader.summary;
     return { startNs, endNs, topics };
   }
 
-  async session(id: string, timeNs: bigint): Promise<RecordedSession | undefined> {
-    const { endNs } = this.#reader.summary;
-    for (const momentNs of [timeNs, endNs]) {
-      const session = (await this.#reader.sessionsAt(momentNs)).get(id);
-      if (session !== undefined) return session;
-    }
-    return undefined;
+  session(id: string, timeNs: bigint): Promise<RecordedSession | undefined> {
+    return this.#read(async (reader) => {
+      for (const momentNs of [timeNs, reader.summary.endNs]) {
+        const session = (await reader.sessionsAt(momentNs)).get(id);
+        if (session !== undefined) return session;
+      }
+      return undefined;
+    });
   }
 
-  async devices(span: Span): Promise<readonly RecordedDevice[]> {
-    return devicesInSpan(await this.#reader.devices(), span).slice(0, MAX_DEVICES);
+  devices(span: Span): Promise<readonly RecordedDevice[]> {
+    return this.#read(async (reader) =>
+      devicesInSpan(await reader.devices(), span).slice(0, MAX_DEVICES),
+    );
   }
 
   play(part: PlayedPart, sink: PlayerSink): ReplayPlayer {
-    const player = new RecordingPlayer({ clock: this.#clock, reader: this.#reader, part, sink });
+    const { clock, reader } = this.#opened;
+    const player = new RecordingPlayer({ clock, reader, part, sink });
     this.#players.add(player);
     return player;
   }
@@ -101,10 +110,19 @@ class FolderReplay implements ReplayFile {
     return this.#closed;
   }
 
+  /** @throws ServiceError when the file is damaged */
+  async #read<T>(work: (reader: RecordingReader) => Promise<T>): Promise<T> {
+    try {
+      return await work(this.#opened.reader);
+    } catch (cause) {
+      throw cause instanceof RecordingError ? notReadable(this.#id, cause) : cause;
+    }
+  }
+
   async #close(): Promise<void> {
     for (const player of this.#players) player.close();
-    this.#onClosed();
-    await this.#file.close();
+    this.#opened.onClosed();
+    await this.#opened.file.close();
   }
 }
 
