@@ -197,6 +197,34 @@ describe('a recording at a node', () => {
     expect((await listOf(master)).map((one) => [one.id, one.recordCount])).toEqual([[id, 0]]);
   });
 
+  it('[RC-63] is part of no study and no comparison, because its node says so', async () => {
+    const master = new TestMaster();
+    const node = await RecorderNode.join(master, 'kitchen');
+    const study = { studyId: 's', studyName: 'Touch', participantCode: 'P01' };
+    node.report({ id: 'claimed', state: AT_NODE, study, replayedRecordingId: 'other' });
+    const claims = { study: undefined, replayedRecordingId: '' };
+    expect(await listOf(master)).toMatchObject([{ id: 'claimed', ...claims }]);
+  });
+
+  it('[RC-54] has pages as long as those of the master, also of a node that sends all', async () => {
+    const master = new TestMaster();
+    const node = await RecorderNode.join(master, 'kitchen');
+    const { id } = await node.start();
+    const topics = Array.from({ length: 1_200 }, (_, index) => ({ topic: `/x/${index}` }));
+    const markers = [{ id: 'm', text: 'y'.repeat(9_000), author: 'z'.repeat(9_000) }];
+    const pageOf = async (topicsFrom: number, told: Init<Recording>) => {
+      const topic = `${SERVICES}recording_get`;
+      const ask = master.call({ topic, recordingRequest: { id, topicsFrom } });
+      return (await node.answering(ask, () => ({ recording: { id, ...told } }))).reply.recording!;
+    };
+    const first = await pageOf(0, { topics, markers });
+    expect([first.topics.length, first.topicsTotal]).toEqual([1_000, 1_200]);
+    expect([first.markers[0]!.text.length, first.markers[0]!.author.length]).toEqual([500, 100]);
+    expect((await pageOf(1_000, { topics })).topics[0]!.topic).toBe('/x/1000');
+    const own = { topics: topics.slice(1_000), topicsFrom: 1_000, topicsTotal: 1_200 };
+    expect(await pageOf(1_000, own)).toMatchObject({ topicsFrom: 1_000, topicsTotal: 1_200 });
+  });
+
   it('[RC-63] becomes a recording of the master when its node brings the file, and no other client', async () => {
     const master = new TestMaster();
     const node = await RecorderNode.join(master, 'kitchen');

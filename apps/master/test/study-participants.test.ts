@@ -1,4 +1,5 @@
 import {
+  AccessRole,
   ReplayConflict,
   SessionState,
   StudyBlockState,
@@ -10,6 +11,7 @@ import { describe, expect, it } from 'vitest';
 import { TRUSTED_CALLER } from '../src/core/ports/caller-facts.ts';
 import { TestMaster } from '../src/testing/index.ts';
 import { MemoryRecording } from '../src/testing/memory-folder.ts';
+import { createGrant, stranger } from './access-world.ts';
 import { contentOf, SERVICES, start } from './recording-world.ts';
 import { list, play } from './replay-world.ts';
 import { doubling, TOPICS } from './sessions/session-world.ts';
@@ -24,6 +26,16 @@ async function deleteParticipant(
 ) {
   const topic = `${SERVICES}study_participant_delete`;
   return required(await master.call({ topic, studyParticipantRequest }), 'studyDeletion');
+}
+
+/** An upload of a file, as `copy`. */
+function uploadOf(master: TestMaster, bytes: Uint8Array) {
+  const receive = (): Promise<void> => {
+    master.recordings.uploads.set('copy', new MemoryRecording(bytes));
+    return Promise.resolve();
+  };
+  const isAwaited = (): boolean => true;
+  return { id: 'copy', declaredBytes: bytes.length, receive, isAwaited };
 }
 
 /** All that the data directory of a master would have, as text. */
@@ -115,12 +127,7 @@ describe('a participant', () => {
     }
     const [recording] = await recordingsOf(master);
     const { bytes } = master.recordings.files.get(recording!.id)!;
-    const receive = async (): Promise<void> => {
-      master.recordings.uploads.set('copy', new MemoryRecording(bytes));
-      await Promise.resolve();
-    };
-    const isAwaited = (): boolean => true;
-    const upload = { id: 'copy', declaredBytes: bytes.length, receive, isAwaited };
+    const upload = uploadOf(master, bytes);
     const { study } = await master.master.uploadRecording(upload, 'Copy', TRUSTED_CALLER);
     expect(study).toMatchObject({ participantCode: CODE });
     const deletion = await deleteParticipant(master, { participantCode: CODE });
@@ -131,6 +138,23 @@ describe('a participant', () => {
       'There is no participant with this code.',
     );
     await expect(deleteParticipant(master, {})).rejects.toThrow('names no participant');
+  });
+
+  it('[RC-41] gets no recordings that a client uploads in the name of a participant', async () => {
+    const master = new TestMaster();
+    const { id } = await save(master);
+    const run = await startRun(master, id, CODE);
+    await change(master, run.id, 'begin');
+    await change(master, run.id, 'endRun');
+    const [recording] = await recordingsOf(master);
+    const { bytes } = master.recordings.files.get(recording!.id)!;
+    const { token } = await createGrant(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const upload = uploadOf(master, bytes);
+    const copy = await master.master.uploadRecording(upload, 'Copy', stranger(token));
+    expect(copy.study).toBeUndefined();
+    const deletion = await deleteParticipant(master, { participantCode: CODE });
+    expect(deletion.recordingNames).not.toContain('Copy');
+    expect(deletion.otherRecordings).toEqual([{ id: 'copy', name: 'Copy' }]);
   });
 
   it('[RP-6] [ST-51] leaves no trace of its replays, ghosts and sessions that ran again', async () => {

@@ -66,7 +66,7 @@ export interface RecordingJob {
   readonly study?: RecordingStudy | undefined;
   /** Of an upload: a node recorded it for this master, so that most of what its file says of it stays. [RC-63] */
   readonly isOfNode?: boolean;
-  /** Of an upload: it stays part of the study that its file names. [RC-41] @default false */
+  /** Of an upload: it stays part of the study in its header. [RC-41] @default false */
   readonly keepsStudy?: boolean;
 }
 

@@ -51,7 +51,7 @@ describe('parseEvent', () => {
     expect(() => parse(kind, value)).toThrow(`The ${kind} event of 2025-06-15T15:06:40.000Z`);
   });
 
-  it('[RC-55] refuses what is no JSON', () => {
-    expect(() => parseEvent('marker', TIME_NS, Uint8Array.of(123))).toThrow('it is no JSON');
+  it('[RC-55] refuses what cannot be parsed', () => {
+    expect(() => parseEvent('marker', TIME_NS, Uint8Array.of(123))).toThrow('it cannot be parsed as JSON');
   });
 });

@@ -20,7 +20,7 @@ export function parseEvent(kind: EventKind, timeNs: bigint, data: Uint8Array): R
   try {
     value = JSON.parse(new TextDecoder().decode(data));
   } catch (cause) {
-    throw malformed(kind, timeNs, 'it is no JSON', cause);
+    throw malformed(kind, timeNs, 'it cannot be parsed as JSON', cause);
   }
   const schema = eventSchemaOf(kind);
   const problem = findProblem(schema, value, '');
