@@ -184,7 +184,7 @@ describe('RecorderEngine', () => {
     });
     expect([folder.files.size, folder.uploads.size, folder.rejectedFiles.size]).toEqual([0, 0, 0]);
     const seen: boolean[] = [];
-    const local = new LocalChecker(folder);
+    const local = new LocalChecker(folder, LIMITS);
     const { recorder: other } = openEngine({
       folder,
       checker: {
