@@ -39,7 +39,7 @@ it('the actor has a name, the beginning of an id, or a kind of access [EX-91]', 
   const unnamed = { clientName: '', clientId: '', way: AuditEntryWay.LOCAL };
   expect(whoOf(entry(unnamed))).toContain('on the computer of the master');
   const elsewhere = { ...unnamed, way: AuditEntryWay.CLUSTER, masterName: 'Foyer' };
-  expect(whoOf(entry(elsewhere))).toBe('A program at the master Foyer');
+  expect(whoOf(entry(elsewhere))).toBe('A program that called the master Foyer');
 });
 
 it('the actor has its display name while its own name is the same [EX-91]', () => {

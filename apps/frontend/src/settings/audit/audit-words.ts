@@ -56,7 +56,7 @@ export function whoOf(
   if (client?.displayName !== undefined && client.ownName === clientName) return client.displayName;
   if (clientName !== '') return clientName;
   if (clientId !== '') return unnamedClient(clientId);
-  if (way === AuditEntryWay.CLUSTER) return `A program at the master ${masterName}`;
+  if (way === AuditEntryWay.CLUSTER) return `A program that called the master ${masterName}`;
   if (way === AuditEntryWay.LOCAL) return 'A program on the computer of the master';
   return way === AuditEntryWay.NETWORK ? 'A program in an admitted network' : 'A client';
 }
