@@ -1,7 +1,7 @@
 import semver from 'semver';
 
 /**
- * A package that asks for a later version of Node and is used all the same.
+ * A package that asks for a later version of Node and is used anyway.
  *
  * @typedef {object} EngineException
  * @property {string} node the range that it asks for: when it asks for another one, it is looked at again
