@@ -52,6 +52,8 @@ describe('parseEvent', () => {
   });
 
   it('[RC-55] refuses what cannot be parsed', () => {
-    expect(() => parseEvent('marker', TIME_NS, Uint8Array.of(123))).toThrow('it cannot be parsed as JSON');
+    expect(() => parseEvent('marker', TIME_NS, Uint8Array.of(123))).toThrow(
+      'it cannot be parsed as JSON',
+    );
   });
 });
