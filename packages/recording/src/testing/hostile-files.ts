@@ -82,6 +82,7 @@ function fileOfChunk(
 ): Uint8Array<ArrayBuffer> {
   const index = indexOf(kind);
   const builder = new McapRecordBuilder();
+  const compression = 'lz4';
   const records = repeatedLz4(record, count);
   const uncompressedSize = BigInt(record.length) * BigInt(count);
   const chunkLength = builder.writeChunk({
@@ -89,11 +90,11 @@ function fileOfChunk(
     messageEndTime: SAMPLE_START_NS,
     uncompressedSize,
     uncompressedCrc: 0,
-    compression: 'lz4',
+    compression,
     records,
   });
   const compressedSize = BigInt(records.length);
-  index.chunks.push(chunkEntry({ chunkLength, uncompressedSize, compressedSize }));
+  index.chunks.push(chunkEntry({ chunkLength, compression, uncompressedSize, compressedSize }));
   index.messages.set(CHANNEL_ID, BigInt(count));
   return fileOf(index, builder.buffer);
 }
