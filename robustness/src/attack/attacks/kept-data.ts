@@ -40,9 +40,7 @@ export const fileModes: Attack = {
     const during = whatOthersRead(folder);
     await master.call({ topic: '/services/ubii/recording_stop', recordingRequest: { id } });
     await master.call({ topic: '/services/ubii/recording_list' });
-    const warns = master.log.some(
-      (line) => /data directory|read/i.test(line) && /other/.test(line),
-    );
+    const warns = master.log.some((line) => /other users .* data directory/i.test(line));
     return [
       mode('the folder of recordings', folder, 0o700),
       mode('a recording', join(folder, `${id}.mcap`), 0o600),
