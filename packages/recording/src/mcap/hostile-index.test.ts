@@ -21,6 +21,7 @@ it.each([
   ['a snapshot of 3 GiB', attachmentIndexOf3Gib, 'attachment at byte 8'],
   ['a chunk that becomes 1.1 GB', lz4Bomb, 'chunk at byte'],
   ['a chunk of five million events', manyMarkers, 'chunk'],
+  ['too many events to open it', () => manyMarkers(100_001), 'too many events'],
   ['such a chunk, and no end', manyMarkersWithoutEnd, 'chunk'],
 ])('[RC-43] a file with %s is refused before it is read', async (_, build, what) => {
   const refused = await open(build()).catch((error: unknown) => error);

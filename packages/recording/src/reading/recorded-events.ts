@@ -47,6 +47,7 @@ export async function readEvents(
   file: StoredFile,
   channelChunks: ChannelChunks,
   kinds: ReadonlyMap<number, EventKind>,
+  maxEvents: number = READING_LIMITS.events,
 ): Promise<EventsOfFile> {
   if (kinds.size === 0) return { events: [], malformed: undefined };
   const groups = file.groupsOf(channelChunks.ofAny(new Set(kinds.keys())));
@@ -61,7 +62,7 @@ export async function readEvents(
     for (const message of loaded.flat().flatMap(({ all }) => all)) {
       if (!kinds.has(message.channelId)) continue;
       bytes += message.data.length;
-      expectFew(messages.length + 1, bytes);
+      expectFew(messages.length + 1, bytes, maxEvents);
       // A copy, so that the chunk can be released.
       messages.push({ ...message, data: message.data.slice() });
     }
@@ -82,8 +83,8 @@ function countTogether(groups: readonly (readonly ChunkIndex[])[], start: number
   return count;
 }
 
-function expectFew(events: number, bytes: number): void {
-  const { events: maxEvents, eventBytes } = READING_LIMITS;
+function expectFew(events: number, bytes: number, maxEvents: number): void {
+  const { eventBytes } = READING_LIMITS;
   if (events <= maxEvents && bytes <= eventBytes) return;
   throw new RecordingLimitError(
     `The file has too many events, such as markers. At most ${maxEvents} with ${eventBytes} bytes are read.`,

@@ -14,6 +14,7 @@ import {
 } from '../records/recording-event.ts';
 import { headerFromMetadata, PROFILE } from '../records/recording-header.ts';
 import type { RecordingSummary } from '../records/recording-summary.ts';
+import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
 import { ChannelChunks } from './channel-chunks.ts';
 import { activityOf } from './chunk-activity.ts';
@@ -28,6 +29,9 @@ import {
 import { withMarkers } from './recorded-times.ts';
 import { StoredFile } from './stored-file.ts';
 import { channelsOf, type FileChannels } from './topics-of.ts';
+
+/** Events that each opening reads. */
+const OPENING_KINDS: readonly EventKind[] = ['marker', 'client', 'gap'];
 
 /** Which records, and in which order. */
 export interface RecordsQuery {
@@ -103,7 +107,8 @@ export class RecordingReader implements EventsReader {
     const times = timesOf(chunks.ofAny(new Set(records.keys())));
     const isForeign = index.profile !== PROFILE;
     const header = headerFromMetadata(await readMetadata(whole, index, PROFILE));
-    const { events, malformed } = await eventsOf(file, chunks, ['marker', 'client', 'gap']);
+    const opening = await eventsOf(file, chunks, OPENING_KINDS, READING_LIMITS.openingEvents);
+    const { events, malformed } = opening;
     const markers = markersOf(events);
     const summary = {
       ...header,
@@ -238,9 +243,10 @@ function eventsOf(
   file: StoredFile,
   chunks: ChannelChunks,
   kinds: readonly EventKind[],
+  maxEvents?: number,
 ): Promise<EventsOfFile> {
   const wanted = [...channelsOf(file.index).events].filter(([, kind]) => kinds.includes(kind));
-  return readEvents(file, chunks, new Map(wanted));
+  return readEvents(file, chunks, new Map(wanted), maxEvents);
 }
 
 function valuesOf<K extends EventKind>(events: readonly RecordingEvent[], kind: K) {
