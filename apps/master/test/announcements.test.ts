@@ -114,6 +114,26 @@ describe('announcements', () => {
     expect(fourth).toBeGreaterThan(third!);
   });
 
+  it('are short while their client is away, and whole when it is back [EX-74] [CL-17]', async () => {
+    const { master, watcher, ada, device } = await createRoom();
+    await device({ name: 'phone', description: 'p'.repeat(600) });
+    const newest = () =>
+      watcher
+        .takeRecords()
+        .filter(({ topic }) => topic === `/ubii/client/${ada.id}`)
+        .map(({ value }) => value as Client)
+        .at(-1);
+    expect(newest()?.devices).toHaveLength(1);
+    ada.drop();
+    master.clock.advanceSync(15_000);
+    expect(newest()).toMatchObject({
+      ...{ state: ClientState.UNAVAILABLE, devices: [] },
+      extension: { abridged: true },
+    });
+    ada.open();
+    expect(newest()).toMatchObject({ state: ClientState.ACTIVE, devices: [{ name: 'phone' }] });
+  });
+
   it('of changes of a session come no faster than its pace, and the last state always comes [EX-75]', async () => {
     const { master, watcher } = await createRoom();
     const editorJson = 'e'.repeat(2_000_000);

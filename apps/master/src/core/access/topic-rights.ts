@@ -28,6 +28,11 @@ const MASTERS_KINDS: readonly TopicKind[] = ['ownState', 'master', 'granted'];
 /** Kinds that are distinguished by who is registered: only where it matters, as it costs a search. */
 const KINDS_OF_OTHERS: readonly TopicKind[] = ['identify', 'inputOfOther', 'other', 'elsewhere'];
 
+type Direction = 'publish' | 'receive';
+
+/** Kinds on which a role has the right: one set for all its clients. */
+const KINDS = { publish: kindsByRole('publish'), receive: kindsByRole('receive') };
+
 /** A client's rights on topics. */
 export interface TopicRights {
   readonly publish: PublishRights | undefined;
@@ -42,15 +47,15 @@ export function topicRightsOf(
   namespaces: Namespaces,
   patterns: PatternCompiler,
 ): TopicRights {
-  const rightsIn = (direction: 'publish' | 'receive', globs: readonly string[]): Rights =>
+  const rightsIn = (direction: Direction, globs: readonly string[]): Rights =>
     new Rights(
       clientId,
-      kindsFor(role, direction),
+      KINDS[direction][role],
       new Globs(role === 'player' ? globs : [], patterns),
       namespaces,
     );
-  const publish = kindsFor(role, 'publish');
-  const receive = kindsFor(role, 'receive');
+  const publish = KINDS.publish[role];
+  const receive = KINDS.receive[role];
   return {
     publish: hasAll(publish, MASTERS_KINDS)
       ? undefined
@@ -59,10 +64,20 @@ export function topicRightsOf(
   };
 }
 
-function kindsFor(role: Role, direction: 'publish' | 'receive'): ReadonlySet<TopicKind> {
+function kindsFor(role: Role, direction: Direction): ReadonlySet<TopicKind> {
   const rows = Object.entries<TopicRight>(TOPIC_RIGHTS);
   const allowed = rows.filter(([, row]) => row[direction].some((given) => given === role));
   return new Set(allowed.map(([kind]) => kind as TopicKind));
+}
+
+function kindsByRole(direction: Direction): Readonly<Record<Role, ReadonlySet<TopicKind>>> {
+  return {
+    none: kindsFor('none', direction),
+    admin: kindsFor('admin', direction),
+    participant: kindsFor('participant', direction),
+    player: kindsFor('player', direction),
+    viewer: kindsFor('viewer', direction),
+  };
 }
 
 /** Whether every kind is among these, but for those that do not count. */
@@ -142,7 +157,8 @@ class Rights implements PublishRights, ReadRights {
 /** Globs, with what was found for the topics of late [AC-28]. */
 class Globs {
   readonly #patterns: readonly CompiledPattern[];
-  readonly #found = new Map<string, boolean>();
+  /** Undefined before the first: most invitations give no further topics, and clients stay while they are away. */
+  #found: Map<string, boolean> | undefined = undefined;
 
   constructor(globs: readonly string[], patterns: PatternCompiler) {
     this.#patterns = globs.map((glob) => patterns.compile(globToRegExpSource(glob)));
@@ -150,11 +166,12 @@ class Globs {
 
   match(topic: string): boolean {
     if (this.#patterns.length === 0) return false;
-    const known = this.#found.get(topic);
+    const found = (this.#found ??= new Map());
+    const known = found.get(topic);
     if (known !== undefined) return known;
     const matches = this.#patterns.some((pattern) => pattern.test(topic));
-    if (this.#found.size >= MAX_REMEMBERED) this.#found.clear();
-    this.#found.set(topic, matches);
+    if (found.size >= MAX_REMEMBERED) found.clear();
+    found.set(topic, matches);
     return matches;
   }
 }

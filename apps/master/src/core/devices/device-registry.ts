@@ -18,6 +18,7 @@ import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { DeviceOwner } from './device-owner.ts';
+import { SharedTexts } from './shared-texts.ts';
 
 /** Dependencies of a device registry. */
 export interface DeviceContext {
@@ -42,6 +43,7 @@ export class DeviceRegistry {
   readonly #context: DeviceContext;
   readonly #devices = new Map<string, Registered>();
   readonly #componentIds = new Set<string>();
+  readonly #texts = new SharedTexts();
   /** Components that publish, by topic; created on first use. */
   #byTopic: Map<string, Component[]> | undefined = undefined;
   /** Clients with a component that subscribes, by its topic; created on first use. */
@@ -109,9 +111,15 @@ export class DeviceRegistry {
       const isFree = !this.#componentIds.has(component.id) && !taken.has(component.id);
       const componentId = component.id !== '' && isFree ? component.id : this.#context.ids.uuid();
       taken.add(componentId);
-      return { ...component, id: componentId, deviceId: id };
+      return this.#componentToKeep(component, componentId, id);
     });
-    const device: Device = { ...message, id, components, clientId: client.id };
+    const device: Device = {
+      ...message,
+      id,
+      components,
+      clientId: client.id,
+      tags: this.#texts.shareAll(message.tags),
+    };
     return { device, replays: this.#add({ device, client, byteLength }) };
   }
 
@@ -134,6 +142,22 @@ export class DeviceRegistry {
   /** Removes every device of a client that is removed. */
   deregisterAll(client: DeviceOwner): void {
     for (const id of [...client.devices.keys()]) this.deregister(client, id);
+  }
+
+  /** The component in as little memory as it takes: it stays while its client is away. [CL-14] */
+  #componentToKeep(component: Component, id: string, deviceId: string): Component {
+    const texts = this.#texts;
+    return {
+      topic: component.topic,
+      messageFormat: texts.share(component.messageFormat),
+      ioType: component.ioType,
+      deviceId,
+      tags: texts.shareAll(component.tags),
+      description: texts.share(component.description),
+      id,
+      name: texts.share(component.name),
+      notifyConditionIds: texts.shareAll(component.notifyConditionIds),
+    };
   }
 
   #publishers(): Map<string, Component[]> {

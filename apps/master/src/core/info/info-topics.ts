@@ -1,4 +1,5 @@
 import {
+  ClientState,
   clientTopic,
   INFO_TOPICS,
   type Client as ClientMessage,
@@ -13,6 +14,8 @@ import type { MasterPublisher } from './master-publisher.ts';
 import { Hook } from '../hooks/hook.ts';
 import { PacedNews } from './paced-news.ts';
 
+/** Registrations of absent clients that are larger are announced in short: the announcement remains while they are away. */
+const ABSENT_ANNOUNCEMENT_BYTES = 512;
 /** Seconds of news of one client that may come at once. */
 const BURST_SECONDS = 4;
 
@@ -67,7 +70,7 @@ export class InfoTopics {
     const topic = clientTopic(client.id);
     this.onClient.emit(client);
     this.#ofClients.tell(client.id, () =>
-      this.#publisher.publishChange(topic, { client: this.#messageOf(client) }),
+      this.#publisher.publishChange(topic, { client: this.#messageOf(client, true) }),
     );
   }
 
@@ -92,11 +95,17 @@ export class InfoTopics {
     this.#ofClients.close();
   }
 
-  /** The client as it is announced: as a whole, or what can be told in a few bytes [EX-74]. */
-  #messageOf(client: AnnouncedClient): Init<ClientMessage> {
+  /**
+   * The client as it is announced: as a whole, or what can be told in a few bytes [EX-74].
+   *
+   * @param isKept the announcement remains on its topic
+   */
+  #messageOf(client: AnnouncedClient, isKept = false): Init<ClientMessage> {
     const bytes = client.account.used(RESOURCE.registrationBytes);
-    if (bytes <= this.#limits.announcementBytes) return this.describe(client);
     const message = client.toMessage();
+    const isAway = isKept && message.state === ClientState.UNAVAILABLE;
+    const maxBytes = isAway ? ABSENT_ANNOUNCEMENT_BYTES : this.#limits.announcementBytes;
+    if (bytes <= maxBytes) return this.describe(client);
     const { id, name, state, latency, isDedicatedProcessingNode } = message;
     const { registrationRevision } = client;
     return {

@@ -7,6 +7,9 @@ export interface NewsPace {
   readonly burstBytes: number;
 }
 
+/** Subjects that are looked at each time something is told, to forget those that are at rest. */
+const LOOKED_AT = 2;
+
 interface Subject {
   readonly bucket: TokenBucket;
   /** Publishes the pending announcement when the budget allows; undefined when nothing is pending. */
@@ -30,6 +33,7 @@ export class PacedNews {
 
   /** @param tell Publishes the state as it is when it is called; returns the bytes of it, 0 when there was nothing to tell. */
   tell(id: string, tell: () => number): void {
+    this.#forgetRested();
     const subject = this.#subjectOf(id);
     if (subject.tell !== undefined) {
       subject.tell = tell;
@@ -63,6 +67,20 @@ export class PacedNews {
       this.#subjects.set(id, subject);
     }
     return subject;
+  }
+
+  /** A subject whose budget is full again is as one of which nothing was told. */
+  #forgetRested(): void {
+    const nowMs = this.#clock.monotonicMs();
+    let looked = 0;
+    for (const [id, subject] of this.#subjects) {
+      if (++looked > LOOKED_AT) return;
+      this.#subjects.delete(id);
+      const isRested =
+        subject.tell === undefined && subject.bucket.has(this.#pace.burstBytes, nowMs);
+      // To the end: the others have their turn next.
+      if (!isRested) this.#subjects.set(id, subject);
+    }
   }
 
   #tellOrWait(subject: Subject, tell: () => number): void {
