@@ -4,6 +4,7 @@ import { awayClients } from './away.ts';
 import { clusterSecrets } from './cluster.ts';
 import { connections } from './connections.ts';
 import { descriptors } from './descriptors.ts';
+import { frames } from './frames.ts';
 import { guests } from './guests.ts';
 import { deletedIds, fileModes, flightSilence } from './kept-data.ts';
 import { largeBodies } from './large-bodies.ts';
@@ -43,6 +44,7 @@ export const ATTACKS: readonly Attack[] = [
   localName,
   localUsers,
   slowHeads,
+  frames,
   uploadLengths,
   uploadWeight,
   uploadTexts,
