@@ -61,7 +61,7 @@ test('the example finds objects in its clip at once, in a tab and on the master,
   await test.step('in an image file, with the keypoints of the body', async () => {
     await page.getByRole('radio', { name: 'File' }).click();
     await choosePhoto(anna, 'README.md');
-    await expect(page.getByRole('alert')).toContainText('README.md is not an image');
+    await expect(page.getByRole('alert')).toContainText('README.md: The file is not a picture');
     await choosePhoto(anna, 'astronaut.jpg');
     await expect(seen(anna)).toContainText('person');
     await page.getByRole('switch', { name: /^Body/ }).click();

@@ -5,12 +5,18 @@ import { RecordingReader } from '../reading/recording-reader.ts';
 import { boundFacts } from './bound-facts.ts';
 import { readListed, type Outcome } from './check-file.ts';
 import type { FileChecker, ListedFile, Verdict } from './file-checker.ts';
-import type { KeptRecording, MarkerJob, RecordingJob, RecordingTexts } from './recorder.ts';
+import type {
+  KeptRecording,
+  MarkerJob,
+  RecordingJob,
+  RecordingTexts,
+  RecordingPage,
+} from './recorder.ts';
 import { formatHeader, parseFacts } from './file-facts.ts';
 import { MarkerList } from './marker-list.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
 import type { OpenFile, RecordingFolder } from './recording-folder.ts';
-import { pageOf, type RecordingPage } from './recording-page.ts';
+import { pageOf } from './recording-page.ts';
 import { listRejected } from './rejected-file.ts';
 
 /** What the list works with. */

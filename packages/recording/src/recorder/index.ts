@@ -8,6 +8,7 @@ export {
   type RecorderList,
   type RecorderState,
   type RecordingJob,
+  type RecordingPage,
   type RecordingTexts,
   type RecordSource,
   type RecordToKeep,
@@ -28,6 +29,6 @@ export {
 } from './rejected-file.ts';
 export type { OpenFile, RecordingFolder } from './recording-folder.ts';
 export { AT_MASTER, WITHOUT_PAGE } from './file-facts.ts';
-export { elementsFrom, type RecordingPage } from './recording-page.ts';
+export { elementsFrom } from './recording-page.ts';
 export { isInternalTopic } from './internal-topics.ts';
 export { OpenBatch, recordsOf, type BatchedSource } from './recording-batch.ts';

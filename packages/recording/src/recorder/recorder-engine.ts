@@ -21,6 +21,7 @@ import {
   type RecordingBatch,
   type RecordToKeep,
   type RunningJob,
+  type RecordingPage,
 } from './recorder.ts';
 import { factsOf, formatHeader } from './file-facts.ts';
 import { LocalChecker } from './check-file.ts';
@@ -31,7 +32,6 @@ import { recordsOf } from './recording-batch.ts';
 import { recordedOf } from './recorded-record.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
 import type { RecordingFolder } from './recording-folder.ts';
-import type { RecordingPage } from './recording-page.ts';
 import { notWritten, RunningRecordings } from './running-recordings.ts';
 
 /** What a recorder works with. */

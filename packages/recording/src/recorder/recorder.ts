@@ -8,7 +8,6 @@ import type {
   RecordingStudy,
 } from '@ubii/proto';
 import type { RecordingEvent } from '../records/recording-event.ts';
-import type { RecordingPage } from './recording-page.ts';
 
 /** Who publishes what. The same object for all records of one publisher on one topic. */
 export interface RecordSource {
@@ -128,6 +127,12 @@ export interface MarkerJob {
   readonly kind?: 'service' | 'topic';
   /** Finished recordings, and markers of others, as well: the maker of the recording, and admins [RC-21]. */
   readonly mayChangeAll: boolean;
+}
+
+/** Where a page of a recording begins: places among all topics and markers, from 0. */
+export interface RecordingPage {
+  readonly topicsFrom: number;
+  readonly markersFrom: number;
 }
 
 /**

@@ -2,12 +2,7 @@ import type { Recording, TextLimits } from '@ubii/proto';
 import type { Marker } from '../records/recording-event.ts';
 import { describeTopic, type DescribedTopic } from './file-facts.ts';
 import { describeMarker } from './marker-list.ts';
-
-/** Where a page of a recording begins: places among all topics and markers, from 0. */
-export interface RecordingPage {
-  readonly topicsFrom: number;
-  readonly markersFrom: number;
-}
+import type { RecordingPage } from './recorder.ts';
 
 /** Elements of one page, of topics and of markers each. */
 const MAX_PAGE_ELEMENTS = 1_000;

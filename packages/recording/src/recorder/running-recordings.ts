@@ -2,11 +2,17 @@ import { RecordingState, ServiceError, type Recording } from '@ubii/proto';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { Clock } from '@ubii/timing';
-import type { KeptRecording, MarkerJob, RecordingTexts, RunningJob } from './recorder.ts';
+import type {
+  KeptRecording,
+  MarkerJob,
+  RecordingTexts,
+  RunningJob,
+  RecordingPage,
+} from './recorder.ts';
 import type { FileList } from './file-list.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
 import type { RecordingFolder } from './recording-folder.ts';
-import { pageOf, type RecordingPage } from './recording-page.ts';
+import { pageOf } from './recording-page.ts';
 import { RunningRecording } from './running-recording.ts';
 
 /** What running recordings need. */

@@ -19,8 +19,8 @@ import type {
   RecordSource,
   RecordingBatch,
   RunningJob,
+  RecordingPage,
 } from '../recorder/recorder.ts';
-import type { RecordingPage } from '../recorder/recording-page.ts';
 import { openThread } from './open-thread.ts';
 import type {
   FromThread,

@@ -108,7 +108,7 @@ export function usePictureSource(firstClip: ClipName = 'photos'): PictureSources
     } catch (error) {
       fileProblem.value =
         error instanceof RangeError
-          ? error.message
+          ? `${file.name}: ${error.message}`
           : `${file.name} is not an image that this browser can read. Choose a JPEG, PNG or WebP file.`;
     }
   }
