@@ -204,7 +204,6 @@ export async function startMaster({
     clock,
     doorkeeper,
     preflights: new PreflightSockets(clock),
-    maxMessageBytes: limits.frameBytes,
   });
   const decoder = new BodyDecoder({ workerFile: decodeWorkerFile, clock, log });
   const app = await createHttpApp({

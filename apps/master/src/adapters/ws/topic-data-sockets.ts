@@ -31,8 +31,6 @@ export interface TopicDataSocketsOptions {
   /** Knows the connections of sockets. */
   readonly doorkeeper?: Pick<Doorkeeper, 'of'>;
   readonly preflights?: PreflightSockets;
-  /** Largest message a client may send. */
-  readonly maxMessageBytes: number;
 }
 
 /** An upgrade request whose caller is known. */
@@ -47,21 +45,11 @@ interface Upgrade {
 /** Turns upgrade requests, on any path of any port, into connections of the master. [TD-1] */
 export class TopicDataSockets {
   readonly #options: TopicDataSocketsOptions;
-  readonly #server: WebSocketServer;
+  /** By the most bytes of a message: the limit of a connection is that of its server. */
+  readonly #servers = new Map<number, WebSocketServer>();
 
   constructor(options: TopicDataSocketsOptions) {
     this.#options = options;
-    this.#server = new WebSocketServer({
-      noServer: true,
-      maxPayload: options.maxMessageBytes,
-      perMessageDeflate: false,
-      // Several messages of one packet are handled in one turn, so that they leave in one write.
-      allowSynchronousEvents: true,
-      // Newer than the type declarations of the library.
-      ...({ closeTimeout: CLOSE_TIMEOUT_MS } satisfies object),
-      // Without it the first protocol a client asks for would be confirmed.
-      handleProtocols: () => false,
-    });
   }
 
   /** To be called for the `upgrade` event of every HTTP server. */
@@ -100,19 +88,41 @@ export class TopicDataSockets {
       refuseUpgrade(socket, 403, reason, this.#options.clock); // [AC-27]
       return;
     }
-    this.#server.handleUpgrade(request, socket, head, (webSocket) => {
-      this.#open(webSocket, upgrade);
+    const maxBytes = this.#options.master.maxMessageBytes(claim);
+    this.#serverFor(maxBytes).handleUpgrade(request, socket, head, (webSocket) => {
+      this.#open(webSocket, upgrade, maxBytes);
     });
+  }
+
+  #serverFor(maxBytes: number): WebSocketServer {
+    let server = this.#servers.get(maxBytes);
+    if (server === undefined) {
+      server = new WebSocketServer({
+        noServer: true,
+        maxPayload: maxBytes,
+        perMessageDeflate: false,
+        // Several messages of one packet are handled in one turn, so that they leave in one write.
+        allowSynchronousEvents: true,
+        // Newer than the type declarations of the library.
+        ...({ closeTimeout: CLOSE_TIMEOUT_MS } satisfies object),
+        // Without it the first protocol a client asks for would be confirmed.
+        handleProtocols: () => false,
+      });
+      this.#servers.set(maxBytes, server);
+    }
+    return server;
   }
 
   /** Ends what is still open silently. */
   terminate(): void {
-    for (const webSocket of this.#server.clients) webSocket.terminate();
+    for (const { clients } of this.#servers.values()) {
+      for (const webSocket of clients) webSocket.terminate();
+    }
     this.#options.preflights?.terminate();
   }
 
-  #open(webSocket: WebSocket, { request, socket, claim, caller }: Upgrade): void {
-    const { master, log, maxMessageBytes } = this.#options;
+  #open(webSocket: WebSocket, { request, socket, claim, caller }: Upgrade, maxBytes: number): void {
+    const { master, log } = this.#options;
     const opened = master.openConnection(
       claim,
       new WebSocketConnection(webSocket, socket),
@@ -126,7 +136,7 @@ export class TopicDataSockets {
     webSocket.on('error', (error: NodeJS.ErrnoException) => {
       log.debug('a socket failed', { reason: error.message });
       if (error.code === 'WS_ERR_UNSUPPORTED_MESSAGE_LENGTH') {
-        opened?.handleProtocolError(`A message may have at most ${maxMessageBytes} bytes.`);
+        opened?.handleProtocolError(`A message may have at most ${maxBytes} bytes.`);
       } else if (error.code?.startsWith('WS_ERR_')) {
         opened?.handleProtocolError(`${error.message}.`);
       }

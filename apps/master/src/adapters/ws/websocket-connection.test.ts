@@ -22,7 +22,6 @@ const PROGRAM = 'Suite/1.0';
 /** RFC 6455: the connection ended without a close frame. */
 const NO_FRAME = 1006;
 const LEFT = 4000;
-const MAX_MESSAGE_BYTES = 1_000_000;
 
 clientConnectionSuite('TopicDataSockets', openBench);
 
@@ -34,7 +33,6 @@ async function openBench(host: ConnectionHost): Promise<ConnectionBench> {
     policy: new OriginPolicy({ isOnLan: () => false, host: 'localhost', allowedOrigins: [] }),
     log: new StreamLog({ level: 'error', format: 'json', write: () => {}, nowMs: () => 0 }),
     clock: { after: () => () => undefined },
-    maxMessageBytes: MAX_MESSAGE_BYTES,
   });
   const server = createServer().on('upgrade', (request, socket, head) =>
     sockets.handleUpgrade(request, socket, head),

@@ -24,6 +24,7 @@ export interface FrameContext extends PublishContext {
 export interface FrameOwner {
   readonly client: Client;
   readonly connection: Pick<ClientConnection, 'setReading'>;
+  readonly isOpen: boolean;
   handleRefused(refusal: Refusal, publication: Publication): void;
   /** So many records were refused for the reason of the one before. */
   handleRestRefused(refusal: Refusal, count: number): void;
@@ -82,12 +83,14 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
 
   /** Reads a frame, or the beginning of a large one. */
   handleFrame(bytes: Uint8Array): void {
+    if (!this.#owner.isOpen) return this.#ignore(bytes);
     if (this.hasUnread) {
       this.#queue.push(bytes);
       this.#queuedBytes += bytes.byteLength;
     } else {
       this.#begin(bytes);
-      if (this.readSlice()) return;
+      // When its last sign came is now.
+      if (this.readSlice(this.#owner.client.lastSignMs)) return;
       this.#context.slices.add(this);
     }
     this.#updateReading();
@@ -110,12 +113,11 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
     this.#updateReading();
   }
 
-  readSlice(): boolean {
+  readSlice(monotonicMs = this.#context.clock.monotonicMs()): boolean {
     const { client } = this.#owner;
-    const { clock } = this.#context;
     const publication = this.#publication;
-    publication.monotonicMs = clock.monotonicMs();
-    publication.nowMs = clock.nowMs();
+    publication.monotonicMs = monotonicMs;
+    publication.nowMs = this.#context.clock.nowMs();
     this.#sliceRecords = 0;
     this.#sliceCaused = client.traffic.recordsCaused;
     for (;;) {
@@ -144,19 +146,34 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
     publication.end = bytes.byteLength;
     // A message without records is work as well.
     this.#sliceRecords++;
-    if (bytes.byteLength > publishLimits.frameBytes.value) {
-      this.#owner.handleRefused(REFUSALS.largeFrame, publication);
-      return;
-    }
-    // Over its rate, or never to be within it.
-    if (this.#cancelPause !== undefined || bytes.byteLength > publishLimits.bytesPerSecond.value) {
-      this.#owner.handleRefused(REFUSALS.tooManyBytes, publication);
+    const refusal = this.#refusalOf(bytes);
+    if (refusal !== undefined) {
+      this.#owner.handleRefused(refusal, publication);
+      publication.frame = NO_BYTES;
+      // It was received, which is work as well.
+      publication.monotonicMs = this.#context.clock.monotonicMs();
+      if (this.#cancelPause === undefined) this.#charge(bytes.byteLength, 0);
       return;
     }
     this.#records = 0;
     this.#restRefusal = undefined;
     const maxMemberFields = publishLimits.recordFields.value;
     this.#scan = new TopicDataScan(bytes, { topics: topicTexts, maxMemberFields });
+  }
+
+  #refusalOf({ byteLength }: Uint8Array): Refusal | undefined {
+    const { frameBytes, bytesPerSecond } = this.#owner.client.publishLimits;
+    if (byteLength > frameBytes.value) return REFUSALS.largeFrame;
+    // Over its rate, or never to be within it.
+    const isOverRate = this.#cancelPause !== undefined || byteLength > bytesPerSecond.value;
+    return isOverRate ? REFUSALS.tooManyBytes : undefined;
+  }
+
+  /** A frame that comes after the end: a client that sends many is not read until its transport gives it up. */
+  #ignore({ byteLength }: Uint8Array): void {
+    const { byteBudget } = this.#owner.client;
+    if (byteBudget.spend(byteLength, this.#context.clock.monotonicMs())) return;
+    this.#owner.connection.setReading?.(false);
   }
 
   /** @returns whether the frame was read to its end */
@@ -189,7 +206,8 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
     const { client } = this.#owner;
     const { bytesPerSecond } = client.publishLimits;
     const { monotonicMs } = this.#publication;
-    const mostBytes = byteLength + bytesPerSecond.value;
+    // Never more than a pause of two seconds.
+    const mostBytes = 2 * bytesPerSecond.value;
     const bytes = Math.min(mostBytes, Math.max(byteLength, fields * FIELD_BYTES));
     if (!client.byteBudget.spend(bytes, monotonicMs)) this.#pause();
   }

@@ -73,8 +73,7 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, FrameOwn
   }
 
   handleTopicData(bytes: Uint8Array): void {
-    if (!this.#isOpen) return;
-    this.#handleSign();
+    if (this.#isOpen) this.#handleSign();
     this.#frames.handleFrame(bytes);
   }
 

@@ -50,6 +50,12 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     refuseConnection(claim: ClientClaim, caller: CallerFacts): string | undefined {
       return core.sockets.refuse(claim, caller);
     },
+    maxMessageBytes({ clientId = '' }: ClientClaim): number {
+      const { frameBytes, frameBytesOfPlayer } = core.limits;
+      const known = core.clients.get(clientId);
+      // No client, no message: the connection will be closed.
+      return known?.publishLimits.frameBytes.value ?? Math.min(frameBytes, frameBytesOfPlayer);
+    },
     openConnection(
       claim: ClientClaim,
       connection: ClientConnection,

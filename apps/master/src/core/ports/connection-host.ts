@@ -15,6 +15,8 @@ export interface ConnectionHost {
    * can answer before there is a connection; `openConnection` refuses the same ones. [AC-27]
    */
   refuseConnection(claim: ClientClaim, caller: CallerFacts): string | undefined;
+  /** Most bytes of a message of the client that a connection claims to be of: a transport reads no more. [TD-70] */
+  maxMessageBytes(claim: ClientClaim): number;
   /**
    * Takes an open connection.
    *

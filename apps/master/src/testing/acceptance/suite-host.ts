@@ -34,6 +34,7 @@ export class SuiteHost implements ConnectionHost {
   static readonly REFUSED = 'refused';
   /** The client whose connections are closed as soon as they are open. */
   static readonly UNKNOWN = 'unknown';
+  static readonly MAX_MESSAGE_BYTES = 1_000_000;
   readonly #opened = new Inbox<Opened>();
   openedCount = 0;
 
@@ -47,6 +48,10 @@ export class SuiteHost implements ConnectionHost {
 
   refuseConnection({ clientId }: ClientClaim): string | undefined {
     return clientId === SuiteHost.REFUSED ? 'This client is refused.' : undefined;
+  }
+
+  maxMessageBytes(): number {
+    return SuiteHost.MAX_MESSAGE_BYTES;
   }
 
   openConnection(
