@@ -1,27 +1,31 @@
 import { AccessRole, encode, encodeRecord } from '@ubii/proto';
 
-import { Witness } from '../../master/witness.ts';
-import { pause } from '../../pause.ts';
+import { mib } from '../../master/process-figures.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
-import { FrameFlood, clientFrame } from '../parts/frame-flood.ts';
-import type { Outsider } from '../../master/outsider.ts';
+import { FrameFlood, clientFrames } from '../parts/frame-flood.ts';
+import { DelayMeter } from '../world/delay-meter.ts';
 
 const RECORDS = 390_000;
 const ATTACK_MS = 10_000;
-const PERIOD_MS = 20;
+const WARM_UP_MS = 1_000;
+const CALM_MS = 2_000;
+/** A busy machine is slower by itself: twice as much as before is as good. */
 const MAX_HEALTH_P50_MS = 10;
 const MAX_HEALTH_P99_MS = 50;
 const MAX_RECORD_P99_MS = 50;
 
 /** Frames that cost the master the most, in bytes of one `TopicData`. @param id of the player */
 const SHAPES: { readonly [shape: string]: (id: string) => Uint8Array } = {
-  'records on its own topic': (id) => manyRecords(`/${id}/a`),
-  'records on a topic of others': () => manyRecords('/of/others'),
-  'one record of small objects': (id) => {
+  [`${RECORDS} records`]: (id) => manyRecords(`/${id}/a`, RECORDS),
+  [`${RECORDS} records on a topic of others`]: () => manyRecords('/others', RECORDS),
+  '150000 records': (id) => manyRecords(`/${id}/a`, 150_000),
+  '4096 records': (id) => manyRecords(`/${id}/a`, 4_096),
+  'one record': (id) => manyRecords(`/${id}/a`, 1),
+  'a record of small objects': (id) => {
     const elements = Array.from({ length: RECORDS }, () => ({}));
     return single(encodeRecord({ topic: `/${id}/a`, format: 'object2DList', value: { elements } }));
   },
-  'one record of unknown fields': (id) => {
+  'a record of unknown fields': (id) => {
     const record = encodeRecord({ topic: `/${id}/a`, format: 'double', value: 1 });
     // Field 99, which no record has, as a varint.
     return single(Buffer.concat([record, Buffer.alloc(3 * 2_000_000, Buffer.of(0x98, 0x06, 1))]));
@@ -35,30 +39,38 @@ export const frames: Attack = {
     const findings: Finding[] = [];
     for (const [shape, make] of Object.entries(SHAPES)) {
       const master = await world.startMaster();
-      const insider = world.insider(master);
-      const witness = await Witness.open(master.endpoints.url);
-      world.closeLater(() => witness.close());
-      await measure(insider, witness, 1_000);
-      const calm = await measure(insider, witness, 2_000);
+      const meter = await DelayMeter.open(master.endpoints.url);
+      world.closeLater(() => meter.close());
+      await meter.during(WARM_UP_MS);
+      const calm = await meter.during(CALM_MS);
       const player = world.outsider(master);
       const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
       const member = await player.join(token);
-      const flood = await FrameFlood.open(player, member);
+      const flood = new FrameFlood(player, member);
       world.closeLater(() => flood.close());
-      const frame = clientFrame(make(member.client.id));
+      const frame = clientFrames(make(member.client.id));
       const cpuBefore = master.figures().cpuMs ?? 0;
-      void flood.send(frame);
-      const under = await measure(insider, witness, ATTACK_MS);
+      const sent = flood.send(frame);
+      const under = await Promise.race([
+        meter.during(ATTACK_MS),
+        sent.then(() => Promise.reject(new Error('The player stopped sending.'))),
+      ]);
       const cpuMs = (master.figures().cpuMs ?? 0) - cpuBefore;
+      const perSecond = flood.sentBytes / (ATTACK_MS / 1000);
       findings.push(
-        comparison(`${shape}: frames of ${frame.length} bytes`, `${flood.frames} written`),
-        comparison(`${shape}: answers`, `${flood.receivedBytes} bytes`),
+        comparison(`${shape}: taken from the player`, `${mib(perSecond)} a second`),
+        comparison(`${shape}: connections of the player`, String(flood.connections)),
         comparison(`${shape}: CPU of the master`, `${Math.round((cpuMs / ATTACK_MS) * 100)} %`),
-        comparison(`${shape}: health p50, calm`, fine(calm.health.p50)),
-        atMost(`${shape}: health p50`, under.health.p50, MAX_HEALTH_P50_MS),
-        atMost(`${shape}: health p99`, under.health.p99, MAX_HEALTH_P99_MS),
+        comparison(`${shape}: health p50 before`, fine(calm.health.p50)),
+        atMost(`${shape}: health p50`, under.health.p50, MAX_HEALTH_P50_MS, calm.health.p50),
+        atMost(`${shape}: health p99`, under.health.p99, MAX_HEALTH_P99_MS, calm.health.p99),
         comparison(`${shape}: records of others p50`, fine(under.record.p50)),
-        atMost(`${shape}: records of others p99`, under.record.p99, MAX_RECORD_P99_MS),
+        atMost(
+          `${shape}: records of others p99`,
+          under.record.p99,
+          MAX_RECORD_P99_MS,
+          calm.record.p99,
+        ),
       );
       await world.clear();
     }
@@ -66,41 +78,10 @@ export const frames: Attack = {
   },
 };
 
-interface Quantiles {
-  readonly p50: number;
-  readonly p99: number;
-}
-
-/** How long a question of this machine and a record of others take meanwhile, milliseconds. */
-async function measure(
-  insider: Outsider,
-  witness: Witness,
-  durationMs: number,
-): Promise<{ health: Quantiles; record: Quantiles }> {
-  const endMs = performance.now() + durationMs;
-  const repeat = async (act: () => Promise<unknown>): Promise<Quantiles> => {
-    const tookMs: number[] = [];
-    while (performance.now() < endMs) {
-      const begunMs = performance.now();
-      await act();
-      tookMs.push(performance.now() - begunMs);
-      await pause(PERIOD_MS);
-    }
-    tookMs.sort((a, b) => a - b);
-    const at = (part: number): number => tookMs[Math.floor(part * (tookMs.length - 1))]!;
-    return { p50: at(0.5), p99: at(0.99) };
-  };
-  const [health, record] = await Promise.all([
-    repeat(() => insider.ask('GET', '/health')),
-    repeat(() => witness.check()),
-  ]);
-  return { health, record };
-}
-
-function manyRecords(topic: string): Uint8Array {
+function manyRecords(topic: string, count: number): Uint8Array {
   const record = encode('ubii.topicData.TopicDataRecord', { topic, double: 1 });
   const element = Buffer.concat([Buffer.of(0x0a, record.length), record]);
-  return lengthDelimited(0x1a, Buffer.alloc(element.length * RECORDS, element));
+  return lengthDelimited(0x1a, Buffer.alloc(element.length * count, element));
 }
 
 function single(record: Uint8Array): Uint8Array {
@@ -118,6 +99,7 @@ function fine(ms: number): string {
   return `${ms.toFixed(1)} ms`;
 }
 
-function atMost(what: string, ms: number, maxMs: number): Finding {
-  return finding(what, fine(ms), `at most ${maxMs} ms`, ms <= maxMs);
+function atMost(what: string, ms: number, maxMs: number, beforeMs: number): Finding {
+  const holds = ms <= Math.max(maxMs, 2 * beforeMs);
+  return finding(what, fine(ms), `at most ${maxMs} ms, or as before it`, holds);
 }

@@ -1,13 +1,20 @@
 import { once } from 'node:events';
 import type { Socket } from 'node:net';
 
+import { pause } from '../../pause.ts';
 import type { Member, Outsider } from '../../master/outsider.ts';
 
 /** Not zero: the master has to unmask what comes. */
 const MASK = Buffer.of(0x5a, 0xa5, 0x3c, 0xc3);
+const KEY = Buffer.alloc(16).toString('base64');
+/** Between the end of a connection and the next, milliseconds. */
+const REST_MS = 20;
 
-/** One WebSocket frame as a client sends it, to be sent again and again. */
-export function clientFrame(payload: Uint8Array): Buffer {
+/** Small frames are written together: the attack is to be busy with sending alone. */
+const WRITE_BYTES = 256 * 1024;
+
+/** WebSocket frames as a client sends them, one or several small ones, to be sent again and again. */
+export function clientFrames(payload: Uint8Array): Buffer {
   const head = Buffer.alloc(14);
   head[0] = 0x82;
   head[1] = 0x80 | 127;
@@ -15,74 +22,77 @@ export function clientFrame(payload: Uint8Array): Buffer {
   MASK.copy(head, 10);
   const masked = Buffer.from(payload);
   for (let i = 0; i < masked.length; i++) masked[i]! ^= MASK[i & 3]!;
-  return Buffer.concat([head, masked]);
+  const frame = Buffer.concat([head, masked]);
+  return Buffer.alloc(frame.length * Math.ceil(WRITE_BYTES / frame.length), frame);
 }
 
-/** A player whose program sends one frame after the other, as fast as the master reads. */
+/** A client that sends the same frames, as fast as the master reads, and comes back when it is closed. */
 export class FrameFlood {
-  readonly #socket: Socket;
+  readonly #outsider: Outsider;
+  readonly #member: Member;
+  #socket: Socket | undefined = undefined;
   #isOver = false;
-  #frames = 0;
-  #receivedBytes = 0;
+  #connections = 0;
+  #sentBytes = 0;
 
-  private constructor(socket: Socket) {
-    this.#socket = socket;
-    socket.on('data', (chunk: Buffer) => (this.#receivedBytes += chunk.length));
+  constructor(outsider: Outsider, member: Member) {
+    this.#outsider = outsider;
+    this.#member = member;
   }
 
-  /** @throws Error when the master does not open the socket */
-  static async open(outsider: Outsider, { client }: Member): Promise<FrameFlood> {
-    const socket = await outsider.dial();
-    const token = client.extension?.resumeToken ?? '';
-    const upgrade = {
-      Connection: 'Upgrade',
-      Upgrade: 'websocket',
-      'Sec-WebSocket-Version': '13',
-      'Sec-WebSocket-Key': Buffer.from('a key of an attack').toString('base64').slice(0, 22) + '==',
-    };
-    socket.write(outsider.head(`GET /?clientID=${client.id}&token=${token} HTTP/1.1`, upgrade));
-    const [answer] = (await once(socket, 'data')) as [Buffer];
-    if (!answer.toString('latin1').startsWith('HTTP/1.1 101')) {
-      throw new Error(`The socket was refused: ${answer.toString('latin1').slice(0, 200)}`);
+  get connections(): number {
+    return this.#connections;
+  }
+
+  /** Bytes that the system took. */
+  get sentBytes(): number {
+    return this.#sentBytes + (this.#socket?.bytesWritten ?? 0);
+  }
+
+  /** Sends until it is closed. @throws Error when the first connection is refused */
+  async send(frames: Buffer): Promise<void> {
+    while (!this.#isOver) {
+      const socket = await this.#open();
+      while (!socket.destroyed) if (!socket.write(frames)) await drained(socket);
+      this.#socket = undefined;
+      this.#sentBytes += socket.bytesWritten;
+      await pause(REST_MS);
     }
-    return new FrameFlood(socket);
-  }
-
-  /** Frames that were written. */
-  get frames(): number {
-    return this.#frames;
-  }
-
-  /** Bytes of what the master answered. */
-  get receivedBytes(): number {
-    return this.#receivedBytes;
-  }
-
-  get isOpen(): boolean {
-    return !this.#socket.destroyed;
-  }
-
-  /** Sends until it is stopped. */
-  async send(frame: Buffer): Promise<void> {
-    while (!this.#isOver && !this.#socket.destroyed) {
-      this.#frames++;
-      if (!this.#socket.write(frame)) await this.#drained();
-    }
-  }
-
-  /** Waits until the socket takes more, or is closed. */
-  #drained(): Promise<void> {
-    return new Promise((resolve) => {
-      const handle = (): void => {
-        this.#socket.off('drain', handle).off('close', handle);
-        resolve();
-      };
-      this.#socket.once('drain', handle).once('close', handle);
-    });
   }
 
   close(): void {
     this.#isOver = true;
-    this.#socket.destroy();
+    this.#socket?.destroy();
   }
+
+  async #open(): Promise<Socket> {
+    const { id, extension } = this.#member.client;
+    const socket = await this.#outsider.dial();
+    const upgrade = {
+      Connection: 'Upgrade',
+      Upgrade: 'websocket',
+      'Sec-WebSocket-Version': '13',
+      'Sec-WebSocket-Key': KEY,
+    };
+    const path = `/?clientID=${id}&token=${extension?.resumeToken ?? ''}`;
+    socket.write(this.#outsider.head(`GET ${path} HTTP/1.1`, upgrade));
+    const [answer] = (await once(socket, 'data')) as [Buffer];
+    const start = answer.toString('latin1', 0, 12);
+    if (start !== 'HTTP/1.1 101') throw new Error(`The socket was refused: ${start}`);
+    this.#connections++;
+    this.#socket = socket;
+    // What the master says is of no interest; unread, it would fill its buffers.
+    return socket.resume();
+  }
+}
+
+/** Waits until the socket takes more, or is closed. */
+function drained(socket: Socket): Promise<void> {
+  return new Promise((resolve) => {
+    const handle = (): void => {
+      socket.off('drain', handle).off('close', handle);
+      resolve();
+    };
+    socket.once('drain', handle).once('close', handle);
+  });
 }
