@@ -125,18 +125,20 @@ describe('messages of a player', () => {
 });
 
 describe('a client that sends too many bytes', () => {
-  const limits = { publishedBytesPerSecond: 1_000 };
+  const limits = { publishedBytesPerSecond: 10_000 };
 
   it('is not read until they are within its rate, and receives an error [TD-70]', async () => {
     const master = new TestMaster({ limits });
     const ada = await master.extension('ada');
-    const send = (): void => ada.send('/a', 'string', 'x'.repeat(600));
+    const send = (): void => ada.send('/a', 'string', 'x'.repeat(6_000));
     send();
     expect(ada.connection.isReading).toBe(true);
     send();
     expect(ada.connection.isReading).toBe(false);
     expect(ada.takeErrors()).toMatchObject([
-      { message: expect.stringContaining('1000 bytes per second (limit publishedBytesPerSecond)') },
+      {
+        message: expect.stringContaining('10000 bytes per second (limit publishedBytesPerSecond)'),
+      },
     ]);
     expect(await limitHits(master, 'publishedBytesPerSecond')).toBe(1);
     master.clock.advanceSync(2_000);
@@ -151,10 +153,27 @@ describe('a client that sends too many bytes', () => {
       encodeRecord({
         topic: '/a',
         format: 'object2DList',
-        value: { elements: Array.from({ length: 100 }, () => ({})) },
+        value: { elements: Array.from({ length: 1_000 }, () => ({})) },
       }),
     );
     expect(ada.connection.isReading).toBe(false);
+  });
+});
+
+describe('a client that sends many small messages', () => {
+  it('pays for each as for a larger one [TD-70]', async () => {
+    const master = new TestMaster({ limits: { publishedBytesPerSecond: 10_000 } });
+    const ada = await master.extension('ada');
+    for (let i = 0; i < 9; i++) ada.send('/a', 'double', i);
+    expect(ada.connection.isReading).toBe(true);
+    ada.send('/a', 'double', 9);
+    expect(ada.connection.isReading).toBe(false);
+    // They were received before: the pause becomes longer.
+    for (let i = 0; i < 10; i++) ada.send('/a', 'double', i);
+    master.clock.advanceSync(500);
+    expect(ada.connection.isReading).toBe(false);
+    master.clock.advanceSync(1_000);
+    expect(ada.connection.isReading).toBe(true);
   });
 });
 

@@ -43,8 +43,10 @@ const SLICE_RECORDS = 1_024;
 const SLICE_DELIVERIES = 8_192;
 const SLICE_FIELDS = 32_768;
 
-/** A shorter field counts as so many bytes of the rate: checking its structure costs as much as a field of this length. */
+/** A shorter field counts as so many bytes of the rate: its check costs as much as that of a field of this length. */
 const FIELD_BYTES = 16;
+/** A shorter frame counts as so many: receiving it costs a few microseconds, as much as it takes to receive these. */
+const FRAME_BYTES = 1_024;
 
 const NO_BYTES = new Uint8Array(0);
 
@@ -152,7 +154,7 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
       publication.frame = NO_BYTES;
       // It was received, which is work as well.
       publication.monotonicMs = this.#context.clock.monotonicMs();
-      if (this.#cancelPause === undefined) this.#charge(bytes.byteLength, 0);
+      this.#charge(bytes.byteLength, 0);
       return;
     }
     this.#records = 0;
@@ -172,7 +174,8 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
   /** A frame that comes after the end: a client that sends many is not read until its transport gives it up. */
   #ignore({ byteLength }: Uint8Array): void {
     const { byteBudget } = this.#owner.client;
-    if (byteBudget.spend(byteLength, this.#context.clock.monotonicMs())) return;
+    const bytes = Math.max(byteLength, FRAME_BYTES);
+    if (byteBudget.spend(bytes, this.#context.clock.monotonicMs())) return;
     this.#owner.connection.setReading?.(false);
   }
 
@@ -208,27 +211,33 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
     const { monotonicMs } = this.#publication;
     // Never more than a pause of two seconds.
     const mostBytes = 2 * bytesPerSecond.value;
-    const bytes = Math.min(mostBytes, Math.max(byteLength, fields * FIELD_BYTES));
-    if (!client.byteBudget.spend(bytes, monotonicMs)) this.#pause();
+    const bytes = Math.min(mostBytes, Math.max(byteLength, fields * FIELD_BYTES, FRAME_BYTES));
+    const isWithinRate = client.byteBudget.spend(bytes, monotonicMs);
+    if (!isWithinRate && this.#cancelPause === undefined) this.#pause();
   }
 
   /** Reads nothing more until the bytes that were sent are within the rate. [TD-70] */
   #pause(): void {
     const { client } = this.#owner;
-    const { clock, limitWatch } = this.#context;
     const { name, value } = client.publishLimits.bytesPerSecond;
-    const waitMs = client.byteBudget.waitMs(clock.monotonicMs());
-    this.#cancelPause?.();
-    this.#cancelPause = clock.after(waitMs, () => {
-      this.#cancelPause = undefined;
-      this.#updateReading();
-    });
+    this.#waitForRate();
     this.#updateReading();
-    limitWatch.count(name, client.id);
+    this.#context.limitWatch.count(name, client.id);
     this.#owner.sendError(
       'resource_exhausted',
       `This client sends more than ${value} bytes per second (limit ${name}), so the master reads its messages later. Send less, or smaller records.`,
     );
+  }
+
+  #waitForRate(): void {
+    const { clock } = this.#context;
+    const { byteBudget } = this.#owner.client;
+    this.#cancelPause = clock.after(byteBudget.waitMs(clock.monotonicMs()), () => {
+      this.#cancelPause = undefined;
+      // What was received before the pause is paid for as well.
+      if (byteBudget.waitMs(clock.monotonicMs()) > 0) this.#waitForRate();
+      else this.#updateReading();
+    });
   }
 
   /** Lets the transport read on, or lets it wait with what the client sends. */

@@ -12,7 +12,7 @@ export const DELIVERY_LIMITS = {
     1_024 * MIB,
     'bytes/s',
     'rates',
-    'Bytes that a client may publish per second, also in one burst; a shorter field counts as 16 bytes. Beyond it, the messages of the client are read later. Enough for three raw 4K cameras at 10 Hz.',
+    'Bytes that a client may publish per second, also in one burst. A shorter field counts as 16 bytes, a shorter message as 1024. Beyond it, the messages of the client are read later. Enough for three raw 4K cameras at 10 Hz.',
   ),
   recordsPerSecondOfParticipant: limit(
     200_000,
