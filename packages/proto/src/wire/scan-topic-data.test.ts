@@ -237,7 +237,7 @@ describe('TopicDataScan', () => {
     const sink = createCollectingSink();
     const scan = new TopicDataScan(frame);
     const runs: string[][] = [];
-    for (let isDone = false; !isDone; ) {
+    for (let isDone = false; !isDone;) {
       isDone = scan.run({
         ...sink,
         record(...found) {
