@@ -1,12 +1,14 @@
 import { brotliCompressSync, constants } from 'node:zlib';
 
 /**
- * Maximum size of the JavaScript that Home loads before it works, compressed with brotli as the master serves it,
- * bytes.
+ * Maximum size of the JavaScript that Home loads on a new installation, compressed with brotli as the master serves it,
+ * headers included, bytes.
  */
 export const MAX_FIRST_LOAD_BYTES = 200_000;
 
-const HOME = /\/home\/HomePage\.vue$/;
+const HOME = /\/home\/(HomePage|ProductIntro)\.vue$/;
+/** What the headers of one file take, bytes. */
+const HEADER_BYTES = 1500;
 /** As in scripts/lib/precompress.mjs. */
 const QUALITY = 9;
 
@@ -22,7 +24,7 @@ const QUALITY = 9;
 
 /**
  * Returns the chunks that a cold load of Home takes: the entry, Home, and all that they import at once, with their
- * compressed sizes, largest first.
+ * compressed sizes and headers, largest first.
  *
  * @param {Readonly<Record<string, Chunk | { type: 'asset' }>>} bundle
  * @returns {{ fileName: string, bytes: number }[]}
@@ -40,7 +42,7 @@ export function firstLoad(bundle) {
   }
   return chunks
     .filter(({ fileName }) => files.has(fileName))
-    .map(({ fileName, code }) => ({ fileName, bytes: compressedBytes(code) }))
+    .map(({ fileName, code }) => ({ fileName, bytes: compressedBytes(code) + HEADER_BYTES }))
     .sort((a, b) => b.bytes - a.bytes);
 }
 

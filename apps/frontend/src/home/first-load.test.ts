@@ -34,7 +34,7 @@ describe('firstLoad()', () => {
     expect(files.map(({ fileName }) => fileName).sort()).toEqual(
       ['HomePage.js', 'clients.js', 'index.js', 'names.js', 'vue.js'].sort(),
     );
-    for (const { bytes } of files) expect(bytes).toBeGreaterThan(0);
+    for (const { bytes } of files) expect(bytes, 'with headers').toBeGreaterThan(1500);
   });
 
   it('fails when the build has no Home', () => {
