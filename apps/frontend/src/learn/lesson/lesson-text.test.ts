@@ -19,7 +19,7 @@ function show(lesson: Lesson, step: number, isDone = false) {
       run: { step, reached: lesson.steps.length - 1, passed, isDone },
       found: new Map(),
       next: undefined,
-      isAnswering: false,
+      busy: undefined,
     },
     global: { stubs: { RouterLink: true } },
   });
