@@ -1,6 +1,7 @@
 import { expect, it } from 'vitest';
+import { blank, expectNone, findInSource, type Find } from './find-in-source.ts';
 
-const sources = import.meta.glob<string>('../**/*.{vue,css}', {
+const sources = import.meta.glob<string>('/src/**/*.{vue,css}', {
   query: '?raw',
   import: 'default',
   eager: true,
@@ -17,29 +18,36 @@ const stylesOf = (path: string, source: string): string =>
     ? source
     : [...source.matchAll(STYLE_BLOCK)].map((match) => match[1]).join('\n');
 /** In a style sheet the colon of `hover:ink-1` is escaped. */
-const rulesOf = (styles: string): string[] =>
-  classes(styles, /\.([a-z](?:\\:|[\w-])*)/gi).map((name) => name.replace('\\', ''));
+const RULE = /\.(?<name>[a-z](?:\\:|[\w-])*)/gi;
+const withoutEscape = (name: string): string => name.replace('\\', '');
 
 const templates = Object.entries(sources)
   .filter(([path]) => path.endsWith('.vue'))
-  .map(([path, source]) => ({ path, source: source.replace(STYLE_BLOCK, '') }));
+  .map(([path, source]) => ({ path, source: source.replace(STYLE_BLOCK, blank) }));
 const ruled = new Set(
-  Object.entries(sources).flatMap(([path, source]) => rulesOf(stylesOf(path, source))),
+  Object.entries(sources).flatMap(([path, source]) =>
+    classes(stylesOf(path, source), RULE).map(withoutEscape),
+  ),
 );
 
 /** Returns classes of a component that have no rule and are not used by code. */
-function unknownClasses(source: string): string[] {
-  return classes(source, /\sclass="([^"]*)"/g).filter(
-    (name) => !ruled.has(name) && !new RegExp(`['"\`][^'"\`\\n]*\\.${name}\\b`).test(source),
+function unknownClasses(path: string, source: string): Find[] {
+  const names = [...source.matchAll(/(\sclass=")([^"]*)"/g)].flatMap(
+    ({ index, 1: name = '', 2: value }) =>
+      findInSource(path, blank(source.slice(0, index + name.length)) + value, /\S+/g),
+  );
+  return names.filter(
+    ({ text }) => !ruled.has(text) && !new RegExp(`['"\`][^'"\`\\n]*\\.${text}\\b`).test(source),
   );
 }
 
-it.each(templates)('$path has no class without a rule', ({ source }) => {
-  expect(unknownClasses(source)).toEqual([]);
+it('no component has a class without a rule', () => {
+  expectNone(templates.flatMap(({ path, source }) => unknownClasses(path, source)));
 });
 
 it('a class without a rule would be found', () => {
-  expect(unknownClasses('<p class="hstack gap-99" />')).toEqual(['gap-99']);
+  const source = '<p\n  class="hstack\n    gap-99"\n/>';
+  expect(unknownClasses('a.vue', source).map(({ report }) => report)).toEqual(['a.vue:3: gap-99']);
 });
 
 it('every utility is used', () => {
@@ -51,8 +59,10 @@ it('every utility is used', () => {
     ]),
   );
   const utilities = Object.entries(sources)
-    .filter(([path]) => path.startsWith('./utilities/'))
-    .flatMap(([, source]) => rulesOf(source.replace(/\/\*[\s\S]*?\*\//g, '')));
+    .filter(([path]) => path.startsWith('/src/styles/utilities/'))
+    .flatMap(([path, source]) =>
+      findInSource(path, source.replace(/\/\*[\s\S]*?\*\//g, blank), RULE),
+    );
   expect(utilities.length).toBeGreaterThan(100);
-  expect(utilities.filter((name) => !used.has(name))).toEqual([]);
+  expectNone(utilities.filter(({ text }) => !used.has(withoutEscape(text))));
 });
