@@ -4,9 +4,10 @@ export default defineConfig({
   test: {
     name: 'master',
     include: ['src/**/*.test.ts', 'test/**/*.test.ts'],
+    exclude: ['**/*.process.test.ts'],
     // Hundreds of arbitrary frames take seconds on a busy machine; none waits for a time to pass.
     testTimeout: 60_000,
-    // A socket, a thread or a file takes seconds on a busy machine; the default is one.
+    // A file takes seconds on a busy machine; the default is one.
     expect: { poll: { timeout: 30_000 } },
   },
 });

@@ -3,11 +3,10 @@ import { defineConfig } from 'vitest/config';
 export default defineConfig({
   test: {
     name: 'pm-sandbox',
-    globalSetup: ['test/build-worker.ts'],
     include: ['src/**/*.test.ts', 'test/**/*.test.ts'],
-    // Tests that start threads take seconds on a busy machine; none waits for a time to pass.
+    exclude: ['**/*.process.test.ts'],
+    // Compiling modules takes seconds on a busy machine; none waits for a time to pass.
     testTimeout: 60_000,
-    // A socket, a thread or a file takes seconds on a busy machine; the default is one.
     expect: { poll: { timeout: 30_000 } },
   },
 });

@@ -1,4 +1,3 @@
-import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import {
   moduleProblems,
@@ -180,16 +179,6 @@ describe.each(PLAIN_MODULES.map((module) => [module.name, module] as const))(
 );
 
 describe('the source texts of the library', () => {
-  it(
-    'are made from the definitions as they are [PM-64]',
-    () => {
-      // In a process of its own: the test runner compiles what it loads, and with it the texts.
-      const script = `${import.meta.dirname}/../scripts/write-library.mjs`;
-      execFileSync(process.execPath, [script, '--check'], { stdio: 'pipe' });
-    },
-    CHECK_TIMEOUT_MS,
-  );
-
   it(
     'see nothing outside of them but the language [PM-2]',
     () => {
