@@ -6,14 +6,15 @@ import { fingerprint } from './fingerprint.mjs';
 import { findUndocumentedErrors } from './documented-errors.mjs';
 import { findRuleProblems } from './documented-rules.mjs';
 import { followGuides } from './follow-guides.mjs';
-import { inRoot, programFile, readJson, root } from './repository.mjs';
+import { inRoot, programFile, readJson } from './repository.mjs';
 import { StepFailed, expectSuccess, step, stepsTogether } from './steps.mjs';
-import { readCounts, reportFile } from './test-results.mjs';
+import { addCounts } from './test-results.mjs';
+import { runTests } from './vitest.mjs';
 
 /**
  * Everything that must hold before a change is committed. Throws StepFailed at the first thing that does not.
  *
- * @returns {Promise<import('./test-results.mjs').Counts>} counts of the unit tests
+ * @returns {Promise<import('./test-results.mjs').Counts>} counts of the unit and the process tests
  */
 export async function runGate() {
   const { problems, notes } = await step('dependencies', async () => {
@@ -26,7 +27,13 @@ export async function runGate() {
   // Writes sources, which all that follows reads
   await step('generated code unchanged', checkGeneratedCode);
   await stepsTogether(readingSteps());
-  return step('unit tests', runUnitTests);
+  const unit = await step('unit tests', () => runTests('unit'));
+  try {
+    return addCounts([unit, await step('process tests', () => runTests('process'))]);
+  } catch (error) {
+    if (error.counts !== undefined) error.counts.passed += unit.passed;
+    throw error;
+  }
 }
 
 /**
@@ -132,17 +139,4 @@ function checkTypes(folder) {
   return runNode(programFile('', 'pnpm'), [
     ...['--silent', '--dir', inRoot(folder), 'run', 'typecheck'],
   ]);
-}
-
-async function runUnitTests() {
-  const report = reportFile('unit');
-  const { code, output } = await runNode(programFile('', 'vitest'), [
-    ...['run', '--root', root, '--reporter=dot', '--reporter=json', `--outputFile.json=${report}`],
-    // Tests leave nothing behind and those with mocks reset modules, so sources are loaded once per worker instead of once per file
-    '--no-isolate',
-  ]);
-  if (code !== 0) {
-    throw Object.assign(new StepFailed(output), { counts: readCounts(report, code) });
-  }
-  return readCounts(report, code);
 }
