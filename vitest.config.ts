@@ -18,7 +18,7 @@ function processTests(
   return {
     test: {
       name,
-      include: [`${folder}/{src,test}/**/*.process.test.ts`],
+      include: [`${folder}/{scripts,src,test}/**/*.process.test.ts`],
       // A process takes seconds on a busy machine; none waits for a time to pass.
       testTimeout: 120_000,
       hookTimeout: 120_000,

@@ -102,6 +102,7 @@ export default defineConfig({
     // Else style sheets read as text are empty (styles/tokens.test.ts)
     css: true,
     include: ['src/**/*.test.ts'],
+    exclude: ['**/*.process.test.ts'],
     // Modules that a test loads late take seconds on a busy machine; none waits for a time to pass.
     testTimeout: 60_000,
     expect: { poll: { timeout: 30_000 } },
