@@ -1,13 +1,20 @@
+import { parseArgs } from 'node:util';
+
 import { requireNode } from './lib/node-version.mjs';
 
 requireNode();
 const { ensureBrowser } = await import('./lib/browser.mjs');
 const { ensureBuilt } = await import('./lib/builds.mjs');
-const { runGate } = await import('./lib/gate.mjs');
+const { runOtherGate, runQuickGate } = await import('./lib/gate.mjs');
 const { ensureInstalled } = await import('./lib/installation.mjs');
 const { runScript } = await import('./lib/steps.mjs');
 const { runBrowserTests, runInteropTests } = await import('./lib/suites.mjs');
 const { addCounts, summary } = await import('./lib/test-results.mjs');
+
+/** Without an option: what answers within minutes. `--all`: everything; `--rest`: everything else. */
+const { values } = parseArgs({
+  options: { all: { type: 'boolean' }, rest: { type: 'boolean' } },
+});
 
 /** @type {import('./lib/test-results.mjs').Counts[]} */
 const counts = [];
@@ -15,9 +22,16 @@ await runScript(async () => {
   try {
     await ensureInstalled();
     const browser = await ensureBrowser();
-    counts.push(await runGate());
+    if (!values.rest) {
+      counts.push(await runQuickGate());
+      await ensureBuilt();
+      counts.push(await runBrowserTests(browser, ['--grep', '@smoke']));
+      if (addCounts(counts).failed > 0) return;
+    }
+    if (!values.rest && !values.all) return;
+    counts.push(await runOtherGate());
     await ensureBuilt();
-    counts.push(await runBrowserTests(browser));
+    counts.push(await runBrowserTests(browser, ['--grep-invert', '@smoke']));
     counts.push(await runInteropTests());
   } catch (error) {
     counts.push(error.counts ?? { passed: 0, failed: 1 });

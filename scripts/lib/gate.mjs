@@ -2,21 +2,42 @@ import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { run, runNode } from './commands.mjs';
-import { fingerprint } from './fingerprint.mjs';
 import { findUndocumentedErrors } from './documented-errors.mjs';
 import { findRuleProblems } from './documented-rules.mjs';
+import { fingerprint } from './fingerprint.mjs';
 import { followGuides } from './follow-guides.mjs';
-import { inRoot, programFile, readJson } from './repository.mjs';
+import { checkFormat, lintSources, lintTypesOfComponents, lintTypesOfFiles } from './lint.mjs';
+import { inRoot, programFile } from './repository.mjs';
 import { StepFailed, expectSuccess, step, stepsTogether } from './steps.mjs';
-import { addCounts } from './test-results.mjs';
+import { checkTypes, packagesWithTypes } from './types.mjs';
 import { runTests } from './vitest.mjs';
 
 /**
- * Everything that must hold before a change is committed. Throws StepFailed at the first thing that does not.
+ * What most changes break: format, lint, types, unit tests. Throws StepFailed at the first thing that does not hold.
  *
- * @returns {Promise<import('./test-results.mjs').Counts>} counts of the unit and the process tests
+ * @returns {Promise<import('./test-results.mjs').Counts>} counts of the unit tests
  */
-export async function runGate() {
+export async function runQuickGate() {
+  // Writes sources, which all that follows reads
+  await step('generated code unchanged', checkGeneratedCode);
+  await stepsTogether([
+    { name: 'lint', work: () => lintSources() },
+    ...packagesWithTypes().map(({ name, folder }) => ({
+      name: `types of ${name}`,
+      work: () => checkTypes(folder),
+    })),
+    { name: 'format', work: () => checkFormat() },
+    { name: 'lint with types', work: () => lintTypesOfFiles() },
+  ]);
+  return step('unit tests', () => runTests('unit'));
+}
+
+/**
+ * Everything else that must hold before a change lands. Throws StepFailed at the first thing that does not.
+ *
+ * @returns {Promise<import('./test-results.mjs').Counts>} counts of the process tests
+ */
+export async function runOtherGate() {
   const { problems, notes } = await step('dependencies', async () => {
     // Needs packages, which may have been installed only now
     const { checkDependencies } = await import('./dependencies.mjs');
@@ -24,47 +45,24 @@ export async function runGate() {
   });
   for (const note of notes) process.stderr.write(`    ${note}\n`);
   expectNone(problems);
-  // Writes sources, which all that follows reads
-  await step('generated code unchanged', checkGeneratedCode);
-  await stepsTogether(readingSteps());
-  const unit = await step('unit tests', () => runTests('unit'));
-  try {
-    return addCounts([unit, await step('process tests', () => runTests('process'))]);
-  } catch (error) {
-    if (error.counts !== undefined) error.counts.passed += unit.passed;
-    throw error;
-  }
+  // The two longest first, so that none is left alone at the end
+  await stepsTogether([
+    { name: 'guides followed', work: followGuides },
+    { name: 'lint of components with types', work: lintTypesOfComponents },
+    { name: 'no import circles', work: checkImportOrder },
+    ...quickTextSteps(),
+    { name: 'tests of the scripts', work: testScripts },
+  ]);
+  return step('process tests', () => runTests('process'));
 }
 
-/**
- * Steps that only read the sources: the two longest first, so that none is left alone at the end, then the cheapest
- * first.
- */
-function readingSteps() {
+/** Checks of all texts that take seconds. */
+export function quickTextSteps() {
   return [
-    { name: 'lint', work: tool('eslint', 'eslint', ['.', '--max-warnings', '0']) },
-    { name: 'guides followed', work: followGuides },
-    { name: 'format', work: tool('prettier', 'prettier', ['--check', '.', '--log-level', 'warn']) },
-    {
-      name: 'no import circles',
-      work: tool('dependency-cruiser', 'depcruise', [
-        ...['--config', 'dependency-cruiser.config.mjs', ...foldersInOrder()],
-      ]),
-    },
+    { name: 'prose', work: checkWrittenWords },
     { name: 'errors documented', work: async () => expectNone(findUndocumentedErrors()) },
     { name: 'rules quoted', work: async () => expectNone(findRuleProblems()) },
-    { name: 'prose', work: checkWrittenWords },
-    ...packagesWithTypes().map(({ name, folder }) => ({
-      name: `types of ${name}`,
-      work: async () => expectSuccess(await checkTypes(folder)),
-    })),
-    { name: 'tests of the scripts', work: testScripts },
   ];
-}
-
-/** @param {string} name package @param {string} program @param {readonly string[]} args */
-function tool(name, program, args) {
-  return async () => expectSuccess(await runNode(programFile('', name, program), args));
 }
 
 /** @param {readonly string[]} problems */
@@ -75,6 +73,11 @@ function expectNone(problems) {
 async function checkWrittenWords() {
   const { checkWrittenFiles } = await import('./prose/check-prose.mjs');
   expectNone(await checkWrittenFiles());
+}
+
+async function checkImportOrder() {
+  const args = ['--config', 'dependency-cruiser.config.mjs', ...foldersInOrder()];
+  expectSuccess(await runNode(programFile('', 'dependency-cruiser', 'depcruise'), args));
 }
 
 /** Sources whose files and folders import each other in one order. */
@@ -98,7 +101,7 @@ function foldersInOrder() {
 }
 
 /** Generating again must change nothing: what is committed was made from the schema beside it. */
-async function checkGeneratedCode() {
+export async function checkGeneratedCode() {
   const generated = ['packages/proto/src/generated'];
   const before = fingerprint(generated);
   expectSuccess(
@@ -113,30 +116,10 @@ async function checkGeneratedCode() {
   }
 }
 
-/** Workspace folders with their own tsconfig. */
-function packagesWithTypes() {
-  return ['packages', 'apps', 'demos', '.']
-    .flatMap((parent) =>
-      readdirSync(inRoot(parent), { withFileTypes: true })
-        .filter((entry) => entry.isDirectory())
-        .map((entry) => join(parent, entry.name)),
-    )
-    .filter((folder) => existsSync(inRoot(folder, 'package.json')))
-    .map((folder) => ({ folder, ...readJson(inRoot(folder, 'package.json')) }))
-    .filter(({ scripts }) => scripts?.typecheck !== undefined);
-}
-
 async function testScripts() {
   // One by one: what `node --test` makes of a folder differs between versions of Node
   const tests = readdirSync(inRoot('scripts/lib'), { recursive: true })
     .filter((name) => name.endsWith('.test.mjs'))
     .map((name) => join('scripts', 'lib', name));
   expectSuccess(await run(process.execPath, ['--test', ...tests]));
-}
-
-/** Runs a package's own type check. @param {string} folder */
-function checkTypes(folder) {
-  return runNode(programFile('', 'pnpm'), [
-    ...['--silent', '--dir', inRoot(folder), 'run', 'typecheck'],
-  ]);
 }

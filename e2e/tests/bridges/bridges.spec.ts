@@ -15,7 +15,7 @@ async function openMixer() {
   return { heard, target: `osc://127.0.0.1:${socket.address().port}`, close: () => socket.close() };
 }
 
-test('an admin edits what a bridge passes; the file follows, and may be edited as well [BR-82] [BR-83] [BR-5]', async ({
+test('an admin edits what a bridge passes; the file follows, and may be edited as well [BR-82] [BR-83] [BR-5] @smoke', async ({
   room,
 }, testInfo) => {
   const [anna, robot, mixer] = await Promise.all([

@@ -12,7 +12,9 @@ function beat(client: UbiiClient, topics: number): () => void {
   return () => clearInterval(timer);
 }
 
-test('clients are listed with their devices, components and live values', async ({ room }) => {
+test('clients are listed with their devices, components and live values @smoke', async ({
+  room,
+}) => {
   const anna = await room.atDesk('Anna');
   const clients = new ClientsPage(anna);
   const robot = await room.program('Robot');

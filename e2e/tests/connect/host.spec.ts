@@ -11,7 +11,9 @@ import { makeGrant } from './make-grant.ts';
 const test = testWith('--lan', 'on', '--mdns', 'off');
 const REFUSED = /status of (401|403)/;
 
-test('the host shows one code, sees who joins with it, and takes it back', async ({ room }) => {
+test('the host shows one code, sees who joins with it, and takes it back @smoke', async ({
+  room,
+}) => {
   const desk = await room.atDesk('Ben');
   await desk.page.goto('/');
   await new Shell(desk.page).button('Connect a phone').click();

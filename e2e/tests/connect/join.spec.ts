@@ -18,7 +18,10 @@ async function stranger(
   return person;
 }
 
-test('a scanned code is one tap away from the page it is for [AC-11]', async ({ master, room }) => {
+test('a scanned code is one tap away from the page it is for [AC-11] @smoke', async ({
+  master,
+  room,
+}) => {
   const { token } = await makeGrant(master, { target: '/examples' });
   const phone = await stranger(room);
   const join = new JoinPage(phone);

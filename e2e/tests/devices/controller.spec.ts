@@ -7,7 +7,7 @@ const GAMEPAD = 'web-interface-ubii-controller-gamepad';
 
 test.use({ launchOptions: LAUNCH_WITH_CAMERA });
 
-test('a phone is the controller that existing games know, and a camera when a session says so', async ({
+test('a phone is the controller that existing games know, and a camera when a session says so @smoke', async ({
   room,
 }) => {
   const game = await room.program('game');

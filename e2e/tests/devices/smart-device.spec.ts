@@ -15,7 +15,7 @@ async function sensors(page: Page): Promise<CDPSession> {
   return page.context().newCDPSession(page);
 }
 
-test('a phone is a device with the names that existing programs look for, touched with two fingers', async ({
+test('a phone is a device with the names that existing programs look for, touched with two fingers @smoke', async ({
   room,
 }) => {
   const program = await room.program('listener');

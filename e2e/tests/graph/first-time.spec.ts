@@ -90,7 +90,9 @@ test('at a desk, a pointer is smoothed onto a second topic from an empty editor'
   });
 });
 
-test('with fingers on a tablet, a pointer is smoothed onto a second topic', async ({ room }) => {
+test('with fingers on a tablet, a pointer is smoothed onto a second topic @smoke', async ({
+  room,
+}) => {
   const pad = await aPhone(room);
   const { page } = await room.atDesk('Anna', TABLET);
   const fingers = await Fingers.on(page);

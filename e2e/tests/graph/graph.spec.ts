@@ -2,7 +2,7 @@ import { callService } from '../../fixtures/call-service.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 
-test('somebody drags a topic onto an input, is told what does not fit, starts it and sees the value', async ({
+test('somebody drags a topic onto an input, is told what does not fit, starts it and sees the value @smoke', async ({
   room,
   master,
 }) => {

@@ -13,7 +13,7 @@ async function aChain(master: MasterProcess): Promise<string> {
   return session!.id;
 }
 
-test('two people change one session, and nothing is lost', async ({ room, master }) => {
+test('two people change one session, and nothing is lost @smoke', async ({ room, master }) => {
   const id = await aChain(master);
   const anna = new GraphPage(await room.atDesk('Anna'));
   const ben = new GraphPage(await room.atDesk('Ben'));

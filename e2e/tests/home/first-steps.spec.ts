@@ -2,7 +2,7 @@ import { countLoadedScripts } from '../../fixtures/loaded-scripts.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
 
-test('home says how the master is, and what to do first while nothing happens', async ({
+test('home says how the master is, and what to do first while nothing happens @smoke', async ({
   room,
 }) => {
   const { page } = await room.atDesk('Anna');
@@ -44,7 +44,7 @@ test('home explains the product with a picture until the first session exists', 
   await expect(intro).toHaveCount(0);
 });
 
-test('a cold load of home takes less than 200 kB of JavaScript, headers included', async ({
+test('a cold load of home takes less than 200 kB of JavaScript, headers included @smoke', async ({
   room,
 }) => {
   const { page } = await room.atDesk();

@@ -29,7 +29,7 @@ async function expectRole({ page }: Pick<Person, 'page'>, role: string): Promise
   await expect(dialog).toBeHidden();
 }
 
-test('the printed address leads home as admin, over a reload, a new tab and a restart [AC-42]', async ({
+test('the printed address leads home as admin, over a reload, a new tab and a restart [AC-42] @smoke', async ({
   master,
   room,
 }) => {

@@ -59,7 +59,7 @@ async function expectAnswer(program: UbiiClient, given: number, wanted: number):
   await subscription.close();
 }
 
-test('a module is written, tried, saved, used by a session, changed under it and broken', async ({
+test('a module is written, tried, saved, used by a session, changed under it and broken @smoke', async ({
   master,
   room,
 }) => {

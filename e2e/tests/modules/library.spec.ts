@@ -41,7 +41,7 @@ test('the library is searched by words and data formats, and a module tells all 
   await expect(modules.link('mirror-pointer')).toHaveCount(0);
 });
 
-test('a module is imported, used, duplicated, exported, deleted and brought back', async ({
+test('a module is imported, used, duplicated, exported, deleted and brought back @smoke', async ({
   room,
 }) => {
   const anna = await room.atDesk('Anna');

@@ -6,7 +6,7 @@ import { Shell } from '../../pages/shell.ts';
 /** Console messages of the browser itself while the master is unreachable. */
 const UNREACHABLE = [/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/];
 
-test('the master is restarted: everybody comes back as who they were, without a reload', async ({
+test('the master is restarted: everybody comes back as who they were, without a reload @smoke', async ({
   master,
   room,
 }) => {

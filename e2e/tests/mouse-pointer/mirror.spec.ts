@@ -3,7 +3,7 @@ import { MousePointerPage } from '../../pages/mouse-pointer-page.ts';
 import { SessionsPage } from '../../pages/sessions-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
-test('one session from this page mirrors the pointer on the master, in this tab and on a node, switched live', async ({
+test('one session from this page mirrors the pointer on the master, in this tab and on a node, switched live @smoke', async ({
   room,
 }) => {
   const lab = await room.node('Lab');

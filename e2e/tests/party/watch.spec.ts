@@ -2,7 +2,7 @@ import { countLoadedScripts } from '../../fixtures/loaded-scripts.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { PartyPhonePage, PartyScreenPage } from '../../pages/party-pages.ts';
 
-test('somebody watches without a seat, cheers on the big screen, and takes a seat', async ({
+test('somebody watches without a seat, cheers on the big screen, and takes a seat @smoke', async ({
   room,
 }) => {
   const screen = new PartyScreenPage((await room.atDesk('Big screen')).page);

@@ -28,7 +28,7 @@ test('K keeps the last minutes on any page, under a name that is edited at once'
   await expect(anna.track('/lab/angle')).toBeVisible();
 });
 
-test('a recording is made, opened and scrubbed, and its graph shows the values of that moment', async ({
+test('a recording is made, opened and scrubbed, and its graph shows the values of that moment @smoke', async ({
   master,
   room,
 }) => {

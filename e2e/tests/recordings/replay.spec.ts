@@ -4,7 +4,7 @@ import { placedSession } from '../../fixtures/placed-session.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { RecordingsPage } from '../../pages/recordings-page.ts';
 
-test('a recording plays into live topics, mutes who publishes them, and lets go of them again [RP-20]', async ({
+test('a recording plays into live topics, mutes who publishes them, and lets go of them again [RP-20] @smoke', async ({
   room,
 }) => {
   const robot = await room.program('Robot');

@@ -89,7 +89,7 @@ const ENDINGS = [
 ] as const;
 
 for (const [ending, end] of ENDINGS) {
-  test(`npm start serves the page, and ${ending} ends all of it within two seconds`, async () => {
+  test(`npm start serves the page, and ${ending} ends all of it within two seconds @smoke`, async () => {
     const addresses = await npmStart();
     const page = await fetch(addresses.url);
     expect(page.headers.get('content-type')).toContain('text/html');

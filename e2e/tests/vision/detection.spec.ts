@@ -17,7 +17,7 @@ const SESSION = {
   ],
 };
 
-test('objects in pictures are found on the master and, moved while it runs, in a tab [PM-90]', async ({
+test('objects in pictures are found on the master and, moved while it runs, in a tab [PM-90] @smoke', async ({
   room,
 }) => {
   const robot = await room.program('Robot');

@@ -1,0 +1,44 @@
+import { join } from 'node:path';
+
+import { runNode } from './commands.mjs';
+import { cacheFolder, programFile } from './repository.mjs';
+import { expectSuccess } from './steps.mjs';
+
+/** Folders with TypeScript; oxlint would walk through node_modules as well. */
+const SOURCES = ['packages', 'apps', 'demos', 'benchmarks', 'e2e', 'robustness'];
+
+/**
+ * ESLint, with the rules that need one file each. That is why results can be kept between runs on one machine; CI begins
+ * without.
+ *
+ * @param {readonly string[]} [files] default: all
+ */
+export async function lintSources(files = ['.']) {
+  const args = [...files, '--max-warnings', '0', '--no-warn-ignored', ...cacheFlags('eslint')];
+  expectSuccess(await runNode(programFile('', 'eslint'), args));
+}
+
+/** oxlint, with the rules that need types, for all but components. @param {readonly string[]} [files] default: all */
+export async function lintTypesOfFiles(files = SOURCES) {
+  expectSuccess(await runNode(programFile('', 'oxlint'), ['--type-aware', ...files]));
+}
+
+/** ESLint, with the rules that need types, for components. @param {readonly string[]} [files] default: all */
+export async function lintTypesOfComponents(files = ['**/*.vue']) {
+  const args = ['--config', 'eslint.types.config.js', '--no-warn-ignored', ...files];
+  expectSuccess(await runNode(programFile('', 'eslint'), args));
+}
+
+/** Prettier. @param {readonly string[]} [files] default: all */
+export async function checkFormat(files = ['.']) {
+  const args = ['--check', ...files, '--log-level', 'warn', '--ignore-unknown'];
+  expectSuccess(await runNode(programFile('', 'prettier'), [...args, ...cacheFlags('prettier')]));
+}
+
+/** @param {string} name */
+function cacheFlags(name) {
+  if (process.env.CI) return [];
+  const place = ['--cache', '--cache-location', join(cacheFolder, name)];
+  // Dates of files say nothing after a change of branch.
+  return [...place, '--cache-strategy', 'content'];
+}
