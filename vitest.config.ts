@@ -6,7 +6,7 @@ const BUILDS = new Map([
   ['apps/bridge', 'apps/bridge/test/build-programs.ts'],
   ['apps/node', 'apps/node/test/build-programs.ts'],
   ['packages/pm-sandbox', 'packages/pm-sandbox/test/build-worker.ts'],
-  ['robustness', 'robustness/src/master/build-for-tests.ts'],
+  ['robustness', 'packages/harness/src/master/build-for-tests.ts'],
 ]);
 
 /** Tests that start processes or threads, or listen on sockets. The configurations of their packages leave them out. */

@@ -1,4 +1,4 @@
-import { BUILT_MASTER } from './brokers/master-process.ts';
+import { BUILT_MASTER } from '@ubii/harness';
 import { placeProcesses } from './cpu-placement.ts';
 import type { RunOptions } from './options.ts';
 import { SharedParts } from './parts/shared-parts.ts';

@@ -2,6 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { buildMaster } from '@ubii/harness';
 
 const inPackage = (path: string): string => fileURLToPath(new URL(`../${path}`, import.meta.url));
 const bridgeFolder = inPackage('.cache/bridge/');
@@ -16,10 +17,6 @@ export function setup(): void {
   mkdirSync(inPackage('.cache'), { recursive: true });
   // The programs read their version from it.
   copyFileSync(inPackage('package.json'), inPackage('.cache/package.json'));
-  for (const [builder, folder] of [
-    ['build.mjs', bridgeFolder],
-    ['../master/build.mjs', masterFolder],
-  ] as const) {
-    execFileSync(process.execPath, [inPackage(builder), folder], { stdio: 'inherit' });
-  }
+  execFileSync(process.execPath, [inPackage('build.mjs'), bridgeFolder], { stdio: 'inherit' });
+  buildMaster(masterFolder);
 }

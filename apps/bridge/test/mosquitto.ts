@@ -3,7 +3,7 @@ import type { ChildProcess } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { endProgram, findProgram, freePort } from '@ubii/program/testing/brokers';
+import { endProgram, findProgram, freePort } from '@ubii/harness';
 
 const MISSING = `Tests of the bridge need the broker Mosquitto (command \`mosquitto\`), and it was not found. Install it:
   Debian, Ubuntu   apt-get install mosquitto   (as root, \`npm test\` does that by itself)

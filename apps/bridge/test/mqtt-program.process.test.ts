@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { temporaryFolder } from '@ubii/program/testing';
-import { startNats } from '@ubii/program/testing/brokers';
+import { startNats } from '@ubii/harness';
 import { connectAsync } from 'mqtt';
 import type { MqttClient } from 'mqtt';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
@@ -191,8 +191,7 @@ describe('the bridge as a process, with Mosquitto', () => {
     async (_name, root, count) => {
       const nats = await startNats({ jetstream: true });
       onTestFinished(() => nats.stop());
-      const cluster = ['--trust-loopback', '--cluster', `nats://127.0.0.1:${nats.port}`];
-      const start = () => startMaster(0, undefined, cluster);
+      const start = () => startMaster({ flags: ['--cluster', nats.url] });
       const masters = [await start(), await start()].map(({ url }) => url);
       await startTwo(root, masters, count > 1);
       for (const [index, url] of masters.entries()) {
@@ -352,10 +351,10 @@ describe('the bridge as a process, with Mosquitto', () => {
     const second = startBridge(target, master.url, file);
     expect((await connected(second)).id).toBe(id);
     expect(JSON.parse(readFileSync(identity, 'utf8'))).toMatchObject({ clientId: id });
-    await master.program.kill();
+    await master.kill();
     await second.says('until it succeeds');
-    const again = await startMaster(master.port, master.dataDir);
-    const client = await joinAs(again.url);
+    await master.restart();
+    const client = await joinAs(master.url);
     const records = await collect(client, '/again/*');
     const { peer } = await openPeer('nothing');
     await expect

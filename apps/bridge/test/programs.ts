@@ -2,12 +2,8 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
-import {
-  RunningProgram,
-  startMaster as startProgram,
-  temporaryFolder,
-} from '@ubii/program/testing';
-import type { MasterArgs, StartedMaster } from '@ubii/program/testing';
+import { MasterProcess, type MasterStart } from '@ubii/harness';
+import { RunningProgram, temporaryFolder } from '@ubii/program/testing';
 import { onTestFinished } from 'vitest';
 import { bridgeProgram, masterProgram } from './build-programs.ts';
 
@@ -17,9 +13,12 @@ export interface Printed {
   readonly name: string;
 }
 
-/** Starts a master, as `startProgram` does. */
-export const startMaster = (...args: MasterArgs): Promise<StartedMaster> =>
-  startProgram(masterProgram, ...args);
+/** Starts a master, which ends with the test. */
+export async function startMaster(start: MasterStart = {}): Promise<MasterProcess> {
+  const master = await MasterProcess.start({ program: masterProgram, ...start });
+  onTestFinished(() => master.dispose());
+  return master;
+}
 
 /** Writes a mapping file. @returns its path */
 export function mappingFile(

@@ -4,7 +4,7 @@ import { delimiter, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { readOptions } from '@ubii/program';
 import { temporaryFolder } from '@ubii/program/testing';
-import { startNats } from '@ubii/program/testing/brokers';
+import { startNats } from '@ubii/harness';
 import { SystemClock } from '@ubii/timing/system';
 import { afterAll, beforeAll, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { parse } from 'yaml';

@@ -2,6 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { buildMaster } from '@ubii/harness';
 
 const inPackage = (path: string): string => fileURLToPath(new URL(`../${path}`, import.meta.url));
 const nodeFolder = inPackage('.cache/node/');
@@ -17,10 +18,6 @@ export function setup(): void {
   mkdirSync(inPackage('.cache'), { recursive: true });
   // The programs read their version from it.
   copyFileSync(inPackage('package.json'), inPackage('.cache/package.json'));
-  for (const [builder, folder] of [
-    ['build.mjs', nodeFolder],
-    ['../master/build.mjs', masterFolder],
-  ] as const) {
-    execFileSync(process.execPath, [inPackage(builder), folder], { stdio: 'inherit' });
-  }
+  execFileSync(process.execPath, [inPackage('build.mjs'), nodeFolder], { stdio: 'inherit' });
+  buildMaster(masterFolder);
 }

@@ -1,9 +1,9 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
+import { reasonAgainstNats, startNats, type MasterProcess } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
-import { temporaryFolder, type StartedMaster } from '@ubii/program/testing';
-import { reasonAgainstNats, startNats } from '@ubii/program/testing/brokers';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { startMaster, startNode } from './programs.ts';
 
@@ -14,7 +14,7 @@ const reason = reasonAgainstNats();
 if (reason !== undefined) console.warn(`The test of a node in a cluster is left out: ${reason}`);
 
 /** Waits until a master tells its clients of another one. @returns the token of an invitation, which is good at both */
-async function inviteWhenKnown({ port, dataDir }: StartedMaster): Promise<string> {
+async function inviteWhenKnown({ port, dataDir }: MasterProcess): Promise<string> {
   const joinToken = readFileSync(join(dataDir, 'admin-token'), 'utf8').trim();
   const url = `http://127.0.0.1:${port}`;
   const client = createClient({ url, name: 'guest', joinToken, identity: createMemoryIdentity() });
@@ -32,8 +32,12 @@ describe.skipIf(reason !== undefined)('a node in a cluster', () => {
     const nats = await startNats({ jetstream: true });
     onTestFinished(() => nats.stop());
     const authority = join(temporaryFolder(), 'authority.pem');
-    const flags = ['--lan', 'on', '--mdns', 'off', '--cluster', nats.url];
-    const start = () => startMaster(0, temporaryFolder(), [...flags, '--tls-authority', authority]);
+    const start = () =>
+      startMaster({
+        network: ['--lan', 'on'],
+        trustsLoopback: false,
+        flags: ['--cluster', nats.url, '--tls-authority', authority],
+      });
     const [a, b] = [await start(), await start()];
     const certificate = join(temporaryFolder(), 'ca.pem');
     writeFileSync(certificate, await (await fetch(`http://127.0.0.1:${a.port}/ca.pem`)).text());
@@ -55,7 +59,7 @@ describe.skipIf(reason !== undefined)('a node in a cluster', () => {
       { env: { NODE_EXTRA_CA_CERTS: certificate } },
     );
     const { id } = await node.ready<{ id: string }>();
-    await a.program.kill();
+    await a.kill();
     await node.says(new RegExp(`Moved to https://[^ ]+:${b.port}\\n`));
     await node.says(new RegExp(`Connected to https://[^ ]+:${b.port} as ${id}`));
     expect(node.stderr).not.toContain('http://');

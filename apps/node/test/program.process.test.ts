@@ -76,7 +76,7 @@ async function expectOut(client: UbiiClient, value: number, output: number): Pro
 
 describe('the node as a process', () => {
   it('is a participant on the machine of the master, and an admin with the file of its token [AC-40] [AC-44]', async () => {
-    const master = await startMaster(0, temporaryFolder(), []);
+    const master = await startMaster({ trustsLoopback: false });
     const identity = ['--identity', 'off', '--master', master.url];
     const tokenFile = ['--token-file', join(master.dataDir, 'admin-token')];
     const [plain, admin] = [
@@ -171,7 +171,7 @@ describe('the node as a process', () => {
     const master = await startMaster();
     const node = startNode(['--master', master.url, ...printing]);
     await node.ready<Printed>();
-    await master.program.kill();
+    await master.kill();
     node.child.kill('SIGINT');
     expect(await node.ended()).toBe(0);
   });
@@ -185,16 +185,16 @@ describe('the node as a process', () => {
   });
 
   it('connects to a master that starts later, and to one that restarts', async () => {
-    const first = await startMaster();
-    await first.program.kill();
-    const node = startNode(['--master', first.url, '--name', 'patient', ...printing]);
+    const master = await startMaster();
+    await master.kill();
+    const node = startNode(['--master', master.url, '--name', 'patient', ...printing]);
     await node.says('Retrying until it succeeds');
-    const second = await startMaster(first.port, first.dataDir);
+    await master.restart();
     const { id } = await node.ready<Printed>();
-    await second.program.kill();
+    await master.kill();
     await node.says(/until it succeeds[^]*until it succeeds/);
-    await startMaster(first.port, first.dataDir);
-    const client = await joinAs(first.url);
+    await master.restart();
+    const client = await joinAs(master.url);
     await expect.poll(() => nodeNames(client), POLL).toEqual(['patient']);
     const { elements } = await client.call('nodeList');
     expect(elements[1]?.clientId).toBe(id);

@@ -1,12 +1,16 @@
-import { RunningProgram, startMaster as startProgram } from '@ubii/program/testing';
-import type { MasterArgs, StartedMaster } from '@ubii/program/testing';
+import { MasterProcess, type MasterStart } from '@ubii/harness';
+import { RunningProgram } from '@ubii/program/testing';
+import { onTestFinished } from 'vitest';
 import { masterProgram, nodeProgram } from './build-programs.ts';
 
 export { recordingsProgram } from './build-programs.ts';
 
-/** Starts a master, as `startProgram` does. */
-export const startMaster = (...args: MasterArgs): Promise<StartedMaster> =>
-  startProgram(masterProgram, ...args);
+/** Starts a master, which ends with the test. */
+export async function startMaster(start: MasterStart = {}): Promise<MasterProcess> {
+  const master = await MasterProcess.start({ program: masterProgram, ...start });
+  onTestFinished(() => master.dispose());
+  return master;
+}
 
 /** Starts a node. */
 export function startNode(

@@ -1,15 +1,14 @@
-import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
+import { MasterProcess, startNats, type NatsServer } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
 import { NatsConnection } from '../load/nats-connection.ts';
 import { NATS } from '../load/nats-wire.ts';
-import { startMasterProcess, type MasterProcess } from './master-process.ts';
 import type { Access } from './target.ts';
 import { joinMaster } from './ubii.ts';
 
 /** Masters in the cluster. */
 const MASTERS = 3;
 const HEARD_MS = 20_000;
-const METRIC = /^ubii_cluster_masters (\d+)$/m;
+const METRIC = 'ubii_cluster_masters';
 
 /** Several masters and their NATS server. */
 export interface RunningCluster {
@@ -58,14 +57,16 @@ export async function startCluster(
   const nats = await startNatsPart();
   const masters: MasterProcess[] = [];
   const stop = async (): Promise<void> => {
-    await Promise.all(masters.map((each) => each.stop()));
+    await Promise.all(masters.map((each) => each.dispose()));
     await nats.stop();
   };
   try {
     for (let index = 0; index < MASTERS; index += 1) {
       const flags = ['--cluster', nats.url];
       const name = `master-${index + 1}`;
-      masters.push(await startMasterProcess({ master, profileDir, flags, name }));
+      masters.push(
+        await MasterProcess.start({ program: master, profileDir, flags, profileName: name }),
+      );
     }
     await Promise.all(masters.map(waitForOthers));
   } catch (error) {
@@ -109,11 +110,10 @@ async function passOthers(master: MasterProcess): Promise<void> {
   await master.call({ topic: SERVICES.topicList.topic });
 }
 
-async function waitForOthers({ url }: MasterProcess): Promise<void> {
+async function waitForOthers(master: MasterProcess): Promise<void> {
   const endMs = performance.now() + HEARD_MS;
   while (performance.now() < endMs) {
-    const text = await (await fetch(`${url}/metrics`)).text();
-    if (Number(METRIC.exec(text)?.[1]) === MASTERS - 1) return;
+    if ((await master.metrics()).get(METRIC) === MASTERS - 1) return;
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
   throw new Error('The masters of the cluster did not hear each other.');

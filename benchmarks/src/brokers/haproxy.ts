@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 
-import { freePort } from '@ubii/program/testing/brokers';
+import { freePort } from '@ubii/harness';
 
 const PROGRAM = '/usr/sbin/haproxy';
 const START_MS = 5_000;

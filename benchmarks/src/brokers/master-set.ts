@@ -1,5 +1,4 @@
-import { startNats } from '@ubii/program/testing/brokers';
-import { startMasterProcess, type MasterProcess } from './master-process.ts';
+import { MasterProcess, startNats } from '@ubii/harness';
 
 /** Masters that work as one, or one that is alone, with what connects them. */
 export interface MasterSet {
@@ -11,14 +10,14 @@ export interface MasterSet {
 
 export interface MasterSetStart {
   /** Main file of the masters. */
-  readonly master: string;
+  readonly program: string;
   readonly profileDir: string | undefined;
 }
 
 /** One master that is in no cluster. */
 export async function startOneMaster(start: MasterSetStart): Promise<MasterSet> {
-  const master = await startMasterProcess(start);
-  return { masters: [master], helpers: [], stop: () => master.stop() };
+  const master = await MasterProcess.start(start);
+  return { masters: [master], helpers: [], stop: () => master.dispose() };
 }
 
 /**
@@ -30,13 +29,13 @@ export async function startMasterCluster(start: MasterSetStart, count: number): 
   const nats = await startNats({ jetstream: true });
   const masters: MasterProcess[] = [];
   const stop = async (): Promise<void> => {
-    await Promise.all(masters.map((master) => master.stop()));
+    await Promise.all(masters.map((master) => master.dispose()));
     await nats.stop();
   };
   try {
     // One after the other: the first one creates the stores.
     while (masters.length < count) {
-      masters.push(await startMasterProcess({ ...start, flags: ['--cluster', nats.url] }));
+      masters.push(await MasterProcess.start({ ...start, flags: ['--cluster', nats.url] }));
     }
     return { masters, helpers: [nats.pid!], stop };
   } catch (error) {

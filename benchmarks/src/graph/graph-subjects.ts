@@ -1,4 +1,4 @@
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
+import { MasterProcess } from '@ubii/harness';
 import { startSession } from '../modules/running-session.ts';
 import { writeModuleFolder } from '../modules/trusted-modules.ts';
 import type { WorkloadSetting } from '../measuring/workload.ts';
@@ -39,7 +39,7 @@ export async function openGraphSubjects(
 ): Promise<{ subjects: readonly GraphSubject[]; master: MasterProcess }> {
   const folder = await parts.get('modules', () => writeModuleFolder([ADDER]));
   const master = await parts.get('master', () =>
-    startMasterProcess({ master: file, profileDir, modulesDir: folder.path }),
+    MasterProcess.start({ program: file, profileDir, flags: ['--modules', folder.path] }),
   );
   const browser = await parts.get('browser', startCanvasBrowser);
   const bare = await parts.get('bare canvas', serveBareCanvas);

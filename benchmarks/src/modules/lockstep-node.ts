@@ -1,6 +1,6 @@
 import { fileURLToPath } from 'node:url';
+import type { MasterProcess } from '@ubii/harness';
 import { startBrokerProcess } from '../brokers/broker-process.ts';
-import type { MasterProcess } from '../brokers/master-process.ts';
 
 /** A node in a process of its own, see lockstep-node-main.ts. */
 export interface LockstepNode {

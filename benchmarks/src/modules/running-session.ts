@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES, SessionState, type Init, type Session } from '@ubii/proto';
-import type { MasterProcess } from '../brokers/master-process.ts';
 
 const POLL_MS = 20;
 const MAX_PROBLEMS = 3;

@@ -1,6 +1,7 @@
-/** Something that runs and has to be ended. */
+/** Something that runs and has to be ended, by `dispose` when it also has something to remove. */
 export interface Part {
   stop(): Promise<void>;
+  dispose?(): Promise<void>;
 }
 
 /** Brokers, nodes and workers shared by the workloads of a group. Each is started on first use. */
@@ -21,6 +22,10 @@ export class SharedParts {
   async stop(): Promise<void> {
     const started = [...this.#parts.values()].reverse();
     this.#parts.clear();
-    for (const part of started) await part.then((running) => running.stop()).catch(() => undefined);
+    for (const part of started) await part.then(end).catch(() => undefined);
   }
+}
+
+function end(part: Part): Promise<void> {
+  return part.dispose?.() ?? part.stop();
 }

@@ -1,6 +1,6 @@
 import { createClient, systemClock, type UbiiClient } from '@ubii/client-web/node';
+import type { MasterProcess } from '@ubii/harness';
 import { PartyPhone, settingTopic, type RoomView } from '@ubii/party/net';
-import type { MasterProcess } from '../brokers/master-process.ts';
 
 export const PLAYERS = 32;
 /** Phones steer so often. */

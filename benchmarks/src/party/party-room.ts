@@ -1,4 +1,5 @@
 import { createClient, type UbiiClient } from '@ubii/client-web/node';
+import type { MasterProcess } from '@ubii/harness';
 import type { RoundPlan, RoundSeats, RoundState } from '@ubii/party/modules';
 import {
   gameSession,
@@ -9,7 +10,6 @@ import {
   stateTopic,
 } from '@ubii/party/net';
 import type { HillState } from '@ubii/party/sim';
-import type { MasterProcess } from '../brokers/master-process.ts';
 import { startSession, type RunningSession } from '../modules/running-session.ts';
 import type { Part } from '../parts/shared-parts.ts';
 

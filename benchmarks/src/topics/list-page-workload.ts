@@ -1,4 +1,4 @@
-import { startMasterProcess } from '../brokers/master-process.ts';
+import { MasterProcess } from '@ubii/harness';
 import type { Part } from '../parts/shared-parts.ts';
 import { IN_CHROMIUM } from '../browser/in-chromium.ts';
 import type { Workload } from '../measuring/workload.ts';
@@ -34,7 +34,7 @@ export function listPageWorkload(plan: ListPagePlan): Workload {
     ...IN_CHROMIUM,
     open: async ({ parts, master: file, profileDir }) => {
       const master = await parts.get('master', () =>
-        startMasterProcess({ master: file, profileDir }),
+        MasterProcess.start({ program: file, profileDir }),
       );
       const content = await parts.get(what, () => fill(master.url));
       const browser = await parts.get('browser', startListBrowser);

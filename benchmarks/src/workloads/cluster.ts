@@ -1,3 +1,4 @@
+import { MasterProcess } from '@ubii/harness';
 import {
   accessTo,
   accessToAll,
@@ -5,7 +6,6 @@ import {
   type NatsPart,
   type RunningCluster,
 } from '../brokers/cluster.ts';
-import { startMasterProcess } from '../brokers/master-process.ts';
 import { startRelays, type Relays } from '../brokers/relays.ts';
 import type { Access } from '../brokers/target.ts';
 import { joinMaster } from '../brokers/ubii.ts';
@@ -175,7 +175,7 @@ function relaysOf({ parts, profileDir }: WorkloadSetting, nats: NatsPart): Promi
 
 async function aloneOf({ parts, master, profileDir }: WorkloadSetting): Promise<Access> {
   const running = await parts.get('master-alone', () =>
-    startMasterProcess({ master, profileDir, name: 'ubii-alone' }),
+    MasterProcess.start({ program: master, profileDir, profileName: 'ubii-alone' }),
   );
   return {
     pids: [running.pid],

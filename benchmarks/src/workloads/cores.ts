@@ -131,7 +131,7 @@ async function openLayouts({
   master,
   profileDir,
 }: WorkloadSetting): Promise<(readonly [Subject['name'], Layout])[]> {
-  const start = { master, profileDir };
+  const start = { program: master, profileDir };
   const one = await parts.get('one', () => startOneMaster(start));
   const two = await parts.get('two', () => startMasterCluster(start, MASTERS));
   const layouts: (readonly [string, Layout])[] = [
@@ -210,9 +210,9 @@ async function measureConnecting(
 
 function joinAt({ set, origin }: Layout, place: number): Join {
   const master = set.masters[place]!;
-  const topicData =
-    origin === undefined ? master.topicData : origin + new URL(master.topicData).pathname;
-  return (role, receiver) => joinMaster({ ...master, topicData }, role, receiver, true);
+  const { topicDataWs } = master.endpoints;
+  const url = origin === undefined ? topicDataWs : origin + new URL(topicDataWs).pathname;
+  return (role, receiver) => joinMaster(master, role, receiver, true, url);
 }
 
 /** Rooms take their turns at different moments, as people do. */

@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { MasterProcess } from '@ubii/harness';
 import { encodeRecord } from '@ubii/proto';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import type { BrokerClient, ClientRole } from '../brokers/target.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { mainThreadCpuUs } from '../cpu-time.ts';
@@ -43,7 +43,7 @@ export const firstPublish: Workload = {
   roundShare: 1 / 3,
   open: async ({ parts, master: file, profileDir }) => {
     const master = await parts.get('master', () =>
-      startMasterProcess({ master: file, profileDir }),
+      MasterProcess.start({ program: file, profileDir }),
     );
     return [WITHOUT, WITH].map((name) => ({
       name,

@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import type { Target } from '../brokers/target.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { startBodySender } from '../load/body-sender.ts';
@@ -80,7 +80,9 @@ export const hostileBodies: Workload = {
   roundShare: 1,
   open: async ({ parts, master, profileDir }) => {
     const ring = createRecordRing('hostile-bodies', RECORD_BYTES);
-    const running = await parts.get('master', () => startMasterProcess({ master, profileDir }));
+    const running = await parts.get('master', () =>
+      MasterProcess.start({ program: master, profileDir }),
+    );
     return [NO_BODIES, ...Object.keys(BODIES)].map((name) => ({
       name,
       pids: [running.pid],

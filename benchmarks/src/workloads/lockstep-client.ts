@@ -1,5 +1,5 @@
+import type { MasterProcess } from '@ubii/harness';
 import { encodeRecord, type EmptyRecord, type TopicRecord } from '@ubii/proto';
-import type { MasterProcess } from '../brokers/master-process.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { OPCODE } from '../load/frame-reader.ts';
 import { clientFrame } from '../load/frames.ts';

@@ -1,7 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { MasterProcess } from '@ubii/harness';
 import { sessionStatisticsTopic, type SessionStatistics } from '@ubii/proto';
 import { counted } from '@ubii/words';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { echoTopics, LOCKSTEP_MODULE, passTopics } from '../modules/lockstep-module.ts';
 import { startLockstepNode, type LockstepNode } from '../modules/lockstep-node.ts';
 import { buildWorkerFile } from '../modules/node-sandboxes.ts';
@@ -59,7 +59,7 @@ export function lockstep(modules: number, nodes: number): Workload {
     roundShare: 1 / 5,
     open: async (setting) => {
       const master = await setting.parts.get('master', () =>
-        startMasterProcess({ master: setting.master, profileDir: setting.profileDir }),
+        MasterProcess.start({ program: setting.master, profileDir: setting.profileDir }),
       );
       const running = await startNodes(nodes, master, setting);
       const pids = [master.pid, ...running.map(({ pid }) => pid)];

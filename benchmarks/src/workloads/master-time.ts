@@ -1,7 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { createClient } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
+import { MasterProcess } from '@ubii/harness';
 import { percentile } from '../statistics.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
@@ -32,7 +32,9 @@ export const masterTime: Workload = {
   placement: 'anywhere',
   roundShare: 1,
   open: async ({ parts, master, profileDir }) => {
-    const running = await parts.get('master', () => startMasterProcess({ master, profileDir }));
+    const running = await parts.get('master', () =>
+      MasterProcess.start({ program: master, profileDir }),
+    );
     return [subjectOf(STATED, running), subjectOf(TRUE, running)];
   },
 };

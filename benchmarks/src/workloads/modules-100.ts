@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { MasterProcess } from '@ubii/harness';
 import type { Init, ProcessingModule } from '@ubii/proto';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { LoadConnection } from '../load/load-connection.ts';
 import { RecordReceiver } from '../load/record-receiver.ts';
@@ -63,7 +63,7 @@ export const modules100: Workload = {
   open: async ({ parts, master: file, profileDir }) => {
     const folder = await parts.get('modules', () => writeModuleFolder([TICKER_MODULE]));
     const master = await parts.get('master', () =>
-      startMasterProcess({ master: file, profileDir, modulesDir: folder.path }),
+      MasterProcess.start({ program: file, profileDir, flags: ['--modules', folder.path] }),
     );
     const bareTopics = topicsOf('bare');
     const host = await parts.get('ticker host', () => startTickerHost(bareTopics, profileDir));

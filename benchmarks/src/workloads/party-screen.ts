@@ -1,5 +1,5 @@
 import { setTimeout as sleep } from 'node:timers/promises';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
+import { MasterProcess } from '@ubii/harness';
 import { startBrowserCpu } from '../browser/browser-cpu.ts';
 import { serveBareScreen } from '../party/bare-screen.ts';
 import { HostedParty } from '../party/hosted-party.ts';
@@ -63,7 +63,7 @@ export const partyScreen: Workload = {
   ...IN_CHROMIUM,
   open: async ({ parts, master: file, profileDir }) => {
     const master = await parts.get('master', () =>
-      startMasterProcess({ master: file, profileDir }),
+      MasterProcess.start({ program: file, profileDir }),
     );
     const browser = await parts.get('screen browser', startScreenBrowser);
     const bare = await parts.get('bare screen', serveBareScreen);

@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { MasterProcess } from '@ubii/harness';
 import { phoneTopic } from '@ubii/party/net';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { PartyRoom } from '../party/party-room.ts';
 import { percentile } from '../statistics.ts';
 import { startLap } from '../measuring/stopwatch.ts';
@@ -34,7 +34,7 @@ export const party: Workload = {
   roundShare: 1 / 3,
   open: async ({ parts, master: file, profileDir }) => {
     const master = await parts.get('master', () =>
-      startMasterProcess({ master: file, profileDir }),
+      MasterProcess.start({ program: file, profileDir }),
     );
     const room = await parts.get('party room', () => PartyRoom.open(master));
     const subject = (name: string, press: (room: PartyRoom) => Promise<number>): Subject => ({

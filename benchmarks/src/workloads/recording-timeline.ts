@@ -1,7 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { MasterProcess } from '@ubii/harness';
 import { startBrowserCpu } from '../browser/browser-cpu.ts';
 import { IN_CHROMIUM } from '../browser/in-chromium.ts';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { descendantPids } from '../cpu-time.ts';
 import {
   startCanvasBrowser,
@@ -60,7 +60,7 @@ export const recordingTimeline: Workload = {
   ...IN_CHROMIUM,
   open: async ({ parts, master: file, profileDir }) => {
     const master = await parts.get('master', () =>
-      startMasterProcess({ master: file, profileDir }),
+      MasterProcess.start({ program: file, profileDir }),
     );
     const browser = await parts.get('browser', startCanvasBrowser);
     const bare = await parts.get('bare canvas', serveBareCanvas);

@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { mainThreadCpuUs } from '../cpu-time.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
@@ -61,7 +61,9 @@ export const recording: Workload = {
   roundShare: 1,
   open: async ({ parts, master, profileDir }) => {
     const ring = createRecordRing('recording', RECORD_BYTES);
-    const running = await parts.get('master', () => startMasterProcess({ master, profileDir }));
+    const running = await parts.get('master', () =>
+      MasterProcess.start({ program: master, profileDir }),
+    );
     return [OFF, FLIGHT, RECORDING].map((name) => ({
       name,
       pids: [running.pid],

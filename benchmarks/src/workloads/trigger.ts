@@ -1,5 +1,5 @@
+import { MasterProcess } from '@ubii/harness';
 import type { Init, ProcessingModule } from '@ubii/proto';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { openEcho } from '../calls/echo-callee.ts';
 import { measureCalls, warmUp } from '../calls/measure-calls.ts';
@@ -45,7 +45,7 @@ export const trigger: Workload = {
   open: async ({ parts, master: file, profileDir }) => {
     const folder = await parts.get('modules', () => writeModuleFolder([ECHO_MODULE]));
     const master = await parts.get('master', () =>
-      startMasterProcess({ master: file, profileDir, modulesDir: folder.path }),
+      MasterProcess.start({ program: file, profileDir, flags: ['--modules', folder.path] }),
     );
     const bare = await parts.get(BARE_WORKER, startBareWorker);
     const bareCalls = bareCallee(bare, RECORD_PAYLOAD);

@@ -1,9 +1,9 @@
 import { fileURLToPath } from 'node:url';
+import { MasterProcess } from '@ubii/harness';
 import { encodeRecord } from '@ubii/proto';
 import { recordFrameHeader } from '@ubii/proto/wire';
 import { Dealer } from 'zeromq';
 import { startBrokerProcess } from '../brokers/broker-process.ts';
-import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 import { percentile } from '../statistics.ts';
@@ -43,7 +43,7 @@ export const zeromq: Workload = {
       startBrokerProcess({ name: BARE, args: [ECHO], profileDir }),
     );
     const running = await parts.get('master-zeromq', () =>
-      startMasterProcess({ master, profileDir, flags: ['--zeromq-ports', '0,0'] }),
+      MasterProcess.start({ program: master, profileDir, flags: ['--zeromq-ports', '0,0'] }),
     );
     const { server } = await running.call({ topic: '/services/server_configuration' });
     return [

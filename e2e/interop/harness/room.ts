@@ -1,10 +1,11 @@
 import { createMemoryIdentity, type UbiiClient } from '@ubii/client-web';
 import { createClient } from '@ubii/client-web/node';
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES, type Client } from '@ubii/proto';
 import { afterEach, beforeEach, expect, inject } from 'vitest';
-import { MasterProcess } from '../../fixtures/master-process.ts';
 import { CLIENT_NAMES, type ClientKind } from './client-kind.ts';
 import { LegacyClient, type LegacyAddresses } from './legacy-client.ts';
+import { endMaster, startMaster } from '../../fixtures/start-master.ts';
 
 /** A master with both old ports, and the clients that joined it. */
 export interface Room {
@@ -74,17 +75,16 @@ export function useRoom(): Room {
 
   beforeEach(async () => {
     leave = [];
-    master = await MasterProcess.start({
-      legacyPorts: '0,0',
+    master = await startMaster({
       trustsLoopback: false,
-      flags: ['--zeromq-ports', '0,0'],
+      flags: ['--legacy-ports', '0,0', '--zeromq-ports', '0,0'],
     });
     legacy = await whereClientsLook(master);
   });
   afterEach(async () => {
     await Promise.all(leave.map((each) => each()));
     const { failures } = room.master;
-    await room.master.dispose();
+    await endMaster(room.master);
     expect(failures, 'lines in the log of the master that say something broke').toEqual([]);
   });
   return room;
@@ -110,7 +110,7 @@ interface OldAddresses {
 
 /** The ports the master tells existing clients. */
 export async function whereClientsLook(master: MasterProcess): Promise<OldAddresses> {
-  const response = await fetch(master.addresses.servicesJson, {
+  const response = await fetch(master.endpoints.servicesJson, {
     method: 'POST',
     headers: { 'content-type': 'application/json' },
     body: JSON.stringify({ topic: SERVICES.serverConfiguration.topic }),

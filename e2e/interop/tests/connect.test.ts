@@ -18,7 +18,7 @@ describe.each(CLIENT_KINDS)('%s', (kind) => {
     test('connects over the main port [TD-1] [EC-7]', async () => {
       const guest = await LegacyClient.start(kind);
       try {
-        const { servicesJson, topicDataWs } = room.master.addresses;
+        const { servicesJson, topicDataWs } = room.master.endpoints;
         const { clientId } = await guest.connect(
           { services: servicesJson, topicData: topicDataWs },
           'guest',
@@ -73,7 +73,7 @@ test.skipIf(whyMissing('python'))(
     const guest = await LegacyClient.start('python');
     try {
       const connected = await guest.connect(
-        { services: room.master.addresses.servicesJson, topicData: '' },
+        { services: room.master.endpoints.servicesJson, topicData: '' },
         'guest',
       );
       expect(connected.subscriptionTopic).toBe('/services/topic_subscription');

@@ -1,8 +1,8 @@
 import { SessionStatus } from '@ubii/proto';
 import { describe, expect, test } from 'vitest';
-import { MasterProcess } from '../../fixtures/master-process.ts';
 import { LegacyClient } from '../harness/legacy-client.ts';
 import { suiteName, useRoom, whereClientsLook, whyMissing } from '../harness/room.ts';
+import { endMaster, startMaster } from '../../fixtures/start-master.ts';
 
 const room = useRoom();
 
@@ -114,7 +114,7 @@ describe.skipIf(whyMissing('nodejs'))(`${suiteName('nodejs')} over ZeroMQ`, () =
   });
 
   test('is no client where callers of its place have not been admitted [AC-5]', async () => {
-    const master = await MasterProcess.start({
+    const master = await startMaster({
       trustsLoopback: false,
       flags: ['--zeromq-ports', '0,0', '--loopback', 'none'],
     });
@@ -129,7 +129,7 @@ describe.skipIf(whyMissing('nodejs'))(`${suiteName('nodejs')} over ZeroMQ`, () =
       expect(master.failures).toEqual([]);
     } finally {
       await guest.stop();
-      await master.dispose();
+      await endMaster(master);
     }
   });
 });

@@ -86,7 +86,7 @@ for (const pages of GROUPS) {
   const names = `${pages[0]!.name} to ${pages.at(-1)!.name}`;
   test(`pages from ${names} are accessible at a desk and on a phone`, async ({ master, room }) => {
     // Something to see on the pages: topics of several formats.
-    const guest = await HostileClient.register(master.addresses, 'guest');
+    const guest = await HostileClient.register(master.endpoints, 'guest');
     const socket = await guest.open();
     await socket.publish([
       { topic: '/guest/angle', double: 0.5 },
@@ -215,7 +215,7 @@ for (const screen of SCREENS) {
 
   test(`a session with problems is accessible on a ${screen}`, async ({ master, room }) => {
     const onProcessingStringified = "() => { console.log('run'); throw new Error('again'); }";
-    const { session } = await callService(master.addresses, {
+    const { session } = await callService(master.endpoints, {
       topic: '/services/session/runtime/start',
       session: {
         name: 'Noisy',
@@ -278,7 +278,7 @@ for (const screen of SCREENS) {
     master,
     room,
   }) => {
-    await callService(master.addresses, {
+    await callService(master.endpoints, {
       topic: '/services/processing_module/database/save',
       processingModule: {
         name: 'adder',
@@ -331,7 +331,7 @@ for (const screen of SCREENS) {
 }
 
 test('a graph that is begun on a tablet is accessible', async ({ master, room }) => {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: '/services/session/runtime/add',
     session: { name: 'Begun' },
   });

@@ -1,6 +1,6 @@
-import { openCuttablePort, startNats } from '@ubii/program/testing/brokers';
+import { openCuttablePort, startNats, type MasterProcess } from '@ubii/harness';
 import { createClient } from '@ubii/client-web/node';
-import { MasterProcess } from '../../fixtures/master-process.ts';
+import { endMaster, startMaster } from '../../fixtures/start-master.ts';
 import { expect, test } from '../../fixtures/test.ts';
 
 test('pages name the master of clients and sessions, list all masters, and say when theirs is alone [CU-70, CU-71, CU-75, CU-95, CU-96]', async ({
@@ -9,7 +9,7 @@ test('pages name the master of clients and sessions, list all masters, and say w
   const nats = await startNats({ jetstream: true });
   const port = await openCuttablePort(nats.port);
   const start = (name: string, url: string): Promise<MasterProcess> =>
-    MasterProcess.start({ flags: ['--name', name, '--cluster', url] });
+    startMaster({ flags: ['--name', name, '--cluster', url] });
   const [hall, foyer] = await Promise.all([
     start('Hall', `nats://127.0.0.1:${port.port}`),
     start('Foyer', nats.url),
@@ -40,7 +40,7 @@ test('pages name the master of clients and sessions, list all masters, and say w
     await page.close();
   } finally {
     await robot.close();
-    await Promise.all([hall.dispose(), foyer.dispose()]);
+    await Promise.all([endMaster(hall), endMaster(foyer)]);
     await port.close();
     await nats.stop();
   }

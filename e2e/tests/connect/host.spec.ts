@@ -94,7 +94,7 @@ test('what guests made is told, ended or handed over with their code, and who di
     await grant.getByRole('button', { name: 'Revoke invitation' }).click();
     await expect(grant).toHaveCount(0);
   });
-  const { sessionList } = await callService(master.addresses, {
+  const { sessionList } = await callService(master.endpoints, {
     topic: '/services/session/runtime/get_list',
   });
   const states = sessionList?.elements.map(({ name, extension }) => [name, extension?.state]);

@@ -187,7 +187,7 @@ test('a player who joined is a smart device and a controller, and changes to ano
   await expect(tab).toHaveURL(/\/devices\/controller$/);
   await expect(tab.getByRole('button', { name: 'A', exact: true })).toBeVisible();
   const clientsOf = async (grantId: string) => {
-    const { accessGrantList } = await callService(master.addresses, {
+    const { accessGrantList } = await callService(master.endpoints, {
       topic: '/services/ubii/access_grant_list',
     });
     return accessGrantList?.elements.find((grant) => grant.id === grantId)?.clientIds ?? [];

@@ -1,13 +1,13 @@
+import type { MasterProcess } from '@ubii/harness';
 import { AccessRole, type AccessGrantCreateRequest, type AccessGrantCreated } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 
 /** An invitation, made as by the host. */
 export async function makeGrant(
   master: MasterProcess,
   changes: Partial<AccessGrantCreateRequest> = {},
 ): Promise<AccessGrantCreated & { readonly id: string }> {
-  const { accessGrantCreated, error } = await callService(master.addresses, {
+  const { accessGrantCreated, error } = await callService(master.endpoints, {
     topic: '/services/ubii/access_grant_create',
     accessGrantCreateRequest: {
       role: AccessRole.ACCESS_ROLE_PARTICIPANT,
@@ -20,7 +20,7 @@ export async function makeGrant(
 }
 
 export async function revokeGrant(master: MasterProcess, grantId: string): Promise<void> {
-  const { error } = await callService(master.addresses, {
+  const { error } = await callService(master.endpoints, {
     topic: '/services/ubii/access_grant_revoke',
     accessGrantRevokeRequest: { grantId, reason: 'the story wants it' },
   });

@@ -145,7 +145,7 @@ test('a blocked live channel is told from a master that is away', async ({ maste
   await phone.page.getByRole('button', { name: 'Try again' }).click();
   await expect(join.fact('master')).toContainText('Master not reached');
   await expect(join.fact('master')).toContainText('client isolation');
-  await master.startAgain();
+  await master.restart();
   await expect(join.heading).not.toContainText(/does not answer/);
 });
 

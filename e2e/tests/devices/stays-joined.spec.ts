@@ -1,6 +1,6 @@
 import { AccessRole, ClientState } from '@ubii/proto';
 import type { UbiiClient } from '@ubii/client-web';
-import type { FlakyNetwork } from '../../fixtures/flaky-network.ts';
+import type { FlakyNetwork } from '@ubii/harness';
 import type { Person } from '../../fixtures/person.ts';
 import { expect, test, type Room } from '../../fixtures/test.ts';
 import { ClientsPage } from '../../pages/clients-page.ts';
@@ -124,7 +124,7 @@ test('a phone is the same client with its device, subscriptions and role, whatev
   await test.step('the master is started again', async () => {
     await master.stop();
     await expect(strip).toBeVisible();
-    await master.startAgain();
+    await master.restart();
     await program.call('topicList');
     await expectTheSame('After the master');
     await expect(strip).toBeHidden();

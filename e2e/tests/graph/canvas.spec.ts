@@ -1,4 +1,4 @@
-import type { MasterProcess } from '../../fixtures/master-process.ts';
+import type { MasterProcess } from '@ubii/harness';
 import { placedSession, type PlacedModule } from '../../fixtures/placed-session.ts';
 import { expect, test, type Person } from '../../fixtures/test.ts';
 import { GraphPage, type Place } from '../../pages/graph-page.ts';

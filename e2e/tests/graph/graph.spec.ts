@@ -11,7 +11,7 @@ test('somebody drags a topic onto an input, is told what does not fit, starts it
     wave.publish('/wave/height', 'double', 4);
     wave.publish('/wave/name', 'string', 'tide');
   }, 50);
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: '/services/session/runtime/add',
     session: { name: 'Tide' },
   });

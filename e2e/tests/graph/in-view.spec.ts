@@ -7,7 +7,7 @@ test('the editor stays in view, however long the lists of its palette are', asyn
   room,
   master,
 }) => {
-  const { sessionList } = await callService(master.addresses, {
+  const { sessionList } = await callService(master.endpoints, {
     topic: SERVICES.sessionDatabaseSave.topic,
     session: { name: 'Chain', processingModules: [{ name: 'threshold' }] },
   });

@@ -7,7 +7,7 @@ test('a session is built, wired, started and saved with the keyboard alone @smok
   room,
   master,
 }) => {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: { name: 'By keys' },
   });

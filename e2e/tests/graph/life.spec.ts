@@ -1,14 +1,14 @@
 import { readFile } from 'node:fs/promises';
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
 /** A session that is kept on the disk. */
 async function aSession(master: MasterProcess, modules: readonly string[]): Promise<string> {
-  const { sessionList } = await callService(master.addresses, {
+  const { sessionList } = await callService(master.endpoints, {
     topic: SERVICES.sessionDatabaseSave.topic,
     session: { name: 'Chain', processingModules: modules.map((name) => ({ name })) },
   });
@@ -224,7 +224,7 @@ test('the work goes on while the master is away, and is saved when it is back', 
   await expect(anna.life).toContainText('kept in this browser');
   await anna.page.keyboard.press('Control+s');
   await expect(anna.life).toContainText('saved after the reconnect');
-  await master.startAgain();
+  await master.restart();
   await expect(anna.life).not.toContainText('Not connected');
   await expect(anna.node('Module statistics')).toBeVisible();
   await expect(anna.life.getByRole('button', { name: /^Save(?! and)/ })).toBeHidden();

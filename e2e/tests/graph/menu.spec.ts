@@ -1,12 +1,12 @@
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 
 /** A clock that feeds a low-pass. */
 async function aChain(master: MasterProcess): Promise<string> {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: {
       name: 'Menu',

@@ -57,7 +57,7 @@ test('frames lie in frames: they are dragged in, move together, and are still th
   await test.step('it is saved, and the same after a reload', async () => {
     await graph.life.getByRole('button', { name: /^Save \d/ }).click();
     await expect(graph.life.getByRole('button', { name: /^Save \d/ })).toBeHidden();
-    const { session } = await callService(master.addresses, {
+    const { session } = await callService(master.endpoints, {
       topic: SERVICES.sessionRuntimeGet.topic,
       session: { id },
     });

@@ -1,13 +1,13 @@
+import type { MasterProcess } from '@ubii/harness';
 import { Image2DDataFormat, SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 
 type SessionInit = NonNullable<Parameters<typeof callService>[1]['session']>;
 
 async function aSession(master: MasterProcess, session: SessionInit): Promise<string> {
-  const reply = await callService(master.addresses, {
+  const reply = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session,
   });
@@ -172,7 +172,7 @@ test('a module that nobody has any more is a placeholder that says what to do', 
   room,
   master,
 }) => {
-  const registered = await callService(master.addresses, {
+  const registered = await callService(master.endpoints, {
     topic: SERVICES.clientRegistration.topic,
     client: { name: 'lab', processingModules: [{ name: 'gaze-at-home' }] },
   });
@@ -185,7 +185,7 @@ test('a module that nobody has any more is a placeholder that says what to do', 
   await graph.open(id);
   const pose = graph.node('Module gaze-at-home');
   await expect(pose).toBeVisible();
-  await callService(master.addresses, {
+  await callService(master.endpoints, {
     topic: SERVICES.clientDeregistration.topic,
     client: { id: client.id },
   });

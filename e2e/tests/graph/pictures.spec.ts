@@ -37,7 +37,7 @@ test('pictures with what was found in them are on nodes, and where the pointer r
     camera.publish('/kitchen/objects', 'object2DList', { elements: [CUP] });
     camera.publish('/other/objects', 'object2DList', { elements: [CUP] });
   }, 100);
-  const { sessionList } = await callService(master.addresses, {
+  const { sessionList } = await callService(master.endpoints, {
     topic: SERVICES.sessionDatabaseSave.topic,
     session: SESSION,
   });

@@ -1,12 +1,12 @@
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 
 /** A clock that writes a topic. */
 async function aWriter(master: MasterProcess, name: string): Promise<string> {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: {
       name,
@@ -14,7 +14,7 @@ async function aWriter(master: MasterProcess, name: string): Promise<string> {
     },
   });
   const [module] = session!.processingModules;
-  await callService(master.addresses, {
+  await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeUpdate.topic,
     session: {
       ...session!,
@@ -36,7 +36,7 @@ test('two sessions that write one topic name each other, where it is and in the 
   const { page } = await room.atDesk('Anna');
   const [first, second] = [await aWriter(master, 'First'), await aWriter(master, 'Second')];
   const start = (id: string) =>
-    callService(master.addresses, {
+    callService(master.endpoints, {
       topic: SERVICES.sessionRuntimeStart.topic,
       session: { id },
     });
@@ -70,7 +70,7 @@ test('two sessions that write one topic name each other, where it is and in the 
     await expect(
       page.getByRole('list', { name: 'Topics written by several sessions' }),
     ).toContainText('The session "First" runs and writes /both/sine, too');
-    await callService(master.addresses, {
+    await callService(master.endpoints, {
       topic: SERVICES.sessionRuntimeStop.topic,
       session: { id: first },
     });

@@ -1,12 +1,12 @@
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 
 /** A session with one module. */
 async function aChain(master: MasterProcess): Promise<string> {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: { name: 'Chain', processingModules: [{ name: 'low-pass' }] },
   });
@@ -49,7 +49,7 @@ test('work that was not saved survives a reload', async ({ room, master }) => {
 });
 
 test('a module that fails says so on its node, with the line', async ({ room, master }) => {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: {
       name: 'Broken',
@@ -70,7 +70,7 @@ test('a module that fails says so on its node, with the line', async ({ room, ma
 });
 
 test('a wire is made with the keyboard alone', async ({ room, master }) => {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: { name: 'Keys', processingModules: [{ name: 'clock' }, { name: 'low-pass' }] },
   });

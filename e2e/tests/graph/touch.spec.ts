@@ -1,6 +1,6 @@
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 import { Fingers, middleOf } from '../../pages/touch.ts';
@@ -12,7 +12,7 @@ const TABLET = {
 } as const;
 
 async function aSession(master: MasterProcess, ...names: readonly string[]): Promise<string> {
-  const { session } = await callService(master.addresses, {
+  const { session } = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: { name: 'Touch', processingModules: names.map((name) => ({ name })) },
   });

@@ -1,6 +1,6 @@
+import type { MasterProcess } from '@ubii/harness';
 import { encode } from '@ubii/proto';
 import { HostileClient } from '../../fixtures/hostile-client.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { expect, test as base } from '../../fixtures/test.ts';
 import { MousePointerPage } from '../../pages/mouse-pointer-page.ts';
 
@@ -12,7 +12,7 @@ const SENTENCE = /\S.*\.$/;
 
 const test = base.extend<{ hostile: HostileClient }>({
   hostile: async ({ master }, use) => {
-    const hostile = await HostileClient.register(master.addresses);
+    const hostile = await HostileClient.register(master.endpoints);
     await use(hostile);
     hostile.leave();
   },
@@ -39,8 +39,8 @@ test.describe('while somebody hostile is in the room, others do not notice', () 
     await ben.expectPointer(ben.pointerOf('Anna'), { x, y: 0.3 });
     await expect(anna.readout('p50')).toHaveText(/^\d+\.\d\s*ms$/);
     expect((await fetch(new URL('/health', master.url))).ok).toBe(true);
-    const resident = await master.residentBytes();
-    if (resident !== undefined) expect(resident).toBeLessThan(MAX_RESIDENT_BYTES);
+    const { residentBytes } = master.figures();
+    if (residentBytes !== undefined) expect(residentBytes).toBeLessThan(MAX_RESIDENT_BYTES);
   }
 
   test('invalid frames', async ({ master, hostile }) => {
@@ -163,7 +163,7 @@ test.describe('while somebody hostile is in the room, others do not notice', () 
     await test.step('everything, and then it reads nothing', async () => {
       expect((await subscribe('.*')).error).toBeUndefined();
       socket.raw.pause();
-      const writer = await HostileClient.register(master.addresses, 'writer');
+      const writer = await HostileClient.register(master.endpoints, 'writer');
       const pictures = await writer.open();
       const image2D = { width: 512, height: 512, data: new Uint8Array(1024 * 1024) };
       for (let count = 0; count < 150; count++) {
@@ -175,7 +175,7 @@ test.describe('while somebody hostile is in the room, others do not notice', () 
 
     await test.step('a hundred clients that come and go', async () => {
       for (let count = 0; count < 100; count++) {
-        const guest = await HostileClient.register(master.addresses, `guest ${count}`);
+        const guest = await HostileClient.register(master.endpoints, `guest ${count}`);
         await guest.open();
         guest.leave();
       }

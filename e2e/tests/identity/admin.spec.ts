@@ -1,7 +1,7 @@
+import type { MasterProcess } from '@ubii/harness';
 import { expectAccessible } from '../../fixtures/accessible.ts';
 import { testWith } from '../../fixtures/test-with.ts';
 import { expect, type Person } from '../../fixtures/test.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { JoinPage } from '../../pages/join-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
@@ -41,7 +41,7 @@ test('the printed address leads home as admin, over a reload, a new tab and a re
   await expectRole(desk, 'admin');
   // The way back does not lead through the token
   expect(await desk.page.evaluate(() => history.state?.back ?? '')).not.toContain(
-    master.addresses.adminToken,
+    master.endpoints.adminToken,
   );
 
   await desk.page.reload();
@@ -52,7 +52,7 @@ test('the printed address leads home as admin, over a reload, a new tab and a re
   await second.close();
 
   await master.stop();
-  await master.startAgain();
+  await master.restart();
   await desk.page.reload();
   await new Shell(desk.page).expectConnected();
   await expectRole(desk, 'admin');
@@ -88,7 +88,7 @@ test('the bare address is for participants, who enter the code where an admin is
 
   await join.type('0000-0000');
   await expect(join.heading).toHaveText('This code is not valid.');
-  await join.type(master.addresses.adminCode.toLowerCase());
+  await join.type(master.endpoints.adminCode.toLowerCase());
   await expect(page).toHaveURL(/\/settings\/log$/);
   await expect(page.getByText(/^\d+ lines?\./)).toBeVisible();
   await expect(button).toHaveCount(0);

@@ -100,7 +100,7 @@ test('a phone that trusts the certificate scans and taps once, and the graph sho
     await page.reload();
     await expect(page.getByRole('heading')).toContainText('The master is not reachable');
     expect(await page.evaluate(() => caches.keys())).toEqual([]);
-    await lan.master.startAgain();
+    await lan.master.restart();
     await expect(page.getByRole('application', { name: 'Touch pad' })).toBeVisible();
     await expect(page.getByRole('button', { name: 'Change your name' })).toContainText('Mara');
     await untilDevice();

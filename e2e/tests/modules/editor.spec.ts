@@ -1,8 +1,8 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { UbiiClient } from '@ubii/client-web';
+import type { MasterEndpoints } from '@ubii/harness';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterAddresses } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { ModuleEditor } from '../../pages/module-editor.ts';
 import { ModulesPage } from '../../pages/modules-page.ts';
@@ -17,16 +17,16 @@ const DOUBLER = {
     '(deltaTimeMs, inputs) => {\n  if (!inputs.value) return;\n  return { outputs: { result: { double: 2 * inputs.value.double } } };\n}',
 };
 
-async function store(addresses: MasterAddresses): Promise<void> {
-  await callService(addresses, {
+async function store(endpoints: MasterEndpoints): Promise<void> {
+  await callService(endpoints, {
     topic: '/services/processing_module/database/save',
     processingModule: DOUBLER,
   });
 }
 
 /** A session that uses a module by its name alone, from `/in` to `/out`. */
-async function startSession(addresses: MasterAddresses, name: string): Promise<string> {
-  const { session, error } = await callService(addresses, {
+async function startSession(endpoints: MasterEndpoints, name: string): Promise<string> {
+  const { session, error } = await callService(endpoints, {
     topic: '/services/session/runtime/start',
     session: {
       name: 'Numbers',
@@ -113,7 +113,7 @@ test('a module is written, tried, saved, used by a session, changed under it and
   await test.step('it is saved, and a session uses it', async () => {
     await editor.saveIt();
     await expect(anna.page).toHaveURL(/\/modules\/times\/edit$/);
-    session = await startSession(master.addresses, 'times');
+    session = await startSession(master.endpoints, 'times');
     await expectAnswer(program, 4, 8);
     await expect(anna.page.getByRole('link', { name: 'Numbers', exact: true })).toBeVisible();
   });
@@ -125,7 +125,7 @@ test('a module is written, tried, saved, used by a session, changed under it and
     await anna.page.keyboard.type('3');
     await editor.saveIt();
     await expectAnswer(program, 4, 12);
-    const { sessionList } = await callService(master.addresses, {
+    const { sessionList } = await callService(master.endpoints, {
       topic: '/services/session/runtime/get_list',
     });
     expect(sessionList?.elements.map(({ id }) => id)).toEqual([session]);
@@ -181,7 +181,7 @@ test('what is changed on the disk of the master appears, and asks when both chan
   master,
   room,
 }) => {
-  await store(master.addresses);
+  await store(master.endpoints);
   const anna = await room.atDesk('Anna');
   const editor = new ModuleEditor(anna);
   await editor.open('doubler');
@@ -216,7 +216,7 @@ test('a module is renamed, tried with a live topic and a pasted record, and wron
   master,
   room,
 }) => {
-  await store(master.addresses);
+  await store(master.endpoints);
   const program = await room.program('numbers');
   const anna = await room.atDesk('Anna');
   const editor = new ModuleEditor(anna);
@@ -256,7 +256,7 @@ test('a module is renamed, tried with a live topic and a pasted record, and wron
 });
 
 test('a phone has a plain editor with the same checks', async ({ master, room }) => {
-  await store(master.addresses);
+  await store(master.endpoints);
   const ben = await room.withPhone('Ben');
   const editor = new ModuleEditor(ben);
   await editor.open('doubler');
@@ -279,7 +279,7 @@ test('a phone has a plain editor with the same checks', async ({ master, room })
 });
 
 test('only the editor loads the code editor', async ({ master, room }) => {
-  await store(master.addresses);
+  await store(master.endpoints);
   const anna = await room.atDesk('Anna');
   const loaded: string[] = [];
   anna.page.on('request', (request) => {

@@ -38,7 +38,7 @@ test('the master is restarted: everybody comes back as who they were, without a 
     people[0]!.page.getByText('Not connected to the master', { exact: true }),
   ).toBeVisible();
 
-  await master.startAgain();
+  await master.restart();
   for (const shell of shells) await expect(shell.disconnectedStrip).toBeHidden({ timeout: 60_000 });
   const restart = people[0]!.page.getByRole('status', { name: 'Restart of the master' });
   await expect(restart).toContainText('The master was restarted at');
@@ -58,7 +58,7 @@ test('the master is restarted: everybody comes back as who they were, without a 
     }
   }
 
-  const { clientList } = await callService(master.addresses, {
+  const { clientList } = await callService(master.endpoints, {
     topic: '/services/client/get_list',
   });
   const listed = clientList!.elements.map(({ id, name }) => [id, name]);

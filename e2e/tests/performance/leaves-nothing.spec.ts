@@ -1,16 +1,16 @@
+import type { MasterEndpoints } from '@ubii/harness';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterAddresses } from '../../fixtures/master-process.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { PerformancePage } from '../../pages/performance-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
 /** Objects of performance tests on the master: names of clients and sessions, and topics. */
-async function leftOn(addresses: MasterAddresses): Promise<string[]> {
-  const { clientList } = await callService(addresses, { topic: '/services/client/get_list' });
-  const { sessionList } = await callService(addresses, {
+async function leftOn(endpoints: MasterEndpoints): Promise<string[]> {
+  const { clientList } = await callService(endpoints, { topic: '/services/client/get_list' });
+  const { sessionList } = await callService(endpoints, {
     topic: '/services/session/runtime/get_list',
   });
-  const { stringList } = await callService(addresses, { topic: '/services/topic_list' });
+  const { stringList } = await callService(endpoints, { topic: '/services/topic_list' });
   const clients = clientList!.elements
     .map(({ name }) => name)
     .filter((name) => /test( \d+)?$/.test(name));
@@ -35,10 +35,10 @@ for (const [place, fields] of LONG) {
     await page.open(place);
     await page.fill(fields);
     await page.begin();
-    await expect.poll(() => leftOn(master.addresses)).not.toEqual([]);
+    await expect.poll(() => leftOn(master.endpoints)).not.toEqual([]);
     await page.stop.click();
     await expect(page.start).toBeVisible();
-    await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+    await expect.poll(() => leftOn(master.endpoints)).toEqual([]);
   });
 }
 
@@ -63,26 +63,26 @@ test('a session of a test ends with its page, however the page is left', async (
   const running = async (): Promise<void> => {
     await page.fill({ Duration: '300', Modules: '2' });
     await page.begin();
-    await expect.poll(() => leftOn(master.addresses)).toContain('Session speed test');
+    await expect.poll(() => leftOn(master.endpoints)).toContain('Session speed test');
   };
 
   await test.step('to another page of the program', async () => {
     await page.open('session-speed');
     await running();
     await new Shell(anna.page).go('Home');
-    await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+    await expect.poll(() => leftOn(master.endpoints)).toEqual([]);
   });
   await test.step('by a reload', async () => {
     await page.open('session-speed');
     await running();
     await anna.page.reload();
-    await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+    await expect.poll(() => leftOn(master.endpoints)).toEqual([]);
   });
   await test.step('by closing it', async () => {
     await running();
     await anna.page.close({ runBeforeUnload: false });
     // Clients of a closed page are away for a while, as its own is
-    await expect.poll(() => leftOn(master.addresses)).not.toContain('Session speed test');
+    await expect.poll(() => leftOn(master.endpoints)).not.toContain('Session speed test');
   });
 });
 
@@ -113,7 +113,7 @@ test('a run ends when the master goes, and what it measured is kept', async ({ m
     page.page.getByText('Connection lost: the result covers the time until then'),
   ).toBeVisible();
   await expect(page.start).toHaveAttribute('aria-disabled', 'true');
-  await master.startAgain();
+  await master.restart();
   await expect(page.start).not.toHaveAttribute('aria-disabled', 'true', { timeout: 60_000 });
-  await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+  await expect.poll(() => leftOn(master.endpoints)).toEqual([]);
 });

@@ -35,7 +35,7 @@ test('a recording is made, opened and scrubbed, and its graph shows the values o
   const id = await placedSession(master, {
     copy: { x: 300, y: 100, reads: '/lab/angle', writes: '/lab/copied' },
   });
-  await callService(master.addresses, {
+  await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeStart.topic,
     session: { id },
   });

@@ -66,7 +66,7 @@ test('a span becomes ghosts, and a session runs again on recorded inputs [RP-30]
   const id = await placedSession(master, {
     copy: { x: 300, y: 100, reads: '/lab/angle', writes: '/lab/copied', isTriggered: true },
   });
-  await callService(master.addresses, {
+  await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeStart.topic,
     session: { id },
   });
@@ -107,7 +107,7 @@ test('a span becomes ghosts, and a session runs again on recorded inputs [RP-30]
   });
 
   const saveCopy = async (result: string): Promise<void> => {
-    await callService(master.addresses, {
+    await callService(master.endpoints, {
       topic: SERVICES.processingModuleDatabaseSave.topic,
       processingModule: {
         name: 'copy',

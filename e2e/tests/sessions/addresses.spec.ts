@@ -1,6 +1,6 @@
+import type { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
 import { callService } from '../../fixtures/call-service.ts';
-import type { MasterProcess } from '../../fixtures/master-process.ts';
 import { placedSession } from '../../fixtures/placed-session.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
@@ -11,7 +11,7 @@ import { Shell } from '../../pages/shell.ts';
 /** @returns the id of a session that is on the disk */
 async function storedSession(master: MasterProcess): Promise<string> {
   const id = await placedSession(master, { low: { x: 0, y: 0, reads: '/a', writes: '/b' } });
-  await callService(master.addresses, {
+  await callService(master.endpoints, {
     topic: SERVICES.sessionDatabaseSave.topic,
     session: { id, name: 'Placed' },
   });
@@ -34,7 +34,7 @@ test('addresses of stored sessions, and unsaved changes, outlive a restart of th
   desk.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
-  await master.startAgain();
+  await master.restart();
   await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
 
   await test.step('the bookmark of the graph leads to it, with the changes', async () => {
@@ -48,7 +48,7 @@ test('addresses of stored sessions, and unsaved changes, outlive a restart of th
   await test.step('so do those of its page and of its text', async () => {
     await master.stop();
     await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
-    await master.startAgain();
+    await master.restart();
     await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
     await expect(anna.node('Module statistics')).toBeVisible();
     const session = new SessionPage(desk);

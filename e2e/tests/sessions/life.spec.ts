@@ -139,7 +139,7 @@ test('a session that was started here runs again after a restart of the master [
   anna.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
-  await master.startAgain();
+  await master.restart();
   await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
   await session.expectState('Running');
   await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
@@ -162,7 +162,7 @@ test('a session that was made here is there after a restart of the master, and o
   anna.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
-  await master.startAgain();
+  await master.restart();
   await expect(sessions.row('Smoothing chain')).toContainText('Stopped');
   await sessions.link('Smoothing chain').click();
   await expect(session.heading).toHaveText('Smoothing chain');

@@ -123,7 +123,7 @@ test('where no phone can reach the master, a phone opens in this browser', async
     await expect(clients.getByRole('link', { name: 'Ben', exact: true })).toBeVisible();
     await expect(phone.getByRole('button', { name: 'Change your name' })).toContainText('Ben 2');
   });
-  const { accessGrantList } = await callService(master.addresses, {
+  const { accessGrantList } = await callService(master.endpoints, {
     topic: '/services/ubii/access_grant_list',
   });
   expect(accessGrantList!.elements.filter(({ isTerminal }) => !isTerminal)).toEqual([]);

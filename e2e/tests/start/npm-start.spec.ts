@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { expect, test } from '@playwright/test';
-import type { MasterAddresses } from '../../fixtures/master-process.ts';
+import type { MasterEndpoints } from '@ubii/harness';
 
 const REPOSITORY = join(import.meta.dirname, '../../..');
 
@@ -26,7 +26,7 @@ test.afterEach(async () => {
 });
 
 /** Starts the program as the README says and waits for its line of addresses. */
-async function npmStart(...flags: string[]): Promise<MasterAddresses> {
+async function npmStart(...flags: string[]): Promise<MasterEndpoints> {
   npm = spawn(
     'npm',
     [
@@ -41,7 +41,7 @@ async function npmStart(...flags: string[]): Promise<MasterAddresses> {
   npm.stderr!.setEncoding('utf8').on('data', (text: string) => (stderr += text));
   return new Promise((resolve, reject) => {
     createInterface({ input: npm.stdout! }).on('line', (line) => {
-      if (line.startsWith('{')) resolve(JSON.parse(line) as MasterAddresses);
+      if (line.startsWith('{')) resolve(JSON.parse(line) as MasterEndpoints);
     });
     npm.once('exit', (code) => reject(new Error(`npm start ended with ${code}.\n${stderr}`)));
   });
@@ -90,11 +90,11 @@ const ENDINGS = [
 
 for (const [ending, end] of ENDINGS) {
   test(`npm start serves the page, and ${ending} ends all of it within two seconds @smoke`, async () => {
-    const addresses = await npmStart();
-    const page = await fetch(addresses.url);
+    const endpoints = await npmStart();
+    const page = await fetch(endpoints.url);
     expect(page.headers.get('content-type')).toContain('text/html');
     expect(await page.text()).toContain('<div id="app">');
-    const reply = await fetch(addresses.servicesJson, {
+    const reply = await fetch(endpoints.servicesJson, {
       method: 'POST',
       headers: { 'content-type': 'application/json' },
       body: '{"topic":"/services/server_configuration"}',
@@ -102,14 +102,14 @@ for (const [ending, end] of ENDINGS) {
     expect(await reply.json()).toHaveProperty('server.name');
 
     const all = process.platform === 'linux' ? await descendantsOf(npm.pid!) : [];
-    if (process.platform === 'linux') expect(all.map(([pid]) => pid)).toContain(addresses.pid);
+    if (process.platform === 'linux') expect(all.map(([pid]) => pid)).toContain(endpoints.pid);
     end();
     const remaining = () =>
-      [[npm.pid!, 'npm'] as [number, string], ...all, [addresses.pid, 'master'] as [number, string]]
+      [[npm.pid!, 'npm'] as [number, string], ...all, [endpoints.pid, 'master'] as [number, string]]
         .filter(([pid]) => isAlive(pid))
         .map(([pid, command]) => `${pid} ${command}`);
     await expect.poll(remaining, { timeout: 2_000, intervals: [50] }).toEqual([]);
-    await expect(fetch(addresses.url)).rejects.toThrow();
+    await expect(fetch(endpoints.url)).rejects.toThrow();
   });
 }
 

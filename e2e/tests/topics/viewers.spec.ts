@@ -61,7 +61,7 @@ test('boxes of another topic are drawn over a picture, where they are', async ({
 });
 
 test('a picture that is none says what it claims and what it has', async ({ master, room }) => {
-  const guest = await HostileClient.register(master.addresses, 'guest');
+  const guest = await HostileClient.register(master.endpoints, 'guest');
   const socket = await guest.open();
   await socket.publish([
     {
@@ -156,7 +156,7 @@ test('in a narrow panel, the parts of the events stand one below the other', asy
   room,
   master,
 }) => {
-  const reply = await callService(master.addresses, {
+  const reply = await callService(master.endpoints, {
     topic: SERVICES.sessionRuntimeAdd.topic,
     session: {
       name: 'Touches',

@@ -36,7 +36,7 @@ test('the last results stay while the master is away, marked as old, and nothing
   );
   await expect(page.getByRole('link', { name: '– running' })).toBeVisible();
 
-  await master.startAgain();
+  await master.restart();
   await expect(
     aside.getByRole('region', { name: 'Detected now' }).getByRole('listitem'),
   ).not.toHaveCount(0, { timeout: 60_000 });

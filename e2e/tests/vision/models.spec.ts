@@ -1,11 +1,12 @@
 import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { MasterProcess } from '@ubii/harness';
 import { squares, tinyCocoSsd } from '@ubii/vision/testing/coco-ssd';
 import { pngOf } from '@ubii/vision/testing/png';
 import type { Locator } from '@playwright/test';
 import { FakeMirror } from '../../fixtures/fake-mirror.ts';
-import { MasterProcess } from '../../fixtures/master-process.ts';
 import type { Person } from '../../fixtures/person.ts';
+import { endMaster, startMaster } from '../../fixtures/start-master.ts';
 import { expect, test as base } from '../../fixtures/test.ts';
 
 const PAGE = '/examples/object-detection';
@@ -24,10 +25,10 @@ const test = base.extend<Fixtures>({
     await mirror.close();
   },
   master: async ({ mirror }, use) => {
-    const master = await MasterProcess.start({ flags: ['--model-mirror', mirror.url] });
+    const master = await startMaster({ flags: ['--model-mirror', mirror.url] });
     await use(master);
     const { failures } = master;
-    await master.dispose();
+    await endMaster(master);
     expect(failures, 'lines in the log of the master that say something broke').toEqual([]);
   },
 });
@@ -94,7 +95,7 @@ test('an admin gets the model of a detector, cancels, and sees why it cannot be 
 });
 
 test('a participant sees who can download the model [EX-58]', async ({ browser }) => {
-  const master = await MasterProcess.start({ trustsLoopback: false });
+  const master = await startMaster({ trustsLoopback: false });
   const page = await browser.newPage({ baseURL: master.url });
   try {
     await page.goto(`${PAGE}`);
@@ -106,7 +107,7 @@ test('a participant sees who can download the model [EX-58]', async ({ browser }
     await expect(page.getByRole('button', { name: GET })).toHaveCount(0);
   } finally {
     await page.close();
-    await master.dispose();
+    await endMaster(master);
   }
 });
 

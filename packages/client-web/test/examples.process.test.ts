@@ -3,10 +3,10 @@ import type { ChildProcess } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { MasterProcess } from '@ubii/harness';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { createClient } from '../src/node.ts';
-import { buildMaster, createDataFolder, spawnMaster } from './spawn-master.ts';
-import type { SpawnedMaster } from './spawn-master.ts';
+import { startOwnMaster } from './start-own-master.ts';
 
 const packageFolder = fileURLToPath(new URL('..', import.meta.url));
 const exampleFolder = join(packageFolder, 'examples');
@@ -14,19 +14,16 @@ const examples = readdirSync(exampleFolder).filter((name) => name.endsWith('.ts'
 /** A whole process with a compiler in it, on a machine that may be busy. */
 const TIMEOUT_MS = 60_000;
 
-let master: SpawnedMaster;
-const dataFolder = createDataFolder();
+let master: MasterProcess;
 const children: ChildProcess[] = [];
 
 beforeAll(async () => {
-  buildMaster();
-  master = await spawnMaster(dataFolder.path);
+  master = await startOwnMaster();
 }, TIMEOUT_MS);
 
 afterAll(async () => {
   for (const child of children) child.kill('SIGKILL'); // of a test that failed
-  await master.kill();
-  dataFolder.remove();
+  await master.dispose();
 });
 
 interface Run {
@@ -105,12 +102,12 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
   });
 
   it('processing.ts runs a module of a session', async () => {
-    const worker = join(dataFolder.path, 'module-worker.js');
+    const worker = join(master.dataDir, 'module-worker.js');
     expect(await run('processing.ts', master.url, worker).output).toEqual(['the room is loud']);
   });
 
   it('node.ts comes back as the same client', async () => {
-    const file = join(dataFolder.path, 'identity.json');
+    const file = join(master.dataDir, 'identity.json');
     const [first] = await run('node.ts', master.url, file).output;
     const [second] = await run('node.ts', master.url, file).output;
     const [, id] = /^for the first time: (.+)$/.exec(first ?? '') ?? [];
@@ -143,7 +140,7 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
     await example.line('connected as a new client');
     await master.kill();
     await example.line('lost the master, trying again');
-    master = await spawnMaster(dataFolder.path, Number(new URL(master.url).port));
+    await master.restart();
     await example.line('back as the same client');
     const client = createClient({ url: master.url, name: 'test' });
     await client.connect();

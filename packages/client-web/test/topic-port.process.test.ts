@@ -1,24 +1,22 @@
+import type { MasterProcess } from '@ubii/harness';
 import { describeTopicPort } from '@ubii/pm-sandbox/testing';
 import { afterAll, beforeAll } from 'vitest';
 import { createClient } from '../src/node.ts';
 import type { UbiiClient } from '../src/index.ts';
 import { ClientTopicPort } from '../src/processing/client-topic-port.ts';
 import { DeviceTopics } from '../src/processing/device-topics.ts';
-import { buildMaster, createDataFolder, spawnMaster, type SpawnedMaster } from './spawn-master.ts';
+import { startOwnMaster } from './start-own-master.ts';
 
-const folder = createDataFolder();
 /** A whole process, on a machine that may be busy. */
 const TIMEOUT_MS = 60_000;
-let master: SpawnedMaster;
+let master: MasterProcess;
 let tests = 0;
 
 beforeAll(async () => {
-  buildMaster();
-  master = await spawnMaster(folder.path);
+  master = await startOwnMaster();
 }, TIMEOUT_MS);
 afterAll(async () => {
-  await master.kill();
-  folder.remove();
+  await master.dispose();
 });
 
 describeTopicPort('a client of a real master', async () => {

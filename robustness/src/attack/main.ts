@@ -3,8 +3,8 @@ import { statSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { BUILT_MASTER } from '@ubii/harness';
 
-import { BUILT_MASTER } from '../master/built-master.ts';
 import { ATTACKS } from './attacks/index.ts';
 import { formatReport, type AttackReport } from './report.ts';
 import { AttackNetwork } from './world/attack-network.ts';

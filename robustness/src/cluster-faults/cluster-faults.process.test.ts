@@ -1,7 +1,6 @@
-import { reasonAgainstNats } from '@ubii/program/testing/brokers';
+import { MASTER_FOR_TESTS, reasonAgainstNats } from '@ubii/harness';
 import { describe, expect, it } from 'vitest';
 
-import { MASTER_FOR_TESTS } from '../master/built-master.ts';
 import { FAULTS } from './faults/index.ts';
 import { LoopbackGround } from './ground/loopback-ground.ts';
 import { MASTER_COUNT, runFaults } from './run.ts';

@@ -1,11 +1,8 @@
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
+import { hasFlag, MasterProcess, mib, type NatsServer, startNats } from '@ubii/harness';
 import { AccessRole, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
-import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
 
-import { hasFlag } from '../master/built-master.ts';
-import { MasterProcess, type MasterStart } from '../master/master-process.ts';
-import { mib } from '../master/process-figures.ts';
 import { CrowdHandle } from './crowd/crowd-handle.ts';
 import type { Ground } from './ground/ground.ts';
 import { makeRunFolder } from './leftovers.ts';
@@ -27,12 +24,9 @@ export class TestCluster {
   readonly ground: Ground;
   readonly nats: NatsServer;
   readonly crowds: readonly CrowdHandle[];
-  readonly #starts: MasterStart[] = [];
   readonly #masters: MasterProcess[] = [];
   readonly #folder: string;
   readonly #cutOff = new Set<number>();
-  /** Lines of the logs of masters that have ended. */
-  readonly #failures: string[] = [];
 
   private constructor(ground: Ground, nats: NatsServer, folder: string, count: number) {
     this.ground = ground;
@@ -58,15 +52,15 @@ export class TestCluster {
         const flags = ['--cluster', ground.natsUrl(index), '--name', `master ${index + 1}`];
         // In network namespaces, NATS is at another address, which only the masters of the test reach.
         if (hasFlag(program, '--cluster-insecure')) flags.push('--cluster-insecure');
-        const start: MasterStart = {
-          ...{ program, within: ground.within(index), network: ground.network },
+        const master = await MasterProcess.start({
+          program,
+          within: ground.within(index),
+          network: ground.network,
           dataDir: join(folder, `data-${index + 1}`),
           flags: [...flags, '--limits', LIMITS],
           ...(canOpenMore && { maxDescriptors: DESCRIPTORS }),
-        };
-        const master = await MasterProcess.start(start);
+        });
         cluster.#masters.push(master);
-        cluster.#starts.push({ ...start, flags: [...start.flags!, '--port', String(master.port)] });
       }
     } catch (error) {
       await cluster.close();
@@ -76,7 +70,7 @@ export class TestCluster {
   }
 
   get size(): number {
-    return this.#starts.length;
+    return this.#masters.length;
   }
 
   /** Masters that run and can be reached. */
@@ -143,18 +137,16 @@ export class TestCluster {
     return accessGrantCreated.token;
   }
 
-  async kill(index: number): Promise<void> {
-    this.#keepFailures(index);
-    await this.#masters[index]!.kill();
+  kill(index: number): Promise<void> {
+    return this.#masters[index]!.kill();
   }
 
-  async stop(index: number): Promise<void> {
-    await this.#masters[index]!.stop();
-    this.#keepFailures(index);
+  stop(index: number): Promise<void> {
+    return this.#masters[index]!.stop();
   }
 
-  async restart(index: number): Promise<void> {
-    this.#masters[index] = await MasterProcess.start(this.#starts[index]!);
+  restart(index: number): Promise<void> {
+    return this.#masters[index]!.restart();
   }
 
   cut(index: number): void {
@@ -169,25 +161,20 @@ export class TestCluster {
 
   /** Lines that no fault may cause: exceptions, and errors but for those of NATS being away. */
   failures(): string[] {
-    for (const index of this.#masters.keys()) this.#keepFailures(index);
-    return this.#failures;
+    const failures = this.#masters.flatMap((master, index) =>
+      master.failures
+        .filter((line) => !WITHOUT_NATS.test(line))
+        .map((line) => `master ${index + 1}: ${line}`),
+    );
+    return [...new Set(failures)];
   }
 
   async close(): Promise<void> {
     for (const crowd of this.crowds) crowd.close();
-    await Promise.all(this.#masters.map((master) => master.stop()));
+    await Promise.all(this.#masters.map((master) => master.dispose()));
     await this.nats.stop();
     await this.ground.close();
     rmSync(this.#folder, { recursive: true, force: true });
-  }
-
-  #keepFailures(index: number): void {
-    const master = this.#masters[index]!;
-    const failures = master.failures.filter((line) => !WITHOUT_NATS.test(line));
-    for (const line of failures.slice(0, 20)) {
-      const failure = `master ${index + 1}: ${line}`;
-      if (!this.#failures.includes(failure)) this.#failures.push(failure);
-    }
   }
 }
 

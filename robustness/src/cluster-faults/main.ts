@@ -4,9 +4,8 @@ import { freemem } from 'node:os';
 import { resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { BUILT_MASTER, describeEnd } from '@ubii/harness';
 
-import { BUILT_MASTER } from '../master/built-master.ts';
-import { describeEnd } from '../master/describe-end.ts';
 import { FAULTS } from './faults/index.ts';
 import { ClusterNetwork, NetworkGround } from './ground/cluster-network.ts';
 import type { Ground } from './ground/ground.ts';

@@ -1,6 +1,6 @@
+import { BUILT_NODE, MASTER_FOR_TESTS } from '@ubii/harness';
 import { describe, expect, it } from 'vitest';
 
-import { BUILT_NODE, MASTER_FOR_TESTS } from '../master/built-master.ts';
 import { Random } from '../random.ts';
 import { SmallDisk } from './small-disk.ts';
 import { fullDisk } from './stories/full-disk.ts';

@@ -1,8 +1,8 @@
 import { randomInt } from 'node:crypto';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
+import { BUILT_MASTER, BUILT_NODE } from '@ubii/harness';
 
-import { BUILT_MASTER, BUILT_NODE } from '../master/built-master.ts';
 import { Random } from '../random.ts';
 import { median } from '../soak/growth.ts';
 import { STORIES } from './stories/index.ts';

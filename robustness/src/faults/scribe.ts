@@ -1,6 +1,6 @@
 import { AccessRole } from '@ubii/proto';
 
-import { ticking } from '../master/sessions.ts';
+import { ticking } from '../fixtures/sessions.ts';
 import type { Random } from '../random.ts';
 import type { Ask, Ledger } from './ledger.ts';
 

@@ -1,8 +1,8 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { MasterProcess, type MasterStart } from '@ubii/harness';
 
-import { MasterProcess, type MasterStart } from '../master/master-process.ts';
 import { pause } from '../pause.ts';
 import type { Random } from '../random.ts';
 import { Ledger, type Ask } from './ledger.ts';
@@ -17,21 +17,13 @@ const TURNS_BEFORE = 20;
 export class Theatre {
   readonly ledger = new Ledger();
   readonly scribe: Scribe;
-  readonly #start: MasterStart;
   readonly #folder: string;
-  #master: MasterProcess;
+  readonly master: MasterProcess;
   #pulse: Pulse | undefined;
 
-  private constructor(
-    start: MasterStart,
-    folder: string,
-    master: MasterProcess,
-    random: Random,
-    textLength?: number,
-  ) {
-    this.#start = { ...start, flags: [...(start.flags ?? []), '--port', String(master.port)] };
+  private constructor(folder: string, master: MasterProcess, random: Random, textLength?: number) {
     this.#folder = folder;
-    this.#master = master;
+    this.master = master;
     this.scribe = new Scribe(random, this.ledger, this.ask, textLength);
   }
 
@@ -43,24 +35,15 @@ export class Theatre {
     const folder = mkdtempSync(join(tmpdir(), 'ubii-faults-'));
     const dataDir = start.dataDir ?? join(folder, 'data');
     const master = await MasterProcess.start({ ...start, dataDir });
-    return new Theatre({ ...start, dataDir }, folder, master, random, textLength);
-  }
-
-  get master(): MasterProcess {
-    return this.#master;
+    return new Theatre(folder, master, random, textLength);
   }
 
   /** Clients that publish and receive all the time. @param url where, when not at the master itself */
-  async pulse(url = this.#master.endpoints.url): Promise<Pulse> {
+  async pulse(url = this.master.endpoints.url): Promise<Pulse> {
     return (this.#pulse ??= await Pulse.open(url));
   }
 
-  readonly ask: Ask = (request) => this.#master.ask(request);
-
-  /** Starts the master once more; it has to be ended. */
-  async startAgain(): Promise<void> {
-    this.#master = await MasterProcess.start(this.#start);
-  }
+  readonly ask: Ask = (request) => this.master.ask(request);
 
   /** Lets the workload go on. @param ms milliseconds */
   async workFor(ms: number): Promise<void> {
@@ -71,8 +54,8 @@ export class Theatre {
   /** Ends the master at a random moment of the workload, without a warning. */
   async killDuringWork(random: Random, withinMs: number): Promise<void> {
     for (let turns = 0; turns < TURNS_BEFORE; turns++) await this.scribe.turn();
-    const killed = pause(random.below(withinMs)).then(() => this.#master.kill());
-    while (this.#master.isRunning) await this.scribe.turn();
+    const killed = pause(random.below(withinMs)).then(() => this.master.kill());
+    while (this.master.isRunning) await this.scribe.turn();
     await killed;
   }
 
@@ -92,7 +75,7 @@ export class Theatre {
 
   async close(): Promise<void> {
     await this.#pulse?.close();
-    await this.#master.stop();
+    await this.master.dispose();
     rmSync(this.#folder, { recursive: true, force: true });
   }
 }

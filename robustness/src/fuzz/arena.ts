@@ -1,5 +1,6 @@
-import { MasterProcess } from '../master/master-process.ts';
-import { Witness } from '../master/witness.ts';
+import { MasterProcess } from '@ubii/harness';
+
+import { Witness } from '../fixtures/witness.ts';
 import type { Entrance, FuzzTarget } from './entrance.ts';
 
 /** A master with pages and ten thousand topics takes some 200 MiB; what grows with every input passes this soon. */

@@ -1,4 +1,5 @@
-import type { MasterProcess } from '../master/master-process.ts';
+import type { MasterProcess } from '@ubii/harness';
+
 import type { Random } from '../random.ts';
 
 /** Target of a fuzz run. */

@@ -1,6 +1,6 @@
+import { MASTER_FOR_TESTS } from '@ubii/harness';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 
-import { MASTER_FOR_TESTS } from '../master/built-master.ts';
 import { Arena } from './arena.ts';
 import { readCorpus } from './corpus.ts';
 import type { FuzzTarget } from './entrance.ts';

@@ -1,8 +1,8 @@
 import { randomInt } from 'node:crypto';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
+import { BUILT_MASTER } from '@ubii/harness';
 
-import { BUILT_MASTER } from '../master/built-master.ts';
 import { keepFind, readCorpus } from './corpus.ts';
 import { ENTRANCES } from './entrances/index.ts';
 import { fuzzEntrance, replay, type FuzzResult } from './fuzz-entrance.ts';

@@ -1,9 +1,9 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { createClient } from '@ubii/client-web/node';
+import { MasterProcess } from '@ubii/harness';
 import { WebSocket } from 'ws';
 
-import { MasterProcess } from '../master/master-process.ts';
 import { SEEDS_FILE, type RecordedTraffic } from './seeds.ts';
 
 const MAX_EACH = 80;

@@ -1,9 +1,8 @@
 import { randomInt } from 'node:crypto';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
+import { BUILT_MASTER, mib } from '@ubii/harness';
 
-import { BUILT_MASTER } from '../master/built-master.ts';
-import { mib } from '../master/process-figures.ts';
 import { findGrown, formatSoak } from './report.ts';
 import { soak } from './soak.ts';
 

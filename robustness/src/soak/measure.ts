@@ -1,7 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { MasterProcess } from '@ubii/harness';
 
-import type { MasterProcess } from '../master/master-process.ts';
 import { pause } from '../pause.ts';
 
 const PATIENCE_MS = 60_000;

@@ -1,4 +1,5 @@
-import { mib } from '../master/process-figures.ts';
+import { mib } from '@ubii/harness';
+
 import { QUANTITIES, type Quantity } from './measure.ts';
 import type { SoakResult } from './soak.ts';
 

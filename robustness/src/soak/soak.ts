@@ -1,8 +1,8 @@
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { MasterProcess } from '@ubii/harness';
 
-import { MasterProcess } from '../master/master-process.ts';
 import { pause } from '../pause.ts';
 import { Random } from '../random.ts';
 import { judgeGrowth, type Growth } from './growth.ts';

@@ -1,4 +1,4 @@
-import { openCuttablePort, startNats, type NatsServer } from '@ubii/program/testing/brokers';
+import { openCuttablePort, startNats, type NatsServer } from '@ubii/harness';
 import { SystemClock } from '@ubii/timing/system';
 
 import { parseCluster } from '../adapters/config/cluster-address.ts';

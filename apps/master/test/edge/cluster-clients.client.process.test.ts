@@ -2,7 +2,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createClient, type MasterChange } from '@ubii/client-web/node';
 import { temporaryFolder } from '@ubii/program/testing';
-import { startNats } from '@ubii/program/testing/brokers';
+import { startNats } from '@ubii/harness';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { send, startEdgeMaster } from './edge-master.ts';
 

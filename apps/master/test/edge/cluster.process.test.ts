@@ -1,7 +1,7 @@
 import { readdirSync } from 'node:fs';
 import { AccessRole, type ServiceReply } from '@ubii/proto';
 import { temporaryFolder } from '@ubii/program/testing';
-import { startNats } from '@ubii/program/testing/brokers';
+import { startNats } from '@ubii/harness';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 
 import { send, startEdgeMaster, type EdgeMaster } from './edge-master.ts';

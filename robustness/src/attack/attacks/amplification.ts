@@ -1,7 +1,7 @@
 import { createClient } from '@ubii/client-web/node';
+import { mib } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import { mib } from '../../master/process-figures.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack } from '../attack.ts';
 

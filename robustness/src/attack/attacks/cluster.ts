@@ -1,10 +1,9 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { type MasterProcess, reasonAgainstNats, startNats, StartRefused } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
-import { reasonAgainstNats, startNats } from '@ubii/program/testing/brokers';
 
-import { StartRefused, type MasterProcess } from '../../master/master-process.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import { roleName } from '../parts/role-name.ts';
@@ -27,7 +26,7 @@ export const clusterSecrets: Attack = {
     const flags = ['--cluster', `nats://127.0.0.1:${nats.port}`];
     const masters: MasterProcess[] = [];
     for (const name of ['a', 'b']) {
-      const start = { loopback: 'unsaid', flags: [...flags, '--name', name] } as const;
+      const start = { trustsLoopback: false, flags: [...flags, '--name', name] } as const;
       masters.push(await world.startMaster(start));
     }
     await pause(SETTLE_MS);

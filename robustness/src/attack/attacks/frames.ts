@@ -1,6 +1,6 @@
+import { mib } from '@ubii/harness';
 import { AccessRole, encode, encodeRecord } from '@ubii/proto';
 
-import { mib } from '../../master/process-figures.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import { FrameFlood, clientFrames } from '../parts/frame-flood.ts';
 import { DelayMeter } from '../world/delay-meter.ts';

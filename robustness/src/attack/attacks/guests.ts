@@ -1,7 +1,7 @@
+import type { Member, Outsider } from '@ubii/harness';
 import { AccessRole, ReplayConflict, type Init, type ServiceRequest } from '@ubii/proto';
 
-import type { Member, Outsider } from '../../master/outsider.ts';
-import { recordingFile, recordingFilePath, uploadRecording } from '../../master/recordings.ts';
+import { recordingFile, recordingFilePath, uploadRecording } from '../../fixtures/recordings.ts';
 import { finding, type Attack, type Finding } from '../attack.ts';
 
 const KEEP = ReplayConflict.REPLAY_CONFLICT_KEEP_LIVE;

@@ -14,7 +14,7 @@ import { join } from 'node:path';
 import { createClient } from '@ubii/client-web/node';
 import type { Init, ServiceRequest } from '@ubii/proto';
 
-import { recordingFile, startRecording } from '../../master/recordings.ts';
+import { recordingFile, startRecording } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 

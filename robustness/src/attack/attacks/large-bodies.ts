@@ -1,6 +1,6 @@
+import { mib } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import { mib } from '../../master/process-figures.ts';
 import { comparison, finding, millis, type Attack, type Finding } from '../attack.ts';
 import { LARGE_BODIES } from '../parts/large-bodies.ts';
 

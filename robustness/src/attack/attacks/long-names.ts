@@ -1,6 +1,6 @@
+import { mib } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import { mib } from '../../master/process-figures.ts';
 import { comparison, finding, type Attack } from '../attack.ts';
 
 const NAME = 'n'.repeat(3_800_000);

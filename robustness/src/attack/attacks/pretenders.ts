@@ -1,9 +1,9 @@
 import { spawnSync } from 'node:child_process';
 import { hostname } from 'node:os';
 import { fileURLToPath } from 'node:url';
+import { type MasterProcess, StartRefused } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import { StartRefused, type MasterProcess } from '../../master/master-process.ts';
 import { finding, type Attack, type Finding } from '../attack.ts';
 import { roleName } from '../parts/role-name.ts';
 import type { World } from '../world/world.ts';
@@ -12,7 +12,7 @@ const NOBODY = 65_534;
 const asker = fileURLToPath(new URL('../parts/ask-role.mjs', import.meta.url));
 
 /** As the master is started by people: nothing said of whom to trust. */
-const PLAIN = { loopback: 'unsaid' } as const;
+const PLAIN = { trustsLoopback: false } as const;
 
 /** Headers that proxies, gateways and development environments add. */
 const PROXY_HEADERS: Readonly<Record<string, string>> = {

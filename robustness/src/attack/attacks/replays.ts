@@ -1,11 +1,10 @@
 import { createClient, type UbiiClient } from '@ubii/client-web/node';
+import type { MasterProcess, Member, Outsider } from '@ubii/harness';
 import { AccessRole, encode, ReplayConflict, StudyRunAction } from '@ubii/proto';
 import type { Init, Replay, ReplayStartRequest } from '@ubii/proto';
 import { recordedDevice } from '@ubii/recording/testing';
 
-import type { MasterProcess } from '../../master/master-process.ts';
-import type { Member, Outsider } from '../../master/outsider.ts';
-import { recordingFile, uploadRecording } from '../../master/recordings.ts';
+import { recordingFile, uploadRecording } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import type { World } from '../world/world.ts';

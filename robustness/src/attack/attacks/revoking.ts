@@ -2,7 +2,7 @@ import { AccessRole } from '@ubii/proto';
 
 import { pause } from '../../pause.ts';
 import { finding, seconds, type Attack } from '../attack.ts';
-import { receives, ticking } from '../../master/sessions.ts';
+import { receives, ticking } from '../../fixtures/sessions.ts';
 
 const TOPIC = '/revoked/tick';
 const LIFETIME_MS = 60_000;

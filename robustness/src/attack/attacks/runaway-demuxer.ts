@@ -1,6 +1,6 @@
 import { pause } from '../../pause.ts';
 import { finding, type Attack } from '../attack.ts';
-import { demuxing, receives, topicsOf } from '../../master/sessions.ts';
+import { demuxing, receives, topicsOf } from '../../fixtures/sessions.ts';
 
 const RUN_MS = 15_000;
 

@@ -1,10 +1,9 @@
+import type { MasterProcess, Member, Outsider } from '@ubii/harness';
 import { AccessRole, encode } from '@ubii/proto';
 import type { WebSocket } from 'ws';
 
-import type { MasterProcess } from '../../master/master-process.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
-import type { Member, Outsider } from '../../master/outsider.ts';
 import type { World } from '../world/world.ts';
 
 const CLIENTS = 5;

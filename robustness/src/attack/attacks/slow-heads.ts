@@ -1,6 +1,7 @@
+import type { Outsider } from '@ubii/harness';
+
 import { pause } from '../../pause.ts';
 import { finding, seconds, type Attack, type Finding } from '../attack.ts';
-import type { Outsider } from '../../master/outsider.ts';
 
 const PATIENCE_MS = 90_000;
 const MOST_HELD_MS = 30_000;

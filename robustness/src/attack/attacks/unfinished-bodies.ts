@@ -1,6 +1,6 @@
 import type { Socket } from 'node:net';
+import { mib } from '@ubii/harness';
 
-import { mib } from '../../master/process-figures.ts';
 import { pause } from '../../pause.ts';
 import { finding, type Attack } from '../attack.ts';
 

@@ -1,4 +1,5 @@
 import type { Socket } from 'node:net';
+import { type MasterProcess, mib } from '@ubii/harness';
 import { AccessRole, type Init, type ServiceRequest } from '@ubii/proto';
 import {
   attachmentIndexOf3Gib,
@@ -16,10 +17,8 @@ import {
   MALFORMED_EVENTS,
   MARKER,
   recordingWith,
-} from '../../master/hostile-recordings.ts';
-import type { MasterProcess } from '../../master/master-process.ts';
-import { mib } from '../../master/process-figures.ts';
-import { uploadRecording } from '../../master/recordings.ts';
+} from '../../fixtures/hostile-recordings.ts';
+import { uploadRecording } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import { tryUpload, type HostileFile } from '../parts/try-upload.ts';

@@ -1,9 +1,8 @@
+import type { MasterProcess, Outsider } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import type { MasterProcess } from '../../master/master-process.ts';
 import { pause } from '../../pause.ts';
 import { finding, seconds, type Attack, type Finding } from '../attack.ts';
-import type { Outsider } from '../../master/outsider.ts';
 import type { World } from '../world/world.ts';
 
 const PATIENCE_MS = 75_000;

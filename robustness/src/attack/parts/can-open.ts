@@ -1,4 +1,4 @@
-import type { Outsider } from '../../master/outsider.ts';
+import type { Outsider } from '@ubii/harness';
 
 const PATIENCE_MS = 5_000;
 

@@ -1,8 +1,8 @@
 import { once } from 'node:events';
 import type { Socket } from 'node:net';
+import type { Member, Outsider } from '@ubii/harness';
 
 import { pause } from '../../pause.ts';
-import type { Member, Outsider } from '../../master/outsider.ts';
 
 /** Not zero: the master has to unmask what comes. */
 const MASK = Buffer.of(0x5a, 0xa5, 0x3c, 0xc3);

@@ -1,11 +1,10 @@
 import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { type MasterProcess, mib, residentOfTree } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import type { MasterProcess } from '../../master/master-process.ts';
-import { mib, residentOfTree } from '../../master/process-figures.ts';
-import { startRecording, uploadRecording, type UploadAnswer } from '../../master/recordings.ts';
+import { startRecording, uploadRecording, type UploadAnswer } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, millis, type Finding } from '../attack.ts';
 import type { World } from '../world/world.ts';

@@ -1,5 +1,5 @@
 // A caller of this machine in a process of its own: how long questions for the health and records of others take.
-import { Witness } from '../../master/witness.ts';
+import { Witness } from '../../fixtures/witness.ts';
 import { pause } from '../../pause.ts';
 
 const PERIOD_MS = 20;

@@ -1,8 +1,7 @@
 import { spawn, type ChildProcess } from 'node:child_process';
 import type { Socket } from 'node:net';
 import { fileURLToPath } from 'node:url';
-
-import { dialLoopback } from '../../master/dial-loopback.ts';
+import { dialLoopback } from '@ubii/harness';
 
 const program = fileURLToPath(new URL('dial-process.mjs', import.meta.url));
 

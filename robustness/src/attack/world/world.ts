@@ -1,9 +1,6 @@
+import { dialLoopback, hasFlag, MasterProcess, type MasterStart, Outsider } from '@ubii/harness';
 import type { AccessRole, AccessGrantCreated, AccessGrantCreateRequest, Init } from '@ubii/proto';
 
-import { hasFlag } from '../../master/built-master.ts';
-import { dialLoopback } from '../../master/dial-loopback.ts';
-import { MasterProcess, type MasterStart } from '../../master/master-process.ts';
-import { Outsider } from '../../master/outsider.ts';
 import { MASTER_V4, MASTER_V6, OUTSIDE_V4, OUTSIDE_V6 } from './attack-network.ts';
 import type { Dialer } from './dialer.ts';
 import { GapMeter } from './gap-meter.ts';

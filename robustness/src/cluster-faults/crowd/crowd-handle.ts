@@ -1,8 +1,8 @@
 import { spawn, type ChildProcess } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
+import { describeEnd } from '@ubii/harness';
 import { decode, encode, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
 
-import { describeEnd } from '../../master/describe-end.ts';
 import type { CrowdCommands, CrowdReply, CrowdRequest } from './crowd-process.ts';
 
 const PROGRAM = fileURLToPath(new URL('./crowd-process.ts', import.meta.url));

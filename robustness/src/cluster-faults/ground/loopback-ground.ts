@@ -1,4 +1,4 @@
-import { openCuttablePort, type CuttablePort } from '@ubii/program/testing/brokers';
+import { type CuttablePort, openCuttablePort } from '@ubii/harness';
 
 import type { Ground } from './ground.ts';
 

@@ -53,7 +53,7 @@ async function tellDiskStory(
       backMs.push(performance.now() - begunMs);
       // A restart shows whether acknowledged changes are on the disk, not only in memory.
       await theatre.master.kill();
-      await theatre.startAgain();
+      await theatre.master.restart();
       await pulse.beat();
       losses.push(...(await theatre.findLosses()));
     }
@@ -71,12 +71,12 @@ async function startWithout(theatre: Theatre, disk: SmallDisk, fault: DiskFault)
   await theatre.master.kill();
   await fault.begin(disk);
   try {
-    await theatre.startAgain();
+    await theatre.master.restart();
     await fault.end(disk);
     return 'a master starts meanwhile';
   } catch (error) {
     await fault.end(disk);
-    await theatre.startAgain();
+    await theatre.master.restart();
     const [, sentence = ''] = String((error as Error).message).split('\n');
     return `a master does not start meanwhile, and says: ${sentence.slice(0, 200)}`;
   }

@@ -15,7 +15,7 @@ export const killMaster: Story = {
       for (let index = 0; index < times; index++) {
         await theatre.killDuringWork(random, WITHIN_MS);
         const begunMs = performance.now();
-        await theatre.startAgain();
+        await theatre.master.restart();
         await pulse.beat();
         backMs.push(performance.now() - begunMs);
         losses.push(...(await theatre.findLosses()));

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 
-import { ticking } from '../../master/sessions.ts';
+import { ticking } from '../../fixtures/sessions.ts';
 import type { Story } from '../story.ts';
 import { Theatre } from '../theatre.ts';
 import { Ticks } from '../ticks.ts';

@@ -2,7 +2,7 @@ import { existsSync } from 'node:fs';
 
 import { chromium, type Browser, type CDPSession, type Page } from '@playwright/test';
 
-import { ticking } from '../../master/sessions.ts';
+import { ticking } from '../../fixtures/sessions.ts';
 import type { Story } from '../story.ts';
 import { Theatre } from '../theatre.ts';
 import { Ticks } from '../ticks.ts';

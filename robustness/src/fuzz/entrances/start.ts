@@ -1,13 +1,13 @@
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { MasterProcess, type MasterStart, StartRefused } from '@ubii/harness';
 
-import { MasterProcess, StartRefused, type MasterStart } from '../../master/master-process.ts';
 import type { Random } from '../../random.ts';
 import type { Entrance } from '../entrance.ts';
 import { joined, mutateBytes } from '../mutate-bytes.ts';
 import { mutateJson } from '../mutate-json.ts';
-import { CERTIFICATE_PEM, KEY_PEM } from '../../master/test-certificate.ts';
+import { CERTIFICATE_PEM, KEY_PEM } from '../../fixtures/test-certificate.ts';
 
 /** Files that a master reads when it starts, and how they are told. */
 const FILES = [

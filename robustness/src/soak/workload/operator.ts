@@ -1,7 +1,7 @@
+import type { MasterProcess } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import type { MasterProcess } from '../../master/master-process.ts';
-import { demuxing } from '../../master/sessions.ts';
+import { demuxing } from '../../fixtures/sessions.ts';
 import { pause } from '../../pause.ts';
 import type { PhoneWorld } from './phones.ts';
 import type { Tally } from './tally.ts';

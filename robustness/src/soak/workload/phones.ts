@@ -1,9 +1,7 @@
+import { dialLoopback, type MasterProcess, type Member, Outsider } from '@ubii/harness';
 import { encode, type Client } from '@ubii/proto';
 import type { WebSocket } from 'ws';
 
-import { dialLoopback } from '../../master/dial-loopback.ts';
-import type { MasterProcess } from '../../master/master-process.ts';
-import { Outsider, type Member } from '../../master/outsider.ts';
 import { pause } from '../../pause.ts';
 import type { Random } from '../../random.ts';
 import type { Tally } from './tally.ts';

@@ -1,3 +1,4 @@
+import type { MasterProcess } from '@ubii/harness';
 import {
   lz4Bomb,
   manyMarkers,
@@ -6,15 +7,14 @@ import {
   recordChunkIndexOf3Gib,
 } from '@ubii/recording/testing';
 
-import { MALFORMED_EVENTS, recordingWith } from '../../master/hostile-recordings.ts';
-import type { MasterProcess } from '../../master/master-process.ts';
+import { MALFORMED_EVENTS, recordingWith } from '../../fixtures/hostile-recordings.ts';
 import {
   readUploadAnswer,
   recordingFile,
   recordingFilePath,
   startRecording,
   type UploadAnswer,
-} from '../../master/recordings.ts';
+} from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import type { Random } from '../../random.ts';
 import type { Tally } from './tally.ts';

@@ -1,6 +1,6 @@
 import { createClient, type UbiiClient } from '@ubii/client-web/node';
+import type { MasterProcess } from '@ubii/harness';
 
-import type { MasterProcess } from '../../master/master-process.ts';
 import type { Shift } from './shift.ts';
 import type { Tally } from './tally.ts';
 

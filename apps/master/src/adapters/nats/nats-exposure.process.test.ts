@@ -1,4 +1,4 @@
-import { startNats } from '@ubii/program/testing/brokers';
+import { startNats } from '@ubii/harness';
 import { describe, expect, it, onTestFinished } from 'vitest';
 
 import { openTestLink } from '../../testing/nats-bench.ts';

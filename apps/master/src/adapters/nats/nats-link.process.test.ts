@@ -1,4 +1,4 @@
-import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
+import { startNats, type NatsServer } from '@ubii/harness';
 import { afterEach, describe, expect, it } from 'vitest';
 
 import { openTestLink } from '../../testing/nats-bench.ts';

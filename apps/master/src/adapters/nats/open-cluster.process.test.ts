@@ -1,7 +1,7 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { temporaryFolder } from '@ubii/program/testing';
-import { startNats, type NatsServer } from '@ubii/program/testing/brokers';
+import { startNats, type NatsServer } from '@ubii/harness';
 import { SystemClock } from '@ubii/timing/system';
 import { afterEach, describe, expect, it } from 'vitest';
 

@@ -3,8 +3,9 @@ import { mkdtempSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { endProgram, findProgram } from './broker-program.ts';
-import { freePort } from './free-port.ts';
+import { findProgram } from '../process/find-program.ts';
+import { endProgram } from '../process/when-ended.ts';
+import { freePort } from '../network/free-port.ts';
 
 const MISSING = `nats-server was not found on the PATH. It is needed by tests of several masters:
   Debian, Ubuntu   apt-get install nats-server
