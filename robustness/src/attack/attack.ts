@@ -1,4 +1,4 @@
-import type { World } from './world/world.ts';
+import type { AttackEnvironment } from './environment/attack-environment.ts';
 
 /** `holds`: the aim is met. `breaks`: it is not. `figure`: it has none, others are compared with it. */
 export type Verdict = 'holds' | 'breaks' | 'figure';
@@ -20,7 +20,7 @@ export interface Attack {
   readonly name: string;
   readonly about: string;
   /** @throws Error when it could not be tried */
-  run(world: World): Promise<readonly Finding[]>;
+  run(environment: AttackEnvironment): Promise<readonly Finding[]>;
 }
 
 /** A finding that holds when the condition does. */

@@ -7,9 +7,9 @@ import { BUILT_MASTER } from '@ubii/harness';
 
 import { ATTACKS } from './attacks/index.ts';
 import { formatReport, type AttackReport } from './report.ts';
-import { AttackNetwork } from './world/attack-network.ts';
-import { Dialer } from './world/dialer.ts';
-import { World } from './world/world.ts';
+import { AttackNetwork } from './environment/attack-network.ts';
+import { Dialer } from './environment/dialer.ts';
+import { AttackEnvironment } from './environment/attack-environment.ts';
 
 const HELP = `Attacks a built master, and says what becomes of it and of others.
 
@@ -69,18 +69,18 @@ async function runAttacks(outside: string | undefined): Promise<void> {
     return;
   }
   const dialer = new Dialer(outside);
-  const world = new World(programOf(values.build), dialer, outside !== undefined);
+  const environment = new AttackEnvironment(programOf(values.build), dialer, outside !== undefined);
   process.once('SIGTERM', () => process.exit(1));
   process.once('SIGINT', () => process.exit(1));
   const reports: AttackReport[] = [];
   for (const { name, about, run } of attacks) {
     let report: AttackReport;
     try {
-      report = { attack: name, about, findings: await run(world) };
+      report = { attack: name, about, findings: await run(environment) };
     } catch (error) {
       report = { attack: name, about, findings: [], problem: String(error).slice(0, 800) };
     }
-    await world.clear();
+    await environment.clear();
     reports.push(report);
     console.log(formatReport(report));
   }
@@ -92,7 +92,7 @@ async function runAttacks(outside: string | undefined): Promise<void> {
   const untried = reports.filter(({ problem }) => problem !== undefined).length;
   console.log(`${held} hold, ${broken} break, ${untried} attacks untried`);
   if (values.json !== undefined) {
-    const summary = { program: world.program, hasNetwork: world.hasNetwork, reports };
+    const summary = { program: environment.program, hasNetwork: environment.hasNetwork, reports };
     writeFileSync(fromCaller(values.json), `${JSON.stringify(summary, undefined, 2)}\n`);
   }
   process.exit(broken + untried > 0 ? 1 : 0);

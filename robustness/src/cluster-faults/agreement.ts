@@ -62,7 +62,7 @@ export async function findValueDisagreement(
   const all = await Promise.all(
     cluster.present.map(async (index) => {
       const url = cluster.ownUrlOf(index);
-      const values = await cluster.crowds[index]!.do('values', url, regex, VALUES_MS);
+      const values = await cluster.pools[index]!.do('values', url, regex, VALUES_MS);
       const found = new Map(Object.entries(values).map(([topic, value]) => [topic, String(value)]));
       return differences(wanted, found).map((what) => `values at master ${index + 1}: ${what}`);
     }),

@@ -2,7 +2,7 @@ import { MASTER_FOR_TESTS, reasonAgainstNats } from '@ubii/harness';
 import { describe, expect, it } from 'vitest';
 
 import { FAULTS } from './faults/index.ts';
-import { LoopbackGround } from './ground/loopback-ground.ts';
+import { LoopbackNetwork } from './network/loopback-network.ts';
 import { MASTER_COUNT, runFaults } from './run.ts';
 
 /** Fixed: the gate is no lottery. `npm run cluster-faults` takes others. */
@@ -17,7 +17,7 @@ describe.skipIf(reason !== undefined)(`faults of a cluster, seed ${SEED}`, () =>
   it(`${SHORT.join(', ')} lose, repeat and reorder nothing that the specification does not name`, async () => {
     const lines: string[] = [];
     const reports = await runFaults({
-      ground: new LoopbackGround(MASTER_COUNT),
+      network: new LoopbackNetwork(MASTER_COUNT),
       program: MASTER_FOR_TESTS,
       faults: FAULTS.filter(({ name }) => SHORT.includes(name)),
       seed: SEED,

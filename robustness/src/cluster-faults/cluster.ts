@@ -3,8 +3,8 @@ import { join } from 'node:path';
 import { hasFlag, MasterProcess, mib, type NatsServer, startNats } from '@ubii/harness';
 import { AccessRole, type Init, type ServiceReply, type ServiceRequest } from '@ubii/proto';
 
-import { CrowdHandle } from './crowd/crowd-handle.ts';
-import type { Ground } from './ground/ground.ts';
+import { ClientPoolHandle } from './clients/client-pool-handle.ts';
+import type { ClusterNetwork } from './network/cluster-network.ts';
 import { makeRunFolder } from './leftovers.ts';
 
 /** Room for the clients of all masters, which come from one address each. */
@@ -21,41 +21,41 @@ const WITHOUT_NATS = /NATS (?:cannot be reached|did not answer)/;
 
 /** Several masters, their NATS server, and the clients on the machine of each. */
 export class TestCluster {
-  readonly ground: Ground;
+  readonly network: ClusterNetwork;
   readonly nats: NatsServer;
-  readonly crowds: readonly CrowdHandle[];
+  readonly pools: readonly ClientPoolHandle[];
   readonly #masters: MasterProcess[] = [];
   readonly #folder: string;
   readonly #cutOff = new Set<number>();
 
-  private constructor(ground: Ground, nats: NatsServer, folder: string, count: number) {
-    this.ground = ground;
+  private constructor(network: ClusterNetwork, nats: NatsServer, folder: string, count: number) {
+    this.network = network;
     this.nats = nats;
     this.#folder = folder;
-    this.crowds = Array.from(
+    this.pools = Array.from(
       { length: count },
-      (_, index) => new CrowdHandle(ground.within(index)),
+      (_, index) => new ClientPoolHandle(network.within(index)),
     );
   }
 
   static async start(
-    ground: Ground,
+    network: ClusterNetwork,
     count: number,
     { program, canOpenMore }: { program: string; canOpenMore: boolean },
   ): Promise<TestCluster> {
     const folder = makeRunFolder();
-    const nats = await startNats({ jetstream: true, host: ground.natsHost, parentFolder: folder });
-    await ground.openWays(nats.port);
-    const cluster = new TestCluster(ground, nats, folder, count);
+    const nats = await startNats({ jetstream: true, host: network.natsHost, parentFolder: folder });
+    await network.openLinks(nats.port);
+    const cluster = new TestCluster(network, nats, folder, count);
     try {
       for (let index = 0; index < count; index += 1) {
-        const flags = ['--cluster', ground.natsUrl(index), '--name', `master ${index + 1}`];
+        const flags = ['--cluster', network.natsUrl(index), '--name', `master ${index + 1}`];
         // In network namespaces, NATS is at another address, which only the masters of the test reach.
         if (hasFlag(program, '--cluster-insecure')) flags.push('--cluster-insecure');
         const master = await MasterProcess.start({
           program,
-          within: ground.within(index),
-          network: ground.network,
+          within: network.within(index),
+          network: network.listenFlags,
           dataDir: join(folder, `data-${index + 1}`),
           flags: [...flags, '--limits', LIMITS],
           ...(canOpenMore && { maxDescriptors: DESCRIPTORS }),
@@ -98,7 +98,7 @@ export class TestCluster {
 
   /** URL of a master for its clients. */
   urlOf(index: number): string {
-    return `http://${this.ground.hostOf(index)}:${this.#masters[index]!.port}`;
+    return `http://${this.network.hostOf(index)}:${this.#masters[index]!.port}`;
   }
 
   /** Which master has this URL. */
@@ -113,14 +113,14 @@ export class TestCluster {
 
   /** Asks a master as its operator. @throws Error when it is not known whether it was done */
   async ask(index: number, request: Init<ServiceRequest>): Promise<ServiceReply> {
-    const reply = await this.crowds[index]!.ask(this.ownUrlOf(index), request);
+    const reply = await this.pools[index]!.ask(this.ownUrlOf(index), request);
     if (reply.error?.code === UNKNOWN) throw new Error(reply.error.message);
     return reply;
   }
 
   /** Metrics of a master, as `MasterProcess.metrics` reads them. */
   async metric(index: number, name: string): Promise<number> {
-    const text = await this.crowds[index]!.do('metrics', this.ownUrlOf(index));
+    const text = await this.pools[index]!.do('metrics', this.ownUrlOf(index));
     return Number(new RegExp(`^${name} (\\d+)$`, 'm').exec(text)?.[1] ?? Number.NaN);
   }
 
@@ -129,7 +129,7 @@ export class TestCluster {
     const { accessGrantCreated, error } = await this.ask(0, {
       topic: '/services/ubii/access_grant_create',
       accessGrantCreateRequest: {
-        ...{ role: AccessRole.ACCESS_ROLE_PARTICIPANT, label: 'crowd' },
+        ...{ role: AccessRole.ACCESS_ROLE_PARTICIPANT, label: 'pool' },
         ...{ lifetimeMs: DAY_MS, stayMs: DAY_MS },
       },
     });
@@ -151,11 +151,11 @@ export class TestCluster {
 
   cut(index: number): void {
     this.#cutOff.add(index);
-    this.ground.cut(index);
+    this.network.cut(index);
   }
 
   heal(index: number): void {
-    this.ground.heal(index);
+    this.network.heal(index);
     this.#cutOff.delete(index);
   }
 
@@ -170,10 +170,10 @@ export class TestCluster {
   }
 
   async close(): Promise<void> {
-    for (const crowd of this.crowds) crowd.close();
+    for (const pool of this.pools) pool.close();
     await Promise.all(this.#masters.map((master) => master.dispose()));
     await this.nats.stop();
-    await this.ground.close();
+    await this.network.close();
     rmSync(this.#folder, { recursive: true, force: true });
   }
 }

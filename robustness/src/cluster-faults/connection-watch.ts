@@ -3,7 +3,7 @@ import type { TestCluster } from './cluster.ts';
 
 const PERIOD_MS = 250;
 
-/** Looks all the time how many clients have no connection, from when it is made until `end`. */
+/** Polls the number of clients without a connection, from its creation until `end`. */
 export class ConnectionWatch {
   readonly #cluster: TestCluster;
   readonly #begunMs = performance.now();
@@ -28,9 +28,9 @@ export class ConnectionWatch {
 
   async #watch(): Promise<void> {
     while (this.#isWatching) {
-      // Who does not answer any more is found by those who wait for it.
+      // A process that has ended is reported by those that wait for its clients.
       const counts = await Promise.all(
-        this.#cluster.crowds.map((crowd) => crowd.do('away').catch(() => 0)),
+        this.#cluster.pools.map((pool) => pool.do('away').catch(() => 0)),
       );
       const away = counts.reduce((sum, count) => sum + count, 0);
       if (away > 0) this.#lastAwayMs = performance.now() - this.#begunMs;

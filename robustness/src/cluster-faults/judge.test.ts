@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
 
-import { Reception, type ReceptionRow } from './crowd/reception.ts';
-import { judge, type PartFacts } from './judge.ts';
+import { Reception, type ReceptionRow } from './clients/reception.ts';
+import { judge, type PhaseFacts } from './judge.ts';
 
 const ROW: ReceptionRow = {
   ...{ topic: '/a', home: 'http://two', moved: false },
   ...{ received: 5, missing: 0, again: 0, disorder: 0 },
 };
-const FACTS: PartFacts = {
+const FACTS: PhaseFacts = {
   publishers: [{ topic: '/a', home: 'http://one', moved: false, last: 9 }],
   receptions: [],
   indexOf: (url) => ['http://one', 'http://two'].indexOf(url),
@@ -15,11 +15,11 @@ const FACTS: PartFacts = {
   noticed: new Set(),
 };
 
-function violations(row: Partial<ReceptionRow>, facts: Partial<PartFacts> = {}) {
+function violations(row: Partial<ReceptionRow>, facts: Partial<PhaseFacts> = {}) {
   return judge({ ...FACTS, ...facts, receptions: [{ ...ROW, ...row }] }).violations;
 }
 
-describe('records of a part of a run', () => {
+describe('records of a phase of a run', () => {
   it('that are out of order, or twice, are faults', () => {
     expect(violations({})).toEqual([]);
     expect(violations({ disorder: 1, moved: true })).toHaveLength(1);

@@ -1,7 +1,7 @@
-import type { PublisherRow, ReceptionRow } from './crowd/reception.ts';
+import type { PublisherRow, ReceptionRow } from './clients/reception.ts';
 
-/** Facts of one part of a run. */
-export interface PartFacts {
+/** Facts of one phase of a run. */
+export interface PhaseFacts {
   readonly publishers: readonly PublisherRow[];
   readonly receptions: readonly ReceptionRow[];
   /** Index of the master with this URL. */
@@ -11,7 +11,7 @@ export interface PartFacts {
   readonly noticed: ReadonlySet<number>;
 }
 
-/** What became of the records of one part of a run. */
+/** What became of the records of one phase of a run. */
 export interface Judgement {
   readonly received: number;
   /** Records that came twice to a client that kept its connection. */
@@ -27,7 +27,7 @@ export interface Judgement {
  * Finds records that came twice, in another order, or are missing without a reason that the specification of clusters
  * knows.
  */
-export function judge(facts: PartFacts): Judgement {
+export function judge(facts: PhaseFacts): Judgement {
   const publishers = new Map(facts.publishers.map((row) => [row.topic, row]));
   const missing: Record<string, number> = {};
   const violations: string[] = [];
@@ -53,7 +53,7 @@ export function judge(facts: PartFacts): Judgement {
 function reasonFor(
   subscriber: ReceptionRow,
   publisher: PublisherRow | undefined,
-  { indexOf, mayLose, noticed }: PartFacts,
+  { indexOf, mayLose, noticed }: PhaseFacts,
 ): string | undefined {
   if (subscriber.moved) return 'the subscriber had no connection for a while [CU-83]';
   if (publisher === undefined) return undefined;

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 
-import { ClusterNetwork } from './ground/cluster-network.ts';
+import { NetworkNamespaces } from './network/namespace-network.ts';
 import { removeLeftovers } from './leftovers.ts';
 
 /** Id of a process that has ended. */
@@ -40,18 +40,18 @@ describe('what a run of a cluster left that was killed', () => {
     }
   });
 
-  const reason = ClusterNetwork.reasonAgainst();
+  const reason = NetworkNamespaces.reasonAgainst();
   if (reason !== undefined) console.warn(`The test of leftover namespaces is left out: ${reason}.`);
   it.skipIf(reason !== undefined)(
     'is removed with its network, not that of a run that goes on',
     () => {
-      const left = new ClusterNetwork(String(endedPid()), 1);
-      const used = new ClusterNetwork(String(process.pid), 1);
+      const left = new NetworkNamespaces(String(endedPid()), 1);
+      const used = new NetworkNamespaces(String(process.pid), 1);
       try {
         left.open();
         used.open();
         removeLeftovers();
-        const names = ClusterNetwork.all().map(({ name }) => name);
+        const names = NetworkNamespaces.all().map(({ name }) => name);
         expect(names).toEqual(expect.arrayContaining([used.hub, used.nameOf(0)]));
         expect(names).not.toContain(left.hub);
         expect(names).not.toContain(left.nameOf(0));

@@ -2,11 +2,11 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-import { ClusterNetwork } from './ground/cluster-network.ts';
+import { NetworkNamespaces } from './network/namespace-network.ts';
 
 /*
- * What a run makes has the id of its process in its name. Who finds such a name while no process has that id removes
- * what an earlier run left that was killed.
+ * Names of what a run makes contain the id of its process. Without a process of that id, it was left by a run that was
+ * killed, and the next run removes it.
  */
 
 const FOLDER = /^ubii-cluster-(\d+)-/;
@@ -24,8 +24,8 @@ export function removeLeftovers(): string[] {
 }
 
 function removeNetworks(): string[] {
-  const left = ClusterNetwork.all().filter(({ owner }) => !isRunning(owner));
-  for (const { name } of left) ClusterNetwork.remove(name);
+  const left = NetworkNamespaces.all().filter(({ owner }) => !isRunning(owner));
+  for (const { name } of left) NetworkNamespaces.remove(name);
   return left.map(({ name }) => `network namespace ${name}`);
 }
 

@@ -7,14 +7,14 @@ import { parseArgs } from 'node:util';
 import { BUILT_MASTER, describeEnd } from '@ubii/harness';
 
 import { FAULTS } from './faults/index.ts';
-import { ClusterNetwork, NetworkGround } from './ground/cluster-network.ts';
-import type { Ground } from './ground/ground.ts';
-import { LoopbackGround } from './ground/loopback-ground.ts';
+import { NetworkNamespaces, NamespaceNetwork } from './network/namespace-network.ts';
+import type { ClusterNetwork } from './network/cluster-network.ts';
+import { LoopbackNetwork } from './network/loopback-network.ts';
 import { removeLeftovers } from './leftovers.ts';
 import { MASTER_COUNT, runFaults } from './run.ts';
-import { sayWhyItEnds } from './say-why.ts';
+import { reportEarlyEnd } from './report-early-end.ts';
 
-const HELP = `Takes away masters, NATS and the network of a cluster of ${MASTER_COUNT} masters, and looks what was lost.
+const HELP = `Injects faults into a cluster of ${MASTER_COUNT} masters under a workload, and finds lost changes and records.
 
   npm run cluster-faults                       every fault, with ${MASTER_COUNT} × 2000 clients: some ten minutes
   npm run cluster-faults -- --clients 50 --only calm,kill-master
@@ -52,20 +52,20 @@ const { values } = parseArgs({
 
 if (values.help) console.log(HELP);
 else if (values.network !== undefined) {
-  await run(new NetworkGround(new ClusterNetwork(values.network, MASTER_COUNT)));
-} else await chooseGround();
+  await run(new NamespaceNetwork(new NetworkNamespaces(values.network, MASTER_COUNT)));
+} else await chooseNetwork();
 
-async function chooseGround(): Promise<void> {
+async function chooseNetwork(): Promise<void> {
   for (const what of removeLeftovers()) console.log(`removed what an earlier run left: ${what}`);
-  const reason = values.loopback ? 'as wanted' : ClusterNetwork.reasonAgainst();
+  const reason = values.loopback ? 'as wanted' : NetworkNamespaces.reasonAgainst();
   if (reason === undefined) return runInNetwork();
   console.warn(`No network namespaces: ${reason}.`);
-  return run(new LoopbackGround(MASTER_COUNT));
+  return run(new LoopbackNetwork(MASTER_COUNT));
 }
 
 /** Runs itself once more, in the hub of a network that is made for it and removed after it. */
 async function runInNetwork(): Promise<void> {
-  const network = new ClusterNetwork(String(process.pid), MASTER_COUNT);
+  const network = new NetworkNamespaces(String(process.pid), MASTER_COUNT);
   process.once('exit', () => network.close());
   network.open();
   const node = [process.execPath, '--import', import.meta.resolve('tsx')];
@@ -84,7 +84,7 @@ async function runInNetwork(): Promise<void> {
   );
 }
 
-async function run(ground: Ground): Promise<void> {
+async function run(network: ClusterNetwork): Promise<void> {
   const wanted = values.only?.split(',') ?? FAULTS.map(({ name }) => name);
   const faults = FAULTS.filter(({ name }) => wanted.includes(name));
   if (faults.length !== new Set(wanted).size) {
@@ -92,11 +92,11 @@ async function run(ground: Ground): Promise<void> {
     process.exitCode = 2;
     return;
   }
-  const ending = sayWhyItEnds();
+  const ending = reportEarlyEnd();
   const seed = values.seed === undefined ? randomInt(2 ** 32) : Number(values.seed);
-  console.log(`seed ${seed}, ${ground.about}`);
+  console.log(`seed ${seed}, ${network.about}`);
   const reports = await runFaults({
-    ...{ ground, faults, seed, canOpenMore: canOpenMore() },
+    ...{ network, faults, seed, canOpenMore: canOpenMore() },
     program: values.master === undefined ? BUILT_MASTER : fromCaller(values.master),
     clients: affordable(Number(values.clients)),
     topics: Number(values.topics),

@@ -1,16 +1,16 @@
 import { Random } from '../random.ts';
 import { TestCluster } from './cluster.ts';
 import type { Fault } from './faults/fault.ts';
-import type { Ground } from './ground/ground.ts';
-import { findAbsent, Host, runPart, type PartReport } from './part.ts';
+import type { ClusterNetwork } from './network/cluster-network.ts';
+import { findAbsent, BackgroundWorkload, runPhase, type PhaseReport } from './phase.ts';
 import { settle } from './settle.ts';
 
 const MASTERS = 3;
-const PATIENCE_MS = 300_000;
+const TIMEOUT_MS = 300_000;
 
 /** Parameters of a run. */
 export interface RunPlan {
-  readonly ground: Ground;
+  readonly network: ClusterNetwork;
   /** Main file of a built master. */
   readonly program: string;
   readonly faults: readonly Fault[];
@@ -32,26 +32,26 @@ export interface RunPlan {
 export const MASTER_COUNT = MASTERS;
 
 /** Starts a cluster with its clients, and does one fault after the other. */
-export async function runFaults(plan: RunPlan): Promise<readonly PartReport[]> {
-  const { ground, program, canOpenMore, faults, say } = plan;
-  const cluster = await TestCluster.start(ground, MASTERS, { program, canOpenMore });
+export async function runFaults(plan: RunPlan): Promise<readonly PhaseReport[]> {
+  const { network, program, canOpenMore, faults, say } = plan;
+  const cluster = await TestCluster.start(network, MASTERS, { program, canOpenMore });
   try {
     const tookMs = await joinAll(cluster, plan);
     say(`${MASTERS} × ${plan.clients} clients joined in ${(tookMs / 1000).toFixed(1)} s`);
     for (const figure of cluster.figures()) say(`  ${figure}`);
-    const host = new Host(cluster, new Random(plan.seed));
-    const reports: PartReport[] = [];
+    const background = new BackgroundWorkload(cluster, new Random(plan.seed));
+    const reports: PhaseReport[] = [];
     for (const fault of faults) {
       say(`${fault.name} begins`);
-      const report = await runPart(cluster, fault, host, say);
+      const report = await runPhase(cluster, fault, background, say);
       reports.push(report);
-      say(formatPart(report));
+      say(formatPhase(report));
     }
     const failures = cluster.failures();
     if (failures.length > 0) {
       const about = 'lines of errors in the logs of the masters';
       reports.push({ name: 'logs', about, figures: [], violations: failures.slice(0, 20) });
-      say(formatPart(reports.at(-1)!));
+      say(formatPhase(reports.at(-1)!));
     }
     return reports;
   } finally {
@@ -60,7 +60,7 @@ export async function runFaults(plan: RunPlan): Promise<readonly PartReport[]> {
 }
 
 /** One part as lines of text. */
-export function formatPart({ name, about, figures, violations }: PartReport): string {
+export function formatPhase({ name, about, figures, violations }: PhaseReport): string {
   return [
     `${name}: ${about}`,
     ...figures.map((figure) => `  ${figure}`),
@@ -71,15 +71,15 @@ export function formatPart({ name, about, figures, violations }: PartReport): st
 /** @returns how long it took, milliseconds */
 async function joinAll(cluster: TestCluster, plan: RunPlan): Promise<number> {
   const joinToken = await cluster.invite();
-  const publishes = cluster.crowds.map((_, machine) =>
-    Array.from({ length: plan.topics }, (_, index) => `/crowd/${machine + 1}/${index + 1}`),
+  const publishes = cluster.pools.map((_, machine) =>
+    Array.from({ length: plan.topics }, (_, index) => `/pool/${machine + 1}/${index + 1}`),
   );
   // One of each machine in turn.
   const topics = publishes[0]!.flatMap((_, index) => publishes.map((own) => own[index]!));
   const begunMs = performance.now();
   await Promise.all(
-    cluster.crowds.map((crowd, machine) =>
-      crowd.do('join', {
+    cluster.pools.map((pool, machine) =>
+      pool.do('join', {
         ...{ url: cluster.urlOf(machine), joinToken, count: plan.clients },
         ...{ publishes: publishes[machine]!, topics },
         ...{ topicsPerMember: plan.topicsPerClient, periodMs: plan.periodMs },
@@ -87,7 +87,7 @@ async function joinAll(cluster: TestCluster, plan: RunPlan): Promise<number> {
     ),
   );
   const tookMs = performance.now() - begunMs;
-  const { problems } = await settle(() => findAbsent(cluster), PATIENCE_MS, plan.say);
+  const { problems } = await settle(() => findAbsent(cluster), TIMEOUT_MS, plan.say);
   if (problems.length > 0) throw new Error(problems.join('\n'));
   return tookMs;
 }

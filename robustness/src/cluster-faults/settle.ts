@@ -1,26 +1,26 @@
 import { pause } from '../pause.ts';
 
 const PERIOD_MS = 500;
-/** Who waits for long says so that often. */
+/** Interval of messages about a long wait. */
 const SAY_MS = 20_000;
 
 /** Result of waiting for something. */
 export interface Settled {
   /** How long it took, milliseconds. */
   readonly tookMs: number;
-  /** What was still wrong when patience ended, in words; empty: all is well. */
+  /** Problems that were left at the time limit; empty when there are none. */
   readonly problems: readonly string[];
 }
 
 /**
- * Looks again and again until nothing is wrong.
+ * Polls until there are no problems, or until the time limit.
  *
- * @param look finds what is wrong; what it throws is wrong, too
- * @param say is told what is still wrong, now and then
+ * @param look finds problems; what it throws is a problem, too
+ * @param say receives the problems that are left, now and then
  */
 export async function settle(
   look: () => Promise<readonly string[]>,
-  patienceMs: number,
+  timeoutMs: number,
   say: (text: string) => void,
 ): Promise<Settled> {
   const begunMs = performance.now();
@@ -28,7 +28,7 @@ export async function settle(
   for (;;) {
     const problems = await look().catch((error: unknown) => [String(error)]);
     const tookMs = performance.now() - begunMs;
-    if (problems.length === 0 || tookMs > patienceMs) return { tookMs, problems };
+    if (problems.length === 0 || tookMs > timeoutMs) return { tookMs, problems };
     if (tookMs - saidMs > SAY_MS) {
       saidMs = tookMs;
       say(`  after ${Math.round(tookMs / 1000)} s: ${problems.slice(0, 3).join('; ')}`);

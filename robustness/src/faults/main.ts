@@ -5,21 +5,21 @@ import { BUILT_MASTER, BUILT_NODE } from '@ubii/harness';
 
 import { Random } from '../random.ts';
 import { median } from '../soak/growth.ts';
-import { STORIES } from './stories/index.ts';
-import type { Outcome, Story } from './story.ts';
+import { SCENARIOS } from './scenarios/index.ts';
+import type { Outcome, Scenario } from './scenario.ts';
 
-const HELP = `Takes away what a built master needs while it works, and looks what was lost.
+const HELP = `Injects faults into a built master under a workload, and finds lost changes.
 
   npm run faults                     every fault, some five minutes in all
 
   --minutes <n>     time of the whole run (default 5; 60 for an hour)
-  --only <name>,…   ${STORIES.map(({ name }) => name).join(', ')}
-  --seed <n>        the same seed gives the same work and moments (default: random; it is printed)
+  --only <name>,…   ${SCENARIOS.map(({ name }) => name).join(', ')}
+  --seed <n>        the same seed gives the same workload and moments (default: random; it is printed)
   --master <file>   another build of the master
   --help            this text
 
-A program stores sessions, starts them, makes invitations and revokes them, and writes down what was acknowledged.
-Ends with 1 when something acknowledged is gone, or does not come back. Full and read-only disks take root on Linux.`;
+A workload stores and starts sessions, makes and revokes invitations; every acknowledged change is expected afterwards.
+Ends with 1 when an acknowledged change is lost, or the master does not recover. Full and read-only disks take root on Linux.`;
 
 const { values } = parseArgs({
   options: {
@@ -32,28 +32,28 @@ const { values } = parseArgs({
 });
 
 if (values.help) console.log(HELP);
-else await tellAll();
+else await runAll();
 
-async function tellAll(): Promise<void> {
-  const wanted = values.only?.split(',') ?? STORIES.map(({ name }) => name);
-  const stories = STORIES.filter(({ name }) => wanted.includes(name));
-  if (stories.length !== wanted.length) {
-    console.error(`--only needs names of ${STORIES.map(({ name }) => name).join(', ')}.`);
+async function runAll(): Promise<void> {
+  const wanted = values.only?.split(',') ?? SCENARIOS.map(({ name }) => name);
+  const scenarios = SCENARIOS.filter(({ name }) => wanted.includes(name));
+  if (scenarios.length !== wanted.length) {
+    console.error(`--only needs names of ${SCENARIOS.map(({ name }) => name).join(', ')}.`);
     process.exitCode = 2;
     return;
   }
   const seed = values.seed === undefined ? randomInt(2 ** 32) : Number(values.seed);
   console.log(`seed ${seed}, ${values.minutes} minutes`);
-  const shareMs = (Number(values.minutes) * 60_000) / stories.length;
+  const shareMs = (Number(values.minutes) * 60_000) / scenarios.length;
   const program =
     values.master === undefined
       ? BUILT_MASTER
       : resolve(process.env['INIT_CWD'] ?? process.cwd(), values.master);
   let isWell = true;
-  for (const story of stories) {
-    const reason = story.reasonAgainst?.();
+  for (const scenario of scenarios) {
+    const reason = scenario.reasonAgainst?.();
     if (reason !== undefined) {
-      console.log(`${story.name}: left out, ${reason}`);
+      console.log(`${scenario.name}: left out, ${reason}`);
       continue;
     }
     const random = new Random(seed);
@@ -61,20 +61,20 @@ async function tellAll(): Promise<void> {
     const outcomes: Outcome[] = [];
     try {
       // Short runs, one after the other: each begins with an empty data directory.
-      do outcomes.push(await story.run({ program, node: BUILT_NODE, random, times: 6 }));
+      do outcomes.push(await scenario.run({ program, node: BUILT_NODE, random, times: 6 }));
       while (performance.now() < endMs);
     } catch (error) {
       isWell = false;
-      console.log(`${story.name}: ${error instanceof Error ? error.stack : String(error)}`);
+      console.log(`${scenario.name}: ${error instanceof Error ? error.stack : String(error)}`);
     }
     if (outcomes.length === 0) continue;
     if (outcomes.some(({ losses }) => losses.length > 0)) isWell = false;
-    console.log(format(story, outcomes));
+    console.log(format(scenario, outcomes));
   }
   process.exit(isWell ? 0 : 1);
 }
 
-function format({ name, about }: Story, outcomes: readonly Outcome[]): string {
+function format({ name, about }: Scenario, outcomes: readonly Outcome[]): string {
   const sum = (read: (one: Outcome) => number): number =>
     outcomes.reduce((all, one) => all + read(one), 0);
   const losses = outcomes.flatMap((one) => one.losses);

@@ -6,8 +6,8 @@ import type { Random } from '../random.ts';
 const WAITS_MS = [0, 0, 0, 5, 20, 80, 300];
 
 /**
- * A slow and lossy way to the master, as a program sees it: bytes come late and unevenly (what was lost is sent again),
- * nothing comes for a while, or the connection breaks.
+ * A relay to the master that behaves like a slow and lossy network: bytes are late and uneven (lost packets are sent
+ * again), nothing passes for a while, or connections break.
  */
 export class RoughRelay {
   readonly #server: Server;
@@ -34,7 +34,7 @@ export class RoughRelay {
     return `http://localhost:${(this.#server.address() as AddressInfo).port}`;
   }
 
-  /** Nothing passes until it is switched off; nobody is told. */
+  /** While true nothing passes, and connections stay open. */
   set isSilent(isSilent: boolean) {
     this.#isSilent = isSilent;
   }

@@ -1,7 +1,7 @@
 import { connect } from 'node:net';
 
 /** Past this the master holds a connection that its peer has given up. A limit on waiting, not a measure. */
-const PATIENCE_MS = 30_000;
+const TIMEOUT_MS = 30_000;
 const MAX_KEPT_BYTES = 64 * 1024;
 
 /**
@@ -22,7 +22,7 @@ export function sendAndWaitForEnd(
     const timer = setTimeout(() => {
       socket.destroy();
       reject(new Error('The master neither answered nor closed a connection that its peer ended.'));
-    }, PATIENCE_MS);
+    }, TIMEOUT_MS);
     socket.on('connect', () => (endsAfterAnswer ? socket.write(input) : socket.end(input)));
     socket.on('data', (chunk: Buffer) => {
       if (size === 0 && endsAfterAnswer) socket.end();

@@ -1,5 +1,5 @@
 import { Random } from '../random.ts';
-import { Arena } from './arena.ts';
+import { MonitoredMaster } from './monitored-master.ts';
 import type { Entrance, FuzzTarget } from './entrance.ts';
 import type { Find } from './corpus.ts';
 
@@ -82,7 +82,7 @@ async function fuzzOneMaster(
   run: { longestMs: number },
   { hasMore, nextCase, found }: Feed,
 ): Promise<void> {
-  const arena = await Arena.open(program);
+  const monitored = await MonitoredMaster.open(program);
   let batch: Uint8Array[] = [];
   try {
     for (let count = 0; count < NEW_MASTER_AFTER && hasMore(); count += batch.length) {
@@ -90,15 +90,15 @@ async function fuzzOneMaster(
       while (batch.length < BATCH && hasMore()) batch.push(nextCase());
       for (let at = 0; at < batch.length; at += AT_ONCE) {
         const together = batch.slice(at, at + AT_ONCE);
-        await Promise.all(together.map((input) => arena.deliver(entrance, input)));
+        await Promise.all(together.map((input) => monitored.deliver(entrance, input)));
       }
-      await arena.check();
+      await monitored.check();
     }
   } catch (error) {
     found(error, await narrow(entrance, program, batch));
   } finally {
-    run.longestMs = Math.max(run.longestMs, arena.witness.longestMs);
-    await arena.close();
+    run.longestMs = Math.max(run.longestMs, monitored.witness.longestMs);
+    await monitored.close();
   }
 }
 
@@ -128,16 +128,16 @@ export async function replay(
       return String(error);
     }
   }
-  const arena = await Arena.open(program);
+  const monitored = await MonitoredMaster.open(program);
   try {
     for (const input of inputs) {
-      await arena.deliver(entrance, input);
-      await arena.check();
+      await monitored.deliver(entrance, input);
+      await monitored.check();
     }
     return undefined;
   } catch (error) {
     return String(error);
   } finally {
-    await arena.close();
+    await monitored.close();
   }
 }

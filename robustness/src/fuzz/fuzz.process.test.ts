@@ -1,7 +1,7 @@
 import { MASTER_FOR_TESTS } from '@ubii/harness';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 
-import { Arena } from './arena.ts';
+import { MonitoredMaster } from './monitored-master.ts';
 import { readCorpus } from './corpus.ts';
 import type { FuzzTarget } from './entrance.ts';
 import { ENTRANCES } from './entrances/index.ts';
@@ -13,12 +13,12 @@ const SEED = 20_261_122;
 const CASES = { running: 18, start: 2, parser: 150 } as const;
 
 describe(`mutated inputs, seed ${SEED}`, () => {
-  let arena: Arena;
+  let monitored: MonitoredMaster;
 
   beforeAll(async () => {
-    arena = await Arena.open(MASTER_FOR_TESTS);
+    monitored = await MonitoredMaster.open(MASTER_FOR_TESTS);
   });
-  afterAll(() => arena?.close());
+  afterAll(() => monitored?.close());
 
   it.each(ENTRANCES.map((entrance) => [entrance.name, entrance] as const))(
     '%s',
@@ -29,14 +29,14 @@ describe(`mutated inputs, seed ${SEED}`, () => {
         const input = caseOf(entrance, seeds, SEED, index);
         const deliver =
           entrance.kind === 'running'
-            ? arena.deliver(entrance, input)
+            ? monitored.deliver(entrance, input)
             : entrance.deliver(input, { program: MASTER_FOR_TESTS } as FuzzTarget);
         await deliver.catch((error: unknown) => {
           const text = Buffer.from(input).toString('base64');
           throw new Error(`Case ${index} (${text}): ${String(error)}`);
         });
       }
-      await arena.check();
+      await monitored.check();
     },
   );
 
@@ -47,10 +47,10 @@ describe(`mutated inputs, seed ${SEED}`, () => {
     async (_, { entrance: name, inputs }) => {
       const entrance = ENTRANCES.find((one) => one.name === name)!;
       for (const input of fromBase64(inputs)) {
-        if (entrance.kind === 'running') await arena.deliver(entrance, input);
+        if (entrance.kind === 'running') await monitored.deliver(entrance, input);
         else await entrance.deliver(input, { program: MASTER_FOR_TESTS } as FuzzTarget);
       }
-      await arena.check();
+      await monitored.check();
     },
   );
   for (const { file, todo } of finds) if (todo !== undefined) it.todo(`${file}: ${todo}`);

@@ -53,10 +53,10 @@ else {
     sessions: Number(values.sessions),
     uploads: Number(values.uploads),
     seed,
-    onSample({ heapBytes, residentBytes, descriptors, topics, timers }, tally) {
+    onSample({ heapBytes, residentBytes, descriptors, topics, timers }, counters) {
       if (samples++ % 6 !== 0) return;
       const atS = Math.round((performance.now() - begunMs) / 1000);
-      const records = tally.counts.get('records') ?? 0;
+      const records = counters.counts.get('records') ?? 0;
       console.log(
         `${String(atS).padStart(5)} s  heap ${mib(heapBytes)}  resident ${mib(residentBytes)}  ${descriptors} descriptors  ${topics} topics  ${timers} timers  ${records} records`,
       );
@@ -65,7 +65,7 @@ else {
   console.log(formatSoak(result));
   const grown = findGrown(result);
   console.log(grown.length === 0 ? 'Nothing grew.' : `Grew: ${grown.join(', ')}.`);
-  if (grown.length > 0 || result.tally.problems.size > 0 || result.failures.length > 0) {
+  if (grown.length > 0 || result.counters.problems.size > 0 || result.failures.length > 0) {
     process.exitCode = 1;
   }
 }

@@ -4,7 +4,7 @@ import type { MasterProcess } from '@ubii/harness';
 
 import { pause } from '../pause.ts';
 
-const PATIENCE_MS = 60_000;
+const TIMEOUT_MS = 60_000;
 
 /**
  * The measured quantities with their tolerated increase: the larger of a share and an amount. At rest, counts have the
@@ -40,11 +40,11 @@ export class Gauge {
     this.#file = file;
   }
 
-  /** @throws Error when the master tells nothing for a minute */
+  /** @throws Error when the probe writes nothing for a minute */
   async read(): Promise<Sample> {
     process.kill(this.#master.pid, 'SIGUSR2');
     this.#count++;
-    const told = await this.#whenTold();
+    const report = await this.#readProbe();
     const figures = this.#master.figures();
     const metrics = await this.#master.metrics();
     const sum = (name: string): number => {
@@ -54,14 +54,14 @@ export class Gauge {
       }
       return all;
     };
-    const { Timeout: timers = 0, ...others } = told.resources;
+    const { Timeout: timers = 0, ...others } = report.resources;
     // These are about what is under way at the moment.
     for (const passing of ['Immediate', 'TickObject', 'FSReqPromise', 'FSReqCallback']) {
       delete (others as Record<string, number>)[passing];
     }
     return {
-      heapBytes: told.heapUsed,
-      externalBytes: told.external,
+      heapBytes: report.heapUsed,
+      externalBytes: report.external,
       residentBytes: figures.residentBytes ?? 0,
       descriptors: figures.descriptors ?? 0,
       files: filesIn(join(this.#master.dataDir, 'recordings')),
@@ -76,18 +76,18 @@ export class Gauge {
     };
   }
 
-  async #whenTold(): Promise<Told> {
-    const endMs = performance.now() + PATIENCE_MS;
+  async #readProbe(): Promise<ProbeReport> {
+    const endMs = performance.now() + TIMEOUT_MS;
     while (performance.now() < endMs) {
       try {
-        const told = JSON.parse(readFileSync(this.#file, 'utf8')) as Told;
-        if (told.count >= this.#count) return told;
+        const report = JSON.parse(readFileSync(this.#file, 'utf8')) as ProbeReport;
+        if (report.count >= this.#count) return report;
       } catch {
         // Not written yet.
       }
       await pause(20);
     }
-    throw new Error('The master did not tell what it holds.');
+    throw new Error('The probe in the master wrote no report.');
   }
 }
 
@@ -95,14 +95,14 @@ function filesIn(folder: string): number {
   return existsSync(folder) ? readdirSync(folder).length : 0;
 }
 
-interface Told {
+interface ProbeReport {
   readonly count: number;
   readonly heapUsed: number;
   readonly external: number;
   readonly resources: Readonly<Record<string, number>>;
 }
 
-/** Flags of Node with which a master tells what it holds, in a file. */
+/** Flags of Node that load the probe, which writes what the process holds to a file. */
 export function probeFlags(file: string): string[] {
   const probe = new URL('probe.mjs', import.meta.url);
   probe.search = encodeURIComponent(file);

@@ -1,4 +1,4 @@
-// Loaded into a master under test: on SIGUSR2 it tells what the process holds, after a collection of garbage.
+// Loaded into a master under test: on SIGUSR2 it writes what the process holds, after a garbage collection.
 // The file it writes to is in its own address: probe.mjs?<path>. Needs --expose-gc.
 import { renameSync, writeFileSync } from 'node:fs';
 

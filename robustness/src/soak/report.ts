@@ -15,7 +15,7 @@ export function findGrown({ growth, quiet: [first, last] }: SoakResult): readonl
 
 /** The figures as a table. */
 export function formatSoak(result: SoakResult): string {
-  const { growth, quiet, tally, failures } = result;
+  const { growth, quiet, counters, failures } = result;
   const grown = findGrown(result);
   const rows = (Object.keys(QUANTITIES) as Quantity[]).map((quantity) => {
     const { title, isBytes } = QUANTITIES[quantity];
@@ -34,8 +34,8 @@ export function formatSoak(result: SoakResult): string {
       .join('  ')
       .trimEnd(),
   );
-  const counts = [...tally.counts].map(([what, count]) => `${count} ${what}`);
-  const problems = [...tally.problems].map(([what, count]) => `  ${count} × ${what}`);
+  const counts = [...counters.counts].map(([what, count]) => `${count} ${what}`);
+  const problems = [...counters.problems].map(([what, count]) => `  ${count} × ${what}`);
   return [
     ...lines,
     counts.join(', '),

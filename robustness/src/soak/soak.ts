@@ -7,12 +7,17 @@ import { pause } from '../pause.ts';
 import { Random } from '../random.ts';
 import { judgeGrowth, type Growth } from './growth.ts';
 import { Gauge, probeFlags, QUANTITIES, type Quantity, type Sample } from './measure.ts';
-import { inviteAnew, look, runSession } from './workload/operator.ts';
-import { bePhone, type PhoneWorld } from './workload/phones.ts';
-import { bringFile, makeUploadedFiles, record, type UploadedFiles } from './workload/recordings.ts';
-import { Shift } from './workload/shift.ts';
-import { Tally } from './workload/tally.ts';
-import { Talker } from './workload/talkers.ts';
+import { renewInvitation, listEverything, runSession } from './workload/operator.ts';
+import { runPhone, type PhoneSetup } from './workload/phones.ts';
+import {
+  uploadAndDelete,
+  makeUploadedFiles,
+  record,
+  type UploadedFiles,
+} from './workload/recordings.ts';
+import { WorkerLoops } from './workload/worker-loops.ts';
+import { Counters } from './workload/counters.ts';
+import { EchoClient } from './workload/echo-clients.ts';
 
 const MEMORY = '/dev/shm';
 const SAMPLES = 120;
@@ -32,14 +37,14 @@ export interface SoakPlan {
   /** Files at once that are uploaded, played and deleted; hostile ones among them. */
   readonly uploads: number;
   readonly seed: number;
-  onSample?(sample: Sample, tally: Tally): void;
+  onSample?(sample: Sample, counters: Counters): void;
 }
 
 export interface SoakResult {
   readonly growth: ReadonlyMap<Quantity, Growth>;
   /** At rest after the warm-up, and at rest at the end. */
   readonly quiet: readonly [Sample, Sample];
-  readonly tally: Tally;
+  readonly counters: Counters;
   /** Errors that the master logged. */
   readonly failures: readonly string[];
 }
@@ -68,16 +73,16 @@ async function soakMaster(
   master: MasterProcess,
   gauge: Gauge,
 ): Promise<SoakResult> {
-  const tally = new Tally();
-  const talkers: Talker[] = [];
+  const counters = new Counters();
+  const echoClients: EchoClient[] = [];
   for (let index = 0; index < plan.clients; index++) {
-    talkers.push(await Talker.open(master, `talker ${index}`, tally));
+    echoClients.push(await EchoClient.open(master, `echo client ${index}`, counters));
   }
   const files = await makeUploadedFiles();
-  const world: PhoneWorld = { master, tally, random: new Random(plan.seed), token: '' };
+  const setup: PhoneSetup = { master, counters, random: new Random(plan.seed), token: '' };
   const samples: Sample[] = [];
   const work = async (durationMs: number, into?: Sample[]): Promise<void> => {
-    const shift = begin(plan, world, talkers, files);
+    const loops = begin(plan, setup, echoClients, files);
     const endMs = performance.now() + durationMs;
     while (performance.now() < endMs) {
       await pause(plan.durationMs / SAMPLES);
@@ -85,20 +90,20 @@ async function soakMaster(
         throw new Error(`The master has ended.\n${master.log.slice(-12).join('\n')}`);
       try {
         const sample = await gauge.read();
-        plan.onSample?.(sample, tally);
+        plan.onSample?.(sample, counters);
         into?.push(sample);
       } catch {
-        // On a machine that others keep busy, a sample may be late beyond patience; the next one counts again.
-        if (master.isRunning) tally.done('samples left out');
+        // On a machine that others keep busy, a sample may pass its time limit; the next one counts again.
+        if (master.isRunning) counters.done('samples left out');
       }
     }
-    await shift.end();
+    await loops.end();
   };
   await work(plan.durationMs * WARM_UP);
   const first = await rest(gauge, plan.clients);
   await work(plan.durationMs * (1 - WARM_UP), samples);
   const last = await rest(gauge, plan.clients);
-  await Promise.all(talkers.map((talker) => talker.close()));
+  await Promise.all(echoClients.map((echoClient) => echoClient.close()));
   const growth = new Map(
     (Object.keys(QUANTITIES) as Quantity[]).map((quantity) => [
       quantity,
@@ -108,56 +113,56 @@ async function soakMaster(
       ),
     ]),
   );
-  return { growth, quiet: [first, last], tally, failures: master.failures };
+  return { growth, quiet: [first, last], counters, failures: master.failures };
 }
 
 function begin(
   plan: SoakPlan,
-  world: PhoneWorld,
-  talkers: readonly Talker[],
+  setup: PhoneSetup,
+  echoClients: readonly EchoClient[],
   files: UploadedFiles,
-): Shift {
-  const { master, random, tally } = world;
-  const shift = new Shift();
-  for (const talker of talkers) talker.work(shift);
+): WorkerLoops {
+  const { master, random, counters } = setup;
+  const loops = new WorkerLoops();
+  for (const echoClient of echoClients) echoClient.work(loops);
   for (let index = 0; index < plan.sessions; index++) {
-    shift.employ(
-      () => runSession(master, `soak ${index}`, tally),
-      (error) => tally.failed('session', error),
+    loops.add(
+      () => runSession(master, `soak ${index}`, counters),
+      (error) => counters.failed('session', error),
     );
   }
   for (let index = 0; index < plan.uploads; index++) {
-    shift.employ(
-      () => bringFile(master, files, random, tally),
-      (error) => tally.failed('upload', error),
+    loops.add(
+      () => uploadAndDelete(master, files, random, counters),
+      (error) => counters.failed('upload', error),
     );
   }
-  shift.employ(
-    () => record(master, tally),
-    (error) => tally.failed('recording', error),
+  loops.add(
+    () => record(master, counters),
+    (error) => counters.failed('recording', error),
   );
-  shift.employ(
-    () => inviteAnew(world),
-    (error) => tally.failed('invitation', error),
+  loops.add(
+    () => renewInvitation(setup),
+    (error) => counters.failed('invitation', error),
   );
-  shift.employ(
-    () => look(master, tally),
-    (error) => tally.failed('look', error),
+  loops.add(
+    () => listEverything(master, counters),
+    (error) => counters.failed('look', error),
   );
   for (let index = 0; index < plan.phones; index++) {
-    shift.employ(
+    loops.add(
       async () => {
-        if (world.token === '') return pause(20);
-        await bePhone(world);
+        if (setup.token === '') return pause(20);
+        await runPhone(setup);
       },
       // Its invitation was revoked meanwhile: that is part of the work.
       (error) =>
         /revoked|403|Unexpected server response/.test(String(error))
-          ? tally.done('phones sent away')
-          : tally.failed('phone', error),
+          ? counters.done('phones sent away')
+          : counters.failed('phone', error),
     );
   }
-  return shift;
+  return loops;
 }
 
 /** Waits until only those who stay are there, then measures. */

@@ -12,7 +12,7 @@ import {
 } from '@ubii/proto';
 import { WebSocket } from 'ws';
 
-const PATIENCE_MS = 120_000;
+const ANSWER_TIMEOUT_MS = 120_000;
 
 export interface Answer {
   /** 0: there was none. */
@@ -87,7 +87,7 @@ export class Outsider {
         response.on('aborted', done);
       });
       outgoing.on('error', fail);
-      outgoing.setTimeout(PATIENCE_MS, () => outgoing.destroy());
+      outgoing.setTimeout(ANSWER_TIMEOUT_MS, () => outgoing.destroy());
       outgoing.end(body);
     });
   }

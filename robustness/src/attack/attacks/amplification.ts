@@ -7,20 +7,20 @@ import { comparison, finding, type Attack } from '../attack.ts';
 
 const DEVICE_BYTES = 3_500_000;
 const REQUESTS = 200;
-const MOST_BYTES = 16 * 1024 * 1024;
+const MAX_BYTES = 16 * 1024 * 1024;
 
 export const amplification: Attack = {
   name: 'amplification',
   about: `a device of 3.5 MB, and ${REQUESTS} small registrations of its client, before one who watches clients`,
-  async run(world) {
-    const master = await world.startMaster();
+  async run(environment) {
+    const master = await environment.startMaster();
     const watcher = createClient({ url: master.endpoints.url, name: 'watcher' });
     await watcher.connect();
-    world.closeLater(() => watcher.close());
+    environment.closeLater(() => watcher.close());
     const subscription = watcher.subscribe({ regex: '^/ubii/client/' });
     await subscription.ready;
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
-    const player = world.outsider(master);
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
+    const player = environment.outsider(master);
     const member = await player.join(token, { name: 'a' });
     const { client } = member;
     const parts = Array.from({ length: 16 }, (_, index) => index);
@@ -55,8 +55,8 @@ export const amplification: Attack = {
       finding(
         'bytes sent to the watcher',
         mib(sent),
-        `at most ${mib(MOST_BYTES)}`,
-        sent <= MOST_BYTES,
+        `at most ${mib(MAX_BYTES)}`,
+        sent <= MAX_BYTES,
       ),
     ];
 

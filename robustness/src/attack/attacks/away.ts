@@ -19,18 +19,18 @@ const LIMITS = 'connectionsPerAddress=9000,connectionsPerNetwork=9000,connection
 export const awayClients: Attack = {
   name: 'away-clients',
   about: `${CLIENTS} phones join, publish, and disappear silently`,
-  async run(world) {
+  async run(environment) {
     const folder = mkdtempSync(join(tmpdir(), 'ubii-away-'));
-    world.closeLater(() => rmSync(folder, { recursive: true, force: true }));
+    environment.closeLater(() => rmSync(folder, { recursive: true, force: true }));
     const probe = join(folder, 'probe.json');
     const flags = ['--flight-recorder', 'off', '--limits', LIMITS];
-    const master = await world.startMaster({ flags, nodeFlags: probeFlags(probe) });
+    const master = await environment.startMaster({ flags, nodeFlags: probeFlags(probe) });
     const gauge = new Gauge(master, probe);
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
     let problem: unknown;
     const joinAndVanish = async (count: number): Promise<void> => {
       for (let index = 0; index < count; index++) {
-        const player = world.outsider(master, index);
+        const player = environment.outsider(master, index);
         try {
           const member = await player.join(token, { name: `player ${index}` });
           await registerDevice(player, member);

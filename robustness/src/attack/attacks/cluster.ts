@@ -7,7 +7,7 @@ import { AccessRole } from '@ubii/proto';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import { roleName } from '../parts/role-name.ts';
-import type { World } from '../world/world.ts';
+import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 /** Time in which masters of a cluster find each other. */
 const SETTLE_MS = 5_000;
@@ -16,18 +16,18 @@ export const clusterSecrets: Attack = {
   name: 'cluster-secrets',
   about:
     "secrets of one master's machine at another master of the cluster, and NATS without a login",
-  async run(world) {
+  async run(environment) {
     const reason = reasonAgainstNats();
     if (reason !== undefined) return [comparison('left out', reason)];
     const folder = mkdtempSync(join(tmpdir(), 'ubii-cluster-'));
-    world.closeLater(() => rmSync(folder, { recursive: true, force: true }));
+    environment.closeLater(() => rmSync(folder, { recursive: true, force: true }));
     const nats = await startNats({ jetstream: true, host: '127.0.0.1', parentFolder: folder });
-    world.closeLater(() => nats.stop());
+    environment.closeLater(() => nats.stop());
     const flags = ['--cluster', `nats://127.0.0.1:${nats.port}`];
     const masters: MasterProcess[] = [];
     for (const name of ['a', 'b']) {
       const start = { trustsLoopback: false, flags: [...flags, '--name', name] } as const;
-      masters.push(await world.startMaster(start));
+      masters.push(await environment.startMaster(start));
     }
     await pause(SETTLE_MS);
     const [first, second] = masters as [MasterProcess, MasterProcess];
@@ -37,9 +37,9 @@ export const clusterSecrets: Attack = {
       ['token', adminToken!],
       ['code', adminCode!],
     ] as const) {
-      const here = await roleWith(world, first, secret);
+      const here = await roleWith(environment, first, secret);
       findings.push(comparison(`the admin's ${what} at its own machine`, roleName(here)));
-      const there = await roleWith(world, second, secret);
+      const there = await roleWith(environment, second, secret);
       const holds = there !== AccessRole.ACCESS_ROLE_ADMIN;
       findings.push(
         finding(`the admin's ${what} at another machine`, roleName(there), 'no admin', holds),
@@ -49,17 +49,20 @@ export const clusterSecrets: Attack = {
     findings.push(
       finding('a warning about NATS without a login', warns ? 'yes' : 'no', 'yes', warns),
     );
-    findings.push(await startAtOpenNats(world, folder));
+    findings.push(await startAtOpenNats(environment, folder));
     return findings;
   },
 };
 
 /** A NATS server that programs of other machines can use without a login. */
-async function startAtOpenNats(world: World, parentFolder: string): Promise<Finding> {
+async function startAtOpenNats(
+  environment: AttackEnvironment,
+  parentFolder: string,
+): Promise<Finding> {
   const nats = await startNats({ jetstream: true, host: '0.0.0.0', parentFolder });
-  world.closeLater(() => nats.stop());
+  environment.closeLater(() => nats.stop());
   const flags = ['--cluster', `nats://127.0.0.1:${nats.port}`];
-  const started = await world.startMaster({ flags }).then(
+  const started = await environment.startMaster({ flags }).then(
     () => 'used',
     (error: unknown) => {
       if (!(error instanceof StartRefused)) throw error;
@@ -71,8 +74,12 @@ async function startAtOpenNats(world: World, parentFolder: string): Promise<Find
 }
 
 /** The role of a client of the machine of a master that joins with a secret. */
-async function roleWith(world: World, master: MasterProcess, secret: string): Promise<AccessRole> {
-  const caller = world.insider(master);
+async function roleWith(
+  environment: AttackEnvironment,
+  master: MasterProcess,
+  secret: string,
+): Promise<AccessRole> {
+  const caller = environment.insider(master);
   try {
     const { bearer } = await caller.join(secret);
     return await caller.role(bearer);

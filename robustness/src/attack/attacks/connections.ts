@@ -11,20 +11,20 @@ const CONNECTIONS = 2_000;
 export const connections: Attack = {
   name: 'connections',
   about: `${CONNECTIONS} connections that say nothing, at ${LIMIT} descriptors`,
-  async run(world) {
-    const master = await world.startMaster({ maxDescriptors: LIMIT });
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
-    const phone = world.outsider(master, 40);
+  async run(environment) {
+    const master = await environment.startMaster({ maxDescriptors: LIMIT });
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
+    const phone = environment.outsider(master, 40);
     const member = await phone.join(token);
     const sockets: Socket[] = [];
-    world.closeLater(() => sockets.forEach((socket) => socket.destroy()));
+    environment.closeLater(() => sockets.forEach((socket) => socket.destroy()));
     for (let index = 0; index < CONNECTIONS; index++) {
-      const stranger = world.outsider(master, index % 40);
+      const stranger = environment.outsider(master, index % 40);
       const socket = await Promise.race([stranger.dial(), pause(200)]).catch(() => undefined);
       if (socket !== undefined && typeof socket === 'object') sockets.push(socket);
     }
     await pause(500);
-    const here = await canOpen(world.insider(master));
+    const here = await canOpen(environment.insider(master));
     const joined = await Promise.race([
       phone.openSocket(member).then(
         () => true,
@@ -32,7 +32,7 @@ export const connections: Attack = {
       ),
       pause(5_000).then(() => false),
     ]);
-    const neighbour = await canOpen(world.outsider(master, 41));
+    const neighbour = await canOpen(environment.outsider(master, 41));
     const open = master.figures().descriptors ?? 0;
     return [
       finding('this machine gets in', here ? 'yes' : 'no', 'yes', here),

@@ -13,13 +13,13 @@ const AFTERWARDS_MS = 20_000;
 export const descriptors: Attack = {
   name: 'descriptors',
   about: `${REFUSALS} refused upgrades that send one more byte, at ${LIMIT} descriptors`,
-  async run(world) {
-    const master = await world.startMaster({ maxDescriptors: LIMIT });
+  async run(environment) {
+    const master = await environment.startMaster({ maxDescriptors: LIMIT });
     const before = master.figures().descriptors ?? 0;
     const sockets: Socket[] = [];
-    world.closeLater(() => sockets.forEach((socket) => socket.destroy()));
+    environment.closeLater(() => sockets.forEach((socket) => socket.destroy()));
     for (let index = 0; index < REFUSALS; index++) {
-      const stranger = world.outsider(master, index);
+      const stranger = environment.outsider(master, index);
       const socket = await stranger.dial().catch(() => undefined);
       if (socket === undefined) continue;
       sockets.push(socket);
@@ -35,10 +35,10 @@ export const descriptors: Attack = {
       await Promise.race([answered, pause(500)]);
       if (!socket.destroyed) socket.write('x');
     }
-    const during = await canOpen(world.insider(master));
+    const during = await canOpen(environment.insider(master));
     await pause(AFTERWARDS_MS);
     const kept = (master.figures().descriptors ?? 0) - before;
-    const afterwards = await canOpen(world.insider(master));
+    const afterwards = await canOpen(environment.insider(master));
     return [
       finding('this machine gets in during it', during ? 'yes' : 'no', 'yes', during),
       finding('descriptors kept 20 s later', String(kept), 'at most 20', kept <= 20),

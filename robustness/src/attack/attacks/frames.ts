@@ -3,7 +3,7 @@ import { AccessRole, encode, encodeRecord } from '@ubii/proto';
 
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import { FrameFlood, clientFrames } from '../parts/frame-flood.ts';
-import { DelayMeter } from '../world/delay-meter.ts';
+import { DelayMeter } from '../environment/delay-meter.ts';
 
 const RECORDS = 390_000;
 const ATTACK_MS = 10_000;
@@ -35,19 +35,19 @@ const SHAPES: { readonly [shape: string]: (id: string) => Uint8Array } = {
 export const frames: Attack = {
   name: 'frames',
   about: `frames of ${RECORDS} records of one player, for ${ATTACK_MS / 1000} s`,
-  async run(world) {
+  async run(environment) {
     const findings: Finding[] = [];
     for (const [shape, make] of Object.entries(SHAPES)) {
-      const master = await world.startMaster();
+      const master = await environment.startMaster();
       const meter = await DelayMeter.open(master.endpoints.url);
-      world.closeLater(() => meter.close());
+      environment.closeLater(() => meter.close());
       await meter.during(WARM_UP_MS);
       const calm = await meter.during(CALM_MS);
-      const player = world.outsider(master);
-      const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
+      const player = environment.outsider(master);
+      const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
       const member = await player.join(token);
       const flood = new FrameFlood(player, member);
-      world.closeLater(() => flood.close());
+      environment.closeLater(() => flood.close());
       const frame = clientFrames(make(member.client.id));
       const cpuBefore = master.figures().cpuMs ?? 0;
       const sent = flood.send(frame);
@@ -72,7 +72,7 @@ export const frames: Attack = {
           calm.record.p99,
         ),
       );
-      await world.clear();
+      await environment.clear();
     }
     return findings;
   },

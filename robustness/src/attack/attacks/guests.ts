@@ -17,17 +17,17 @@ type Deed = (guest: Guest, id: string) => Promise<boolean>;
 export const guests: Attack = {
   name: 'guests',
   about: 'a participant takes recordings and studies of other participants and of the admin',
-  async run(world) {
-    const master = await world.startMaster();
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+  async run(environment) {
+    const master = await environment.startMaster();
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
     const ofTerminal = master.endpoints.joinToken!;
     const [attacker, neighbour, other] = await Promise.all(
       [ofTerminal, ofTerminal, token].map(async (bearer, index): Promise<Guest> => {
-        const caller = world.outsider(master, index);
+        const caller = environment.outsider(master, index);
         return { caller, ...(await caller.join(bearer, { name: `guest ${index}` })) };
       }),
     );
-    const insider = world.insider(master);
+    const insider = environment.insider(master);
     const admin: Guest = { caller: insider, ...(await insider.join(undefined)) };
     const findings: Finding[] = [];
     const owners: readonly [string, Guest][] = [

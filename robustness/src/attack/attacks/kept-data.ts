@@ -25,16 +25,16 @@ const RECORDS = 100;
 export const fileModes: Attack = {
   name: 'file-modes',
   about: 'another user of this machine reads recordings in the data directory',
-  async run(world) {
+  async run(environment) {
     const dataDir = mkdtempSync(join(tmpdir(), 'ubii-modes-'));
-    world.closeLater(() => rmSync(dataDir, { recursive: true, force: true }));
+    environment.closeLater(() => rmSync(dataDir, { recursive: true, force: true }));
     // As a folder that a user makes with the usual mask.
     chmodSync(dataDir, 0o755);
     const folder = join(dataDir, 'recordings');
     mkdirSync(folder, { mode: 0o755 });
     const earlier = join(folder, 'earlier.mcap');
     writeFileSync(earlier, await recordingFile('/earlier', 10), { mode: 0o644 });
-    const master = await world.startMaster({ dataDir });
+    const master = await environment.startMaster({ dataDir });
     const id = await startRecording(master, 'private');
     await pause(500);
     const during = whatOthersRead(folder);
@@ -54,15 +54,15 @@ export const fileModes: Attack = {
 export const flightSilence: Attack = {
   name: 'flight-silence',
   about: `${RECORDS} records, then silence for longer than the flight recorder keeps`,
-  async run(world) {
-    const master = await world.startMaster();
+  async run(environment) {
+    const master = await environment.startMaster();
     await master.call({
       topic: '/services/ubii/flight_recorder_set',
       flightRecorderSettings: { isOn: true, minutes: FLIGHT_MS / 60_000 },
     });
     const client = createClient({ url: master.endpoints.url, name: 'talker' });
     await client.connect();
-    world.closeLater(() => client.close());
+    environment.closeLater(() => client.close());
     for (let index = 0; index < RECORDS; index++) {
       client.publish('/said', 'double', index, { immediate: true });
     }
@@ -97,8 +97,8 @@ export const flightSilence: Attack = {
 export const deletedIds: Attack = {
   name: 'deleted-ids',
   about: 'requests for a recording that was deleted',
-  async run(world) {
-    const master = await world.startMaster();
+  async run(environment) {
+    const master = await environment.startMaster();
     const id = await startRecording(master, 'short');
     await master.call({ topic: '/services/ubii/recording_stop', recordingRequest: { id } });
     await master.call({ topic: '/services/ubii/recording_delete', recordingRequest: { id } });
@@ -120,7 +120,7 @@ export const deletedIds: Attack = {
       const name = request.topic!.replace('/services/ubii/', '');
       findings.push(finding(name, code, 'not_found', code === 'not_found'));
     }
-    const { status } = await world.insider(master).ask('GET', `/recordings/${id}.mcap`);
+    const { status } = await environment.insider(master).ask('GET', `/recordings/${id}.mcap`);
     const { failures } = master;
     return [
       ...findings,

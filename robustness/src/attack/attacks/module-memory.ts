@@ -6,15 +6,15 @@ import { comparison, finding, type Attack } from '../attack.ts';
 
 const MODULES = 60;
 /** The budget of one session is 1 GiB; the rest is the master itself. */
-const MOST_BYTES = 1_280 * 1024 * 1024;
+const MAX_BYTES = 1_280 * 1024 * 1024;
 
 export const moduleMemory: Attack = {
   name: 'module-memory',
   about: `a session of a participant with ${MODULES} modules that each take what they get`,
-  async run(world) {
-    const master = await world.startMaster();
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
-    const participant = world.outsider(master);
+  async run(environment) {
+    const master = await environment.startMaster();
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const participant = environment.outsider(master);
     const member = await participant.join(token);
     const modules = Array.from({ length: MODULES }, (_, index) => ({
       name: `hoarder ${index}`,
@@ -35,12 +35,7 @@ export const moduleMemory: Attack = {
     await pause(20_000);
     const { peakBytes = 0 } = master.figures();
     return [
-      finding(
-        'most resident',
-        mib(peakBytes),
-        `at most ${mib(MOST_BYTES)}`,
-        peakBytes <= MOST_BYTES,
-      ),
+      finding('most resident', mib(peakBytes), `at most ${mib(MAX_BYTES)}`, peakBytes <= MAX_BYTES),
       comparison(
         'the session',
         session === undefined ? `refused: ${error?.message ?? ''}` : 'started',

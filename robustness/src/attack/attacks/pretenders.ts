@@ -6,7 +6,7 @@ import { AccessRole } from '@ubii/proto';
 
 import { finding, type Attack, type Finding } from '../attack.ts';
 import { roleName } from '../parts/role-name.ts';
-import type { World } from '../world/world.ts';
+import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 const NOBODY = 65_534;
 const asker = fileURLToPath(new URL('../parts/ask-role.mjs', import.meta.url));
@@ -33,10 +33,13 @@ const PROXY_HEADERS: Readonly<Record<string, string>> = {
 export const originNull: Attack = {
   name: 'origin-null',
   about: 'a page without an origin, at a master with --allowed-origins null',
-  async run(world) {
+  async run(environment) {
     try {
-      const master = await world.startMaster({ ...PLAIN, flags: ['--allowed-origins', 'null'] });
-      return [await noAdmin(world, master, 'Origin: null', { Origin: 'null' })];
+      const master = await environment.startMaster({
+        ...PLAIN,
+        flags: ['--allowed-origins', 'null'],
+      });
+      return [await noAdmin(environment, master, 'Origin: null', { Origin: 'null' })];
     } catch (error) {
       if (!(error instanceof StartRefused)) throw error;
       return [finding('--allowed-origins null', 'refused at the start', 'no admin', true)];
@@ -47,14 +50,16 @@ export const originNull: Attack = {
 export const proxies: Attack = {
   name: 'proxies',
   about: 'proxies on this machine that pass strangers on',
-  async run(world) {
-    const master = await world.startMaster(PLAIN);
+  async run(environment) {
+    const master = await environment.startMaster(PLAIN);
     const findings = [
-      await noAdmin(world, master, 'HTTP/1.1, no header', {}),
-      await noAdmin(world, master, 'an unknown header', { 'X-Gateway-Caller': '198.51.100.7' }),
+      await noAdmin(environment, master, 'HTTP/1.1, no header', {}),
+      await noAdmin(environment, master, 'an unknown header', {
+        'X-Gateway-Caller': '198.51.100.7',
+      }),
     ];
     for (const [name, value] of Object.entries(PROXY_HEADERS)) {
-      const role = await roleOf(world, master, { [name]: value });
+      const role = await roleOf(environment, master, { [name]: value });
       const isStranger = role === AccessRole.ACCESS_ROLE_NONE;
       findings.push(finding(name, roleName(role), 'stranger', isStranger));
     }
@@ -65,13 +70,13 @@ export const proxies: Attack = {
 export const localName: Attack = {
   name: 'local-name',
   about: 'a page whose name <name>.local was made to mean this machine',
-  async run(world) {
-    const master = await world.startMaster(PLAIN);
+  async run(environment) {
+    const master = await environment.startMaster(PLAIN);
     const findings: Finding[] = [];
     for (const name of [`${hostname().split('.')[0]}.local`, hostname()]) {
       const host = `${name}:${master.port}`;
       const headers = { host, origin: `http://${host}` };
-      findings.push(await noAdmin(world, master, `Host: ${name}`, headers));
+      findings.push(await noAdmin(environment, master, `Host: ${name}`, headers));
     }
     return findings;
   },
@@ -80,8 +85,8 @@ export const localName: Attack = {
 export const localUsers: Attack = {
   name: 'local-users',
   about: 'other users of this machine, and pages of other ports of localhost',
-  async run(world) {
-    const master = await world.startMaster(PLAIN);
+  async run(environment) {
+    const master = await environment.startMaster(PLAIN);
     const findings: Finding[] = [];
     if (process.getuid?.() === 0) {
       const { stdout } = spawnSync(process.execPath, [asker, String(master.port)], {
@@ -100,27 +105,27 @@ export const localUsers: Attack = {
       );
     }
     const page = { Origin: 'http://localhost:5999', 'Sec-Fetch-Site': 'same-site' };
-    findings.push(await noAdmin(world, master, 'a page of localhost:5999', page));
+    findings.push(await noAdmin(environment, master, 'a page of localhost:5999', page));
     return findings;
   },
 };
 
 async function noAdmin(
-  world: World,
+  environment: AttackEnvironment,
   master: MasterProcess,
   what: string,
   headers: Readonly<Record<string, string>>,
 ): Promise<Finding> {
-  const role = await roleOf(world, master, headers);
+  const role = await roleOf(environment, master, headers);
   return finding(what, roleName(role), 'no admin', role !== AccessRole.ACCESS_ROLE_ADMIN);
 }
 
 /** @returns the reason when there is no answer */
 function roleOf(
-  world: World,
+  environment: AttackEnvironment,
   master: MasterProcess,
   headers: Readonly<Record<string, string>>,
 ): Promise<AccessRole | string> {
-  const caller = world.insider(master, headers);
+  const caller = environment.insider(master, headers);
   return caller.role().catch((error: unknown) => String((error as Error).message));
 }

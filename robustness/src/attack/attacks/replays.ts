@@ -7,7 +7,7 @@ import { recordedDevice } from '@ubii/recording/testing';
 import { recordingFile, uploadRecording } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
-import type { World } from '../world/world.ts';
+import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 /** Value of live records; a replay has others. */
 const LIVE = -7;
@@ -17,13 +17,13 @@ const WATCH_MS = 2_000;
 export const replayRights: Attack = {
   name: 'replay-rights',
   about: 'a replay of a participant mutes and moves topics of others',
-  async run(world) {
-    const master = await world.startMaster();
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
-    const attacker = world.outsider(master);
+  async run(environment) {
+    const master = await environment.startMaster();
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const attacker = environment.outsider(master);
     const member = await attacker.join(token, { name: 'attacker' });
-    const admin = await openClient(world, master, 'admin');
-    const player = world.outsider(master, 1);
+    const admin = await openClient(environment, master, 'admin');
+    const player = environment.outsider(master, 1);
     const playerMember = await player.join(token, { name: 'neighbour' });
     const findings: Finding[] = [];
 
@@ -70,7 +70,7 @@ export const replayRights: Attack = {
       if (started === undefined) return request.livePrefix === undefined ? 1 : 0;
       // A replay mutes topics that it has played.
       await pause(500);
-      const count = await countLive(world, master, regex);
+      const count = await countLive(environment, master, regex);
       await attacker.call(
         { topic: '/services/ubii/replay_stop', replayRequest: { id: started.id } },
         member.bearer,
@@ -83,9 +83,9 @@ export const replayRights: Attack = {
 export const studyCodes: Attack = {
   name: 'study-codes',
   about: 'a viewer reads the code of a participant while a recording of a study is replayed',
-  async run(world) {
+  async run(environment) {
     const code = 'QZ77X';
-    const master = await world.startMaster();
+    const master = await environment.startMaster();
     const { study } = await master.call({
       topic: '/services/ubii/study_save',
       study: { name: 'reach', repetitions: 1, conditions: [{ name: 'one' }] },
@@ -94,7 +94,7 @@ export const studyCodes: Attack = {
       topic: '/services/ubii/study_run_start',
       studyRunStartRequest: { studyId: study!.id, participantCode: code, visit: '1' },
     });
-    const publisher = await openClient(world, master, 'publisher');
+    const publisher = await openClient(environment, master, 'publisher');
     const stop = publishAsAdmin(publisher, '/reach');
     const change = (action: StudyRunAction) =>
       master.call({
@@ -107,8 +107,8 @@ export const studyCodes: Attack = {
     stop();
     const { recordingList } = await master.call({ topic: '/services/ubii/recording_list' });
     const recordingId = recordingList!.elements[0]!.id;
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_VIEWER);
-    const viewer = world.outsider(master);
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_VIEWER);
+    const viewer = environment.outsider(master);
     const member = await viewer.join(token, { name: 'viewer' });
     const seen: string[] = [];
     const socket = await viewer.openSocket(member);
@@ -148,12 +148,12 @@ export const studyCodes: Attack = {
 export const ghostInputs: Attack = {
   name: 'ghost-inputs',
   about: 'a ghost of a participant whose devices subscribe to topics of others',
-  async run(world) {
-    const master = await world.startMaster();
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
-    const attacker = world.outsider(master);
+  async run(environment) {
+    const master = await environment.startMaster();
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const attacker = environment.outsider(master);
     const member = await attacker.join(token, { name: 'attacker' });
-    const victim = await openClient(world, master, 'victim');
+    const victim = await openClient(environment, master, 'victim');
     const claimed = ['/ubii/x', '/info/x', `/${victim.id}/vibrate`];
     const components = [
       { topic: '/recorded/touch' },
@@ -189,10 +189,14 @@ function yesNo(what: string, happens: boolean): Finding {
   return finding(what, happens ? 'yes' : 'no', 'no', !happens);
 }
 
-async function openClient(world: World, master: MasterProcess, name: string): Promise<UbiiClient> {
+async function openClient(
+  environment: AttackEnvironment,
+  master: MasterProcess,
+  name: string,
+): Promise<UbiiClient> {
   const client = createClient({ url: master.endpoints.url, name, publishIntervalMs: 0 });
   await client.connect();
-  world.closeLater(() => client.close());
+  environment.closeLater(() => client.close());
   return client;
 }
 
@@ -214,8 +218,12 @@ async function publishAsGuest(caller: Outsider, member: Member, topic: string) {
 }
 
 /** Counts live records for a while, beyond the value that the master kept. */
-async function countLive(world: World, master: MasterProcess, regex: string): Promise<number> {
-  const client = await openClient(world, master, 'watcher');
+async function countLive(
+  environment: AttackEnvironment,
+  master: MasterProcess,
+  regex: string,
+): Promise<number> {
+  const client = await openClient(environment, master, 'watcher');
   let count = 0;
   const subscription = client.subscribe({ regex });
   subscription.onRecord(({ value }) => {

@@ -2,7 +2,7 @@ import { AccessRole } from '@ubii/proto';
 
 import { pause } from '../../pause.ts';
 import { finding, seconds, type Attack } from '../attack.ts';
-import { receives, ticking } from '../../fixtures/sessions.ts';
+import { receives, periodicSession } from '../../fixtures/sessions.ts';
 
 const TOPIC = '/revoked/tick';
 const LIFETIME_MS = 60_000;
@@ -11,16 +11,19 @@ const DAY_MS = 24 * 3_600_000;
 export const revoking: Attack = {
   name: 'revoking',
   about: 'what a participant left running publishes after its leave was taken back',
-  async run(world) {
-    const first = await world.startMaster();
-    const participant = world.outsider(first);
-    const invitation = await world.invite(first, AccessRole.ACCESS_ROLE_PARTICIPANT, {
+  async run(environment) {
+    const first = await environment.startMaster();
+    const participant = environment.outsider(first);
+    const invitation = await environment.invite(first, AccessRole.ACCESS_ROLE_PARTICIPANT, {
       lifetimeMs: LIFETIME_MS,
     });
     const member = await participant.join(invitation.token);
     const outlivesMs =
       (member.client.extension?.credentialExpiresMs ?? 0) - invitation.grant!.expiresMs;
-    const session = { ...ticking('left behind', TOPIC), extension: { startWithMaster: true } };
+    const session = {
+      ...periodicSession('left behind', TOPIC),
+      extension: { startWithMaster: true },
+    };
     for (const service of ['database/save', 'runtime/start']) {
       await participant.call({ topic: `/services/session/${service}`, session }, member.bearer);
     }
@@ -34,7 +37,7 @@ export const revoking: Attack = {
     await pause(2_000);
     const publishes = await receives(first, `^${TOPIC}$`);
     await first.stop();
-    const second = await world.startMaster({ dataDir: first.dataDir });
+    const second = await environment.startMaster({ dataDir: first.dataDir });
     await pause(3_000);
     const comesBack = await receives(second, `^${TOPIC}$`);
     return [

@@ -1,23 +1,23 @@
 import { pause } from '../../pause.ts';
 import { finding, type Attack } from '../attack.ts';
-import { demuxing, receives, topicsOf } from '../../fixtures/sessions.ts';
+import { demuxSession, receives, topicsOf } from '../../fixtures/sessions.ts';
 
 const RUN_MS = 15_000;
 
 export const runawayDemuxer: Attack = {
   name: 'runaway-demuxer',
   about: 'a session whose demuxer makes ever new topics',
-  async run(world) {
-    const master = await world.startMaster();
+  async run(environment) {
+    const master = await environment.startMaster();
     const { session } = await master.call({
       topic: '/services/session/runtime/start',
-      session: demuxing('runaway', 2_000),
+      session: demuxSession('runaway', 2_000),
     });
     await pause(RUN_MS);
     const topics = await topicsOf(master);
     const { session: other } = await master.call({
       topic: '/services/session/runtime/start',
-      session: demuxing('other', 1),
+      session: demuxSession('other', 1),
     });
     const others = await receives(master, '^/other/');
     await master.call({ topic: '/services/session/runtime/stop', session: { id: other!.id } });

@@ -4,7 +4,7 @@ import type { WebSocket } from 'ws';
 
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
-import type { World } from '../world/world.ts';
+import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 const CLIENTS = 5;
 
@@ -19,31 +19,35 @@ interface Greed {
 export const shares: Attack = {
   name: 'shares',
   about: `${CLIENTS} clients of a player take all regular expressions and topics, then leave`,
-  async run(world) {
+  async run(environment) {
     const findings: Finding[] = [];
     for (const greed of [PATTERNS, TOPICS]) {
-      const master = await world.startMaster();
-      findings.push(...(await tryGreed(world, master, greed)));
-      await world.clear();
+      const master = await environment.startMaster();
+      findings.push(...(await tryGreed(environment, master, greed)));
+      await environment.clear();
     }
     return findings;
   },
 };
 
-async function tryGreed(world: World, master: MasterProcess, greed: Greed): Promise<Finding[]> {
+async function tryGreed(
+  environment: AttackEnvironment,
+  master: MasterProcess,
+  greed: Greed,
+): Promise<Finding[]> {
   const { what } = greed;
   const role = AccessRole.ACCESS_ROLE_PLAYER;
-  const greedy = await world.invite(master, role, { label: 'greedy' });
-  const modest = await world.invite(master, role, { label: 'modest' });
-  const second = world.outsider(master, 45);
-  const admin = world.insider(master);
+  const greedy = await environment.invite(master, role, { label: 'greedy' });
+  const modest = await environment.invite(master, role, { label: 'modest' });
+  const second = environment.outsider(master, 45);
+  const admin = environment.insider(master);
   const others: [string, Outsider, Member][] = [
     ['a second player', second, await second.join(modest.token)],
     ['an admin', admin, await admin.join(undefined)],
   ];
   const sockets: WebSocket[] = [];
   for (let index = 0; index < CLIENTS; index++) {
-    const player = world.outsider(master, index);
+    const player = environment.outsider(master, index);
     const member = await player.join(greedy.token);
     const socket = await player.openSocket(member);
     sockets.push(socket);

@@ -3,14 +3,14 @@ import type { Outsider } from '@ubii/harness';
 import { pause } from '../../pause.ts';
 import { finding, seconds, type Attack, type Finding } from '../attack.ts';
 
-const PATIENCE_MS = 90_000;
-const MOST_HELD_MS = 30_000;
+const TIMEOUT_MS = 90_000;
+const MAX_HELD_MS = 30_000;
 
 export const slowHeads: Attack = {
   name: 'slow-heads',
   about: 'connections of strangers that say nothing, or a header a byte at a time',
-  async run(world) {
-    const master = await world.startMaster();
+  async run(environment) {
+    const master = await environment.startMaster();
     const ways: [string, (caller: Outsider) => Promise<number | undefined>][] = [
       ['one byte every 2 s', (caller) => held(caller, 'GET / HTTP/1.1\r\nX-Slow: ', 'a')],
       ['half a request line, then nothing', (caller) => held(caller, 'GET / HT')],
@@ -23,12 +23,12 @@ export const slowHeads: Attack = {
     ];
     return Promise.all(
       ways.map(async ([what, way], index): Promise<Finding> => {
-        const heldMs = await way(world.outsider(master, index));
+        const heldMs = await way(environment.outsider(master, index));
         return finding(
           what,
-          heldMs === undefined ? `held for more than ${seconds(PATIENCE_MS)}` : seconds(heldMs),
-          `at most ${seconds(MOST_HELD_MS)}`,
-          heldMs !== undefined && heldMs <= MOST_HELD_MS,
+          heldMs === undefined ? `held for more than ${seconds(TIMEOUT_MS)}` : seconds(heldMs),
+          `at most ${seconds(MAX_HELD_MS)}`,
+          heldMs !== undefined && heldMs <= MAX_HELD_MS,
         );
       }),
     );
@@ -53,7 +53,7 @@ async function held(
   });
   if (first.length > 0) socket.write(first);
   const timer = drop === undefined ? undefined : setInterval(() => void socket.write(drop), 2_000);
-  const heldMs = await Promise.race([closed, pause(PATIENCE_MS).then(() => undefined)]);
+  const heldMs = await Promise.race([closed, pause(TIMEOUT_MS).then(() => undefined)]);
   clearInterval(timer);
   socket.destroy();
   return heldMs;

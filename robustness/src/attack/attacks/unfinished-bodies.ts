@@ -7,18 +7,18 @@ import { finding, type Attack } from '../attack.ts';
 const BODIES = 60;
 const PART = Buffer.alloc(1024 * 1024, 0x20);
 const PARTS = 30;
-const MOST_GROWTH_BYTES = 200 * 1024 * 1024;
+const MAX_GROWTH_BYTES = 200 * 1024 * 1024;
 
 export const unfinishedBodies: Attack = {
   name: 'unfinished-bodies',
   about: `${BODIES} bodies of ${PARTS} MiB that do not end, of strangers`,
-  async run(world) {
-    const master = await world.startMaster();
+  async run(environment) {
+    const master = await environment.startMaster();
     const before = master.figures().residentBytes ?? 0;
     const sockets: Socket[] = [];
-    world.closeLater(() => sockets.forEach((socket) => socket.destroy()));
+    environment.closeLater(() => sockets.forEach((socket) => socket.destroy()));
     for (let index = 0; index < BODIES; index++) {
-      const stranger = world.outsider(master, index);
+      const stranger = environment.outsider(master, index);
       const socket = await stranger.dial().catch(() => undefined);
       if (socket === undefined) continue;
       sockets.push(socket);
@@ -40,14 +40,14 @@ export const unfinishedBodies: Attack = {
       finding(
         'most memory more than before',
         mib(grown),
-        `at most ${mib(MOST_GROWTH_BYTES)}`,
-        grown <= MOST_GROWTH_BYTES,
+        `at most ${mib(MAX_GROWTH_BYTES)}`,
+        grown <= MAX_GROWTH_BYTES,
       ),
       finding(
         'memory more than before while they are held',
         mib(residentBytes - before),
-        `at most ${mib(MOST_GROWTH_BYTES)}`,
-        residentBytes - before <= MOST_GROWTH_BYTES,
+        `at most ${mib(MAX_GROWTH_BYTES)}`,
+        residentBytes - before <= MAX_GROWTH_BYTES,
       ),
     ];
   },

@@ -22,7 +22,7 @@ import { uploadRecording } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import { tryUpload, type HostileFile } from '../parts/try-upload.ts';
-import type { World } from '../world/world.ts';
+import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 const MAX_REPLY_BYTES = 1024 * 1024;
 const LONG_TEXT = 180_000_000;
@@ -34,28 +34,28 @@ const MAX_UPLOADS = 2;
 export const uploadLengths: Attack = {
   name: 'upload-lengths',
   about: 'uploads of some hundred bytes whose index states 3 GiB',
-  run: (world) => tryEach(world, LENGTHS),
+  run: (environment) => tryEach(environment, LENGTHS),
 };
 
 export const uploadWeight: Attack = {
   name: 'upload-weight',
   about: 'uploads of at most 5 MB that unpack to millions of markers, or to a gigabyte',
-  run: (world) => tryEach(world, WEIGHTS),
+  run: (environment) => tryEach(environment, WEIGHTS),
 };
 
 export const uploadTexts: Attack = {
   name: 'upload-texts',
   about: 'uploads whose name and notes are long',
-  run: (world) => tryEach(world, TEXTS),
+  run: (environment) => tryEach(environment, TEXTS),
 };
 
 export const uploadClaims: Attack = {
   name: 'upload-claims',
   about: 'uploads with malformed events, and with a study that they are no part of',
-  async run(world) {
-    const master = await world.startMaster();
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
-    const caller = world.outsider(master);
+  async run(environment) {
+    const master = await environment.startMaster();
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const caller = environment.outsider(master);
     const { bearer } = await caller.join(token);
     const findings: Finding[] = [];
     for (const [name, events] of Object.entries(MALFORMED_EVENTS)) {
@@ -89,17 +89,17 @@ export const uploadClaims: Attack = {
 export const uploadsAtOnce: Attack = {
   name: 'uploads-at-once',
   about: `${UPLOADS} uploads of one client at the same time`,
-  async run(world) {
-    const master = await world.startMaster();
-    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
-    const caller = world.outsider(master);
+  async run(environment) {
+    const master = await environment.startMaster();
+    const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const caller = environment.outsider(master);
     const { bearer } = await caller.join(token);
-    const neighbour = world.outsider(master, 1);
+    const neighbour = environment.outsider(master, 1);
     const member = await neighbour.join(token);
     const answered = new Set<Socket>();
     for (let index = 0; index < UPLOADS; index++) {
       const socket = await caller.dial();
-      world.closeLater(() => void socket.destroy());
+      environment.closeLater(() => void socket.destroy());
       socket.once('data', () => answered.add(socket));
       socket.once('close', () => answered.add(socket));
       const head = caller.head('POST /recordings HTTP/1.1', {
@@ -146,11 +146,14 @@ const TEXTS: readonly HostileFile[] = [
   { name: '5000 topics, 9000 markers', make: manyTopics, look: readReplies },
 ];
 
-async function tryEach(world: World, files: readonly HostileFile[]): Promise<readonly Finding[]> {
+async function tryEach(
+  environment: AttackEnvironment,
+  files: readonly HostileFile[],
+): Promise<readonly Finding[]> {
   const findings: Finding[] = [];
   for (const file of files) {
-    findings.push(...(await tryUpload(world, file)));
-    await world.clear();
+    findings.push(...(await tryUpload(environment, file)));
+    await environment.clear();
   }
   return findings;
 }

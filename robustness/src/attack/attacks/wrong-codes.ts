@@ -3,40 +3,50 @@ import { AccessRole } from '@ubii/proto';
 
 import { pause } from '../../pause.ts';
 import { finding, seconds, type Attack, type Finding } from '../attack.ts';
-import type { World } from '../world/world.ts';
+import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
-const PATIENCE_MS = 75_000;
-const MOST_WAIT_MS = 10_000;
+const TIMEOUT_MS = 75_000;
+const MAX_WAIT_MS = 10_000;
 
 export const wrongCodes: Attack = {
   name: 'wrong-codes',
   about:
     'wrong codes from one IPv6 address, and from 20 IPv4 addresses, while others have right ones',
-  async run(world) {
+  async run(environment) {
     const findings: Finding[] = [];
-    if (world.hasNetwork) {
-      const master = await world.startMaster();
-      await guess(world.outsider(master, 0, 6), 30);
-      const neighbour = await timeUntilIn(world, master, world.outsider(master, 1, 6), 'code');
+    if (environment.hasNetwork) {
+      const master = await environment.startMaster();
+      await guess(environment.outsider(master, 0, 6), 30);
+      const neighbour = await timeUntilIn(
+        environment,
+        master,
+        environment.outsider(master, 1, 6),
+        'code',
+      );
       findings.push(outcome('a right code from a neighbour of the same /64 (IPv6)', neighbour));
-      await world.clear();
+      await environment.clear();
     }
-    const master = await world.startMaster();
+    const master = await environment.startMaster();
     await Promise.all(
-      Array.from({ length: 20 }, (_, index) => guess(world.outsider(master, index), 30)),
+      Array.from({ length: 20 }, (_, index) => guess(environment.outsider(master, index), 30)),
     );
-    const other = await timeUntilIn(world, master, world.outsider(master, 45), 'code');
+    const other = await timeUntilIn(environment, master, environment.outsider(master, 45), 'code');
     findings.push(outcome('a right code from another IPv4 address', other));
-    const scanned = await timeUntilIn(world, master, world.outsider(master, 0), 'token');
+    const scanned = await timeUntilIn(
+      environment,
+      master,
+      environment.outsider(master, 0),
+      'token',
+    );
     findings.push(outcome('a token from an address that guessed', scanned));
     return findings;
   },
 };
 
 function outcome(what: string, waitedMs: number | undefined): Finding {
-  const figure = waitedMs === undefined ? `not within ${seconds(PATIENCE_MS)}` : seconds(waitedMs);
-  const holds = waitedMs !== undefined && waitedMs <= MOST_WAIT_MS;
-  return finding(`${what}: time until in`, figure, `at most ${seconds(MOST_WAIT_MS)}`, holds);
+  const figure = waitedMs === undefined ? `not within ${seconds(TIMEOUT_MS)}` : seconds(waitedMs);
+  const holds = waitedMs !== undefined && waitedMs <= MAX_WAIT_MS;
+  return finding(`${what}: time until in`, figure, `at most ${seconds(MAX_WAIT_MS)}`, holds);
 }
 
 async function guess(stranger: Outsider, times: number): Promise<void> {
@@ -52,14 +62,14 @@ async function guess(stranger: Outsider, times: number): Promise<void> {
 
 /** Tries once a second, as a person does. */
 async function timeUntilIn(
-  world: World,
+  environment: AttackEnvironment,
   master: MasterProcess,
   caller: Outsider,
   by: 'code' | 'token',
 ): Promise<number | undefined> {
-  const invitation = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
+  const invitation = await environment.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
   const begunMs = performance.now();
-  while (performance.now() - begunMs < PATIENCE_MS) {
+  while (performance.now() - begunMs < TIMEOUT_MS) {
     const isIn = await caller.join(invitation[by]).then(
       () => true,
       () => false,

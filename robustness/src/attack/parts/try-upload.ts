@@ -7,7 +7,7 @@ import { AccessRole } from '@ubii/proto';
 import { startRecording, uploadRecording, type UploadAnswer } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, millis, type Finding } from '../attack.ts';
-import type { World } from '../world/world.ts';
+import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 /** Others notice no longer stall. A busy machine adds its own delays. */
 const MAX_STALL_MS = 250;
@@ -24,16 +24,19 @@ export interface HostileFile {
 }
 
 /** Uploads a file, uses it where it was accepted, and starts the master again with the same data. */
-export async function tryUpload(world: World, hostile: HostileFile): Promise<readonly Finding[]> {
+export async function tryUpload(
+  environment: AttackEnvironment,
+  hostile: HostileFile,
+): Promise<readonly Finding[]> {
   const dataDir = mkdtempSync(join(tmpdir(), 'ubii-upload-'));
-  world.closeLater(() => rmSync(dataDir, { recursive: true, force: true }));
-  const master = await world.startMaster({ dataDir });
-  const meter = await world.gapMeter(master);
+  environment.closeLater(() => rmSync(dataDir, { recursive: true, force: true }));
+  const master = await environment.startMaster({ dataDir });
+  const meter = await environment.gapMeter(master);
   const calmMs = await meter.during(async () => {});
   const running = await startRecording(master, 'of others');
   const file = await hostile.make();
-  const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
-  const caller = world.outsider(master);
+  const { token } = await environment.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+  const caller = environment.outsider(master);
   const { bearer } = await caller.join(token);
   let answer: UploadAnswer | undefined;
   let looked: readonly Finding[] = [];
@@ -54,7 +57,7 @@ export async function tryUpload(world: World, hostile: HostileFile): Promise<rea
   const lives = master.isRunning;
   const goesOn = lives && (await grows(master, running));
   if (lives) await master.stop();
-  const next = await startAgain(world, dataDir, running);
+  const next = await startAgain(environment, dataDir, running);
   const say = (what: string, isSo: boolean): Finding =>
     finding(`${hostile.name}: ${what}`, isSo ? 'yes' : 'no', 'yes', isSo);
   return [
@@ -134,14 +137,14 @@ async function grows(master: MasterProcess, id: string): Promise<boolean> {
 
 /** Starts a master with what is in a folder, lists and records, and deletes everything that is listed. */
 async function startAgain(
-  world: World,
+  environment: AttackEnvironment,
   dataDir: string,
   known: string,
 ): Promise<{ readonly works: boolean; readonly left: readonly string[] }> {
   const folder = join(dataDir, 'recordings');
   const left = (): string[] => (existsSync(folder) ? readdirSync(folder) : []);
   try {
-    const master = await world.startMaster({ dataDir });
+    const master = await environment.startMaster({ dataDir });
     const { recordingList } = await master.call({ topic: '/services/ubii/recording_list' });
     const hasKnown = recordingList!.elements.some(({ id }) => id === known);
     const again = await startRecording(master, 'after it');

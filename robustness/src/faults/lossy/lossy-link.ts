@@ -76,9 +76,9 @@ export class LossyLink {
   async close(): Promise<{ passed: number; lost: number }> {
     let counts = { passed: 0, lost: 0 };
     if (this.#child.exitCode === null) {
-      const told = this.#nextLine();
+      const line = this.#nextLine();
       this.#child.stdin!.end();
-      counts = JSON.parse(await told) as typeof counts;
+      counts = JSON.parse(await line) as typeof counts;
     }
     ip('netns', 'del', this.#namespace);
     return counts;

@@ -6,7 +6,7 @@ import { mutateJson } from '../mutate-json.ts';
 import { mutateWire } from '../mutate-wire.ts';
 import { fromBase64, readSeeds } from '../seeds.ts';
 
-const PATIENCE_MS = 30_000;
+const TIMEOUT_MS = 30_000;
 const REQUEST = 'ubii.services.ServiceRequest';
 /** Statuses with which a body may be turned away; everything else of a service is 200 [SV-7]. */
 const TURNED_AWAY = new Set([200, 400, 401, 403, 408, 411, 413, 415, 429, 431, 503]);
@@ -55,7 +55,7 @@ async function post(
     method: 'POST',
     headers: { 'content-type': contentType },
     body: Buffer.from(input),
-    signal: AbortSignal.timeout(PATIENCE_MS),
+    signal: AbortSignal.timeout(TIMEOUT_MS),
   });
   const body = new Uint8Array(await response.arrayBuffer());
   const text = Buffer.from(body).toString();

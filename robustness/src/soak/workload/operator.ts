@@ -1,17 +1,21 @@
 import type { MasterProcess } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import { demuxing } from '../../fixtures/sessions.ts';
+import { demuxSession } from '../../fixtures/sessions.ts';
 import { pause } from '../../pause.ts';
-import type { PhoneWorld } from './phones.ts';
-import type { Tally } from './tally.ts';
+import type { PhoneSetup } from './phones.ts';
+import type { Counters } from './counters.ts';
 
 const RUN_MS = 400;
 const INVITATION_MS = 5_000;
 
 /** Starts a session whose demuxers make topics, stores it, and takes all of it away again. */
-export async function runSession(master: MasterProcess, name: string, tally: Tally): Promise<void> {
-  const wanted = demuxing(name, 4);
+export async function runSession(
+  master: MasterProcess,
+  name: string,
+  counters: Counters,
+): Promise<void> {
+  const wanted = demuxSession(name, 4);
   const { sessionList } = await master.call({
     topic: '/services/session/database/save',
     session: wanted,
@@ -25,32 +29,32 @@ export async function runSession(master: MasterProcess, name: string, tally: Tal
   await master.call({ topic: '/services/session/runtime/stop', session: { id: session!.id } });
   await master.call({ topic: '/services/session/runtime/remove', session: { id: session!.id } });
   await master.call({ topic: '/services/session/database/delete', session: { id } });
-  tally.done('sessions');
+  counters.done('sessions');
 }
 
 /** Makes invitations for phones, and revokes those with which they joined before. */
-export async function inviteAnew(world: PhoneWorld): Promise<void> {
-  const before = world.token === '' ? undefined : grants.get(world);
-  const { accessGrantCreated } = await world.master.call({
+export async function renewInvitation(setup: PhoneSetup): Promise<void> {
+  const before = setup.token === '' ? undefined : grants.get(setup);
+  const { accessGrantCreated } = await setup.master.call({
     topic: '/services/ubii/access_grant_create',
     accessGrantCreateRequest: { label: 'phones', role: AccessRole.ACCESS_ROLE_PLAYER },
   });
-  world.token = accessGrantCreated!.token;
-  grants.set(world, accessGrantCreated!.grant!.id);
-  world.tally.done('invitations');
+  setup.token = accessGrantCreated!.token;
+  grants.set(setup, accessGrantCreated!.grant!.id);
+  setup.counters.done('invitations');
   await pause(INVITATION_MS);
   if (before !== undefined) {
-    await world.master.call({
+    await setup.master.call({
       topic: '/services/ubii/access_grant_revoke',
       accessGrantRevokeRequest: { grantId: before, reason: 'another one is there' },
     });
   }
 }
 
-const grants = new WeakMap<PhoneWorld, string>();
+const grants = new WeakMap<PhoneSetup, string>();
 
 /** Looks at everything, as a page of the operator does. */
-export async function look(master: MasterProcess, tally: Tally): Promise<void> {
+export async function listEverything(master: MasterProcess, counters: Counters): Promise<void> {
   for (const topic of [
     '/services/topic_list',
     '/services/client/get_list',
@@ -62,6 +66,6 @@ export async function look(master: MasterProcess, tally: Tally): Promise<void> {
   }
   await master.call({ topic: '/services/ubii/master_status', masterStatusRequest: { sinceMs: 0 } });
   await master.call({ topic: '/services/ubii/log_tail', logRequest: {} });
-  tally.done('looks at all lists');
+  counters.done('looks at all lists');
   await pause(250);
 }

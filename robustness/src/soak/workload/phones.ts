@@ -4,28 +4,28 @@ import type { WebSocket } from 'ws';
 
 import { pause } from '../../pause.ts';
 import type { Random } from '../../random.ts';
-import type { Tally } from './tally.ts';
+import type { Counters } from './counters.ts';
 
 const RECORDS = 20;
 
 /** Master of the simulated phones, and their join token. */
-export interface PhoneWorld {
+export interface PhoneSetup {
   readonly master: MasterProcess;
-  readonly tally: Tally;
+  readonly counters: Counters;
   readonly random: Random;
   token: string;
 }
 
 /** One phone: it joins, is a device, loses its connection, comes back, and leaves or is gone. */
-export async function bePhone(world: PhoneWorld): Promise<void> {
-  const { master, tally, random } = world;
+export async function runPhone(setup: PhoneSetup): Promise<void> {
+  const { master, counters, random } = setup;
   const phone = new Outsider({
     ...{ host: '127.0.0.1', port: master.port, from: '127.0.0.1', headers: {} },
     dial: () => dialLoopback(master.port),
   });
-  let member = await phone.join(world.token, { name: 'phone' });
+  let member = await phone.join(setup.token, { name: 'phone' });
   let socket = await phone.openSocket(member);
-  tally.done('phones joined');
+  counters.done('phones joined');
   try {
     await registerDevice(phone, member);
     await publish(socket, member.client);
@@ -34,11 +34,11 @@ export async function bePhone(world: PhoneWorld): Promise<void> {
       await pause(random.below(100));
       member = await comeBack(phone, member);
       socket = await phone.openSocket(member);
-      tally.done('phones back');
+      counters.done('phones back');
       await publish(socket, member.client);
     }
     if (random.oneIn(8)) {
-      tally.done('phones gone silently');
+      counters.done('phones gone silently');
       return;
     }
     const { error } = await phone.call(
@@ -46,7 +46,7 @@ export async function bePhone(world: PhoneWorld): Promise<void> {
       member.bearer,
     );
     if (error !== undefined) throw new Error(error.message);
-    tally.done('phones left');
+    counters.done('phones left');
   } finally {
     socket.terminate();
   }
@@ -76,7 +76,7 @@ export async function registerDevice(phone: Outsider, { client, bearer }: Member
 async function comeBack(phone: Outsider, { client, bearer }: Member): Promise<Member> {
   const { resumeToken = '' } = client.extension ?? {};
   const member = await phone.join(bearer, { id: client.id, extension: { resumeToken } });
-  if (member.client.id !== client.id) throw new Error('A phone came back as somebody else.');
+  if (member.client.id !== client.id) throw new Error('A phone reconnected with another id.');
   return member;
 }
 

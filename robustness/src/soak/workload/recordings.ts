@@ -17,7 +17,7 @@ import {
 } from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import type { Random } from '../../random.ts';
-import type { Tally } from './tally.ts';
+import type { Counters } from './counters.ts';
 
 const REPLAY_MS = 300;
 const RECORD_MS = 400;
@@ -47,11 +47,11 @@ export async function makeUploadedFiles(): Promise<UploadedFiles> {
 }
 
 /** Uploads a file, plays and downloads it, and deletes it. */
-export async function bringFile(
+export async function uploadAndDelete(
   master: MasterProcess,
   { good, hostile }: UploadedFiles,
   random: Random,
-  tally: Tally,
+  counters: Counters,
 ): Promise<void> {
   const isHostile = hostile.length > 0 && random.oneIn(HOSTILE_EVERY);
   const { recording, status, refusal } = await upload(
@@ -61,7 +61,7 @@ export async function bringFile(
   if (recording === undefined) {
     if (!isHostile || status >= 500) throw new Error(`refused with ${status}: ${refusal}`);
     await deleteRejected(master);
-    tally.done('hostile files refused');
+    counters.done('hostile files refused');
     return;
   }
   const { id } = recording;
@@ -69,13 +69,13 @@ export async function bringFile(
   await fetch(new URL(recordingFilePath(id), master.endpoints.url)).then((one) =>
     one.arrayBuffer(),
   );
-  if (!isHostile) await play(master, id, tally);
+  if (!isHostile) await play(master, id, counters);
   await master.call({ topic: '/services/ubii/recording_delete', recordingRequest: { id } });
-  tally.done(isHostile ? 'malformed files taken and deleted' : 'files uploaded and deleted');
+  counters.done(isHostile ? 'malformed files taken and deleted' : 'files uploaded and deleted');
 }
 
 /** Records everything for a moment, with a marker, and deletes it. */
-export async function record(master: MasterProcess, tally: Tally): Promise<void> {
+export async function record(master: MasterProcess, counters: Counters): Promise<void> {
   const id = await startRecording(master, 'soak');
   await pause(RECORD_MS);
   await master.call({
@@ -86,7 +86,7 @@ export async function record(master: MasterProcess, tally: Tally): Promise<void>
   const stopped = await master.call({ topic: '/services/ubii/recording_stop', recordingRequest });
   if (!(stopped.recording!.recordCount > 0)) throw new Error('A recording has no records.');
   await master.call({ topic: '/services/ubii/recording_delete', recordingRequest });
-  tally.done('recordings');
+  counters.done('recordings');
 }
 
 async function upload(master: MasterProcess, file: Uint8Array): Promise<UploadAnswer> {
@@ -98,7 +98,7 @@ async function upload(master: MasterProcess, file: Uint8Array): Promise<UploadAn
   return readUploadAnswer(response.status, new Uint8Array(await response.arrayBuffer()));
 }
 
-async function play(master: MasterProcess, recordingId: string, tally: Tally): Promise<void> {
+async function play(master: MasterProcess, recordingId: string, counters: Counters): Promise<void> {
   const { replay } = await master.call({
     topic: '/services/ubii/replay_start',
     // Several at once play the same topic: only ghosts may.
@@ -107,7 +107,7 @@ async function play(master: MasterProcess, recordingId: string, tally: Tally): P
   await pause(REPLAY_MS);
   const replayRequest = { id: replay!.id };
   await master.call({ topic: '/services/ubii/replay_stop', replayRequest });
-  tally.done('replays');
+  counters.done('replays');
 }
 
 /** Deletes files that the master keeps with the reason why it does not read them. */
