@@ -1,19 +1,20 @@
 import { readdirSync, readFileSync } from 'node:fs';
 
-/** What Linux counts time of processors in, for programs. */
+/** USER_HZ is 100 on every Linux that Node runs on (proc(5)). */
 const TICK_MS = 10;
 
 /** Figures of a process from Linux. Each is undefined where there is no `/proc`. */
 export interface ProcessFigures {
   readonly residentBytes: number | undefined;
-  /** The most it ever had resident. */
+  /** Peak of the resident memory. */
   readonly peakBytes: number | undefined;
   readonly descriptors: number | undefined;
   readonly threads: number | undefined;
-  /** Time of processors since its start, milliseconds. */
+  /** CPU time since its start, milliseconds. */
   readonly cpuMs: number | undefined;
 }
 
+/** Reads the figures of a process. */
 export function readProcess(pid: number): ProcessFigures {
   let status = '';
   let stat = '';
@@ -26,8 +27,8 @@ export function readProcess(pid: number): ProcessFigures {
     // The process has ended, or this is no Linux.
   }
   const figure = (name: string): number | undefined => {
-    const digits = new RegExp(`^${name}:\\s+(\\d+)`, 'm').exec(status)?.[1];
-    return digits === undefined ? undefined : Number(digits);
+    const line = status.split('\n').find((text) => text.startsWith(`${name}:`));
+    return line === undefined ? undefined : Number.parseInt(line.slice(name.length + 1));
   };
   const kib = (name: string): number | undefined => {
     const value = figure(name);
