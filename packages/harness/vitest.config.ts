@@ -4,7 +4,6 @@ export default defineConfig({
   test: {
     name: 'harness',
     include: ['src/**/*.test.ts'],
-    // Several start processes, which takes seconds on a busy machine.
-    testTimeout: 60_000,
+    exclude: ['**/*.process.test.ts'],
   },
 });
