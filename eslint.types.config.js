@@ -1,15 +1,16 @@
+import vue from 'eslint-plugin-vue';
 import ts from 'typescript-eslint';
 import vueParser from 'vue-eslint-parser';
 import plain from './eslint.config.js';
 
 const [{ ignores }] = plain;
 
-/** The rules of .oxlintrc.json for components, which oxlint reads without their types. */
+/** The rules of .oxlintrc.json for components, which oxlint reads without their types, and one of Vue. */
 export default [
   { ignores },
   {
     files: ['**/*.vue'],
-    plugins: { '@typescript-eslint': ts.plugin },
+    plugins: { '@typescript-eslint': ts.plugin, vue },
     linterOptions: { reportUnusedDisableDirectives: 'off' },
     languageOptions: {
       parser: vueParser,
@@ -28,6 +29,7 @@ export default [
         'error',
         { considerDefaultExhaustiveForUnions: true },
       ],
+      'vue/return-in-computed-property': 'error',
     },
   },
 ];
