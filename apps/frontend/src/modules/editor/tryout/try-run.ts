@@ -53,6 +53,8 @@ export class TryRun {
   #isEnding = false;
   /** True after the end of this instance was reported. */
   #wasTold = false;
+  #opening: Promise<boolean> = Promise.resolve(false);
+  #lastStep: Promise<void> = Promise.resolve();
 
   constructor(
     sandboxes: SandboxFactory,
@@ -91,7 +93,12 @@ export class TryRun {
   }
 
   /** Creates a new instance and destroys the previous one. @returns whether it could be created */
-  async open(module: ProcessingModule, mapping: IOMapping): Promise<boolean> {
+  open(module: ProcessingModule, mapping: IOMapping): Promise<boolean> {
+    this.#opening = this.#create(module, mapping);
+    return this.#opening;
+  }
+
+  async #create(module: ProcessingModule, mapping: IOMapping): Promise<boolean> {
     this.#move('starting');
     this.#isEnding = true;
     await this.#runtime.destroy(TRY_ID);
@@ -124,8 +131,14 @@ export class TryRun {
     this.#runtime.remap(TRY_ID, mapping);
   }
 
-  /** Runs once with the current inputs. */
-  async step(): Promise<void> {
+  /** Runs once with the current inputs, when the instance is there and the steps before have ended. */
+  step(): Promise<void> {
+    this.#lastStep = this.#lastStep.catch(() => undefined).then(() => this.#step());
+    return this.#lastStep;
+  }
+
+  async #step(): Promise<void> {
+    if (!(await this.#opening)) return;
     this.pause();
     const records = this.#runtime.lockstepInputs([TRY_ID]);
     await this.#runtime.runPass({ instanceIds: [TRY_ID], deltaTimeMs: STEP_MS, records });

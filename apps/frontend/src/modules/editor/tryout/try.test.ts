@@ -66,6 +66,13 @@ describe('trying a module', () => {
     expect(results).toEqual([]);
   });
 
+  it('runs each step that is asked for, also while the module is created', async () => {
+    const { run, results, open } = setup();
+    const opened = open(template('Generate'));
+    await Promise.all([opened, run.step(), run.step()]);
+    expect(results).toHaveLength(2);
+  });
+
   it('gives lists an identity for each element [PM-43]', async () => {
     const { run, results, put, open } = setup();
     const draft = template('Many devices');
