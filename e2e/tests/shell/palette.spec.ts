@@ -6,6 +6,8 @@ test('the palette finds a page by a few letters and goes there', async ({ room }
   await page.goto('/');
   const shell = new Shell(page);
   await shell.openPalette();
+  // Not 0 ms long: a layer that waits for the end of an animation could stay open.
+  await expect(shell.palette).toHaveCSS('animation-name', 'none');
   // All commands are listed, more than fit: the field keeps its height.
   const field = await shell.palette.locator('label').boundingBox();
   expect(field!.height).toBeGreaterThan(43.5);
