@@ -69,8 +69,8 @@ export class TouchedPhone {
   }
 
   /** From its next page on it cannot vibrate, as iPhones: it flashes. */
-  static async preparing({ context }: Person): Promise<void> {
-    await context.addInitScript(() => {
+  static async preparing({ page }: Person): Promise<void> {
+    await page.addInitScript(() => {
       Reflect.deleteProperty(Navigator.prototype, 'vibrate');
     });
   }

@@ -2,13 +2,12 @@ import type { UbiiClient } from '@ubii/client-web/node';
 import { SessionState } from '@ubii/proto';
 import { expectAccessible } from '../../fixtures/accessible.ts';
 import { callService } from '../../fixtures/call-service.ts';
-import { expect } from '../../fixtures/test.ts';
-import { testWith } from '../../fixtures/test-with.ts';
+import { expect, test } from '../../fixtures/test.ts';
 import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
 import { Shell } from '../../pages/shell.ts';
 import { makeGrant } from './make-grant.ts';
 
-const test = testWith('--lan', 'on', '--mdns', 'off');
+test.use({ masterStart: { flags: ['--lan', 'on', '--mdns', 'off'] } });
 const REFUSED = /status of (401|403)/;
 
 test('the host shows one code, sees who joins with it, and takes it back @smoke', async ({

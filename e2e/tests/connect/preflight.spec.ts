@@ -1,13 +1,14 @@
 import { AccessRole } from '@ubii/proto';
 import { CHROMIUM_FLAGS, findChromium } from '../../fixtures/chromium.ts';
-import { expect } from '../../fixtures/test.ts';
-import { testWith } from '../../fixtures/test-with.ts';
+import { expect, test } from '../../fixtures/test.ts';
 import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
 import { makeGrant } from './make-grant.ts';
 
 /** A name that browsers do not hold for this machine: plain HTTP of it is no secure page. */
 const NAME = 'studio.test';
-const test = testWith('--lan', 'on', '--mdns', 'off', '--allowed-origins', `http://${NAME}:*`);
+test.use({
+  masterStart: { flags: ['--lan', 'on', '--mdns', 'off', '--allowed-origins', `http://${NAME}:*`] },
+});
 test.use({
   launchOptions: {
     executablePath: findChromium(),

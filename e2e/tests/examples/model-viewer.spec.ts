@@ -75,8 +75,8 @@ test('a hand stands in for a phone, and others can follow it', async ({ room }) 
 });
 
 test('without WebGL words and numbers take the place of the picture', async ({ room }) => {
-  const { page, context } = await room.atDesk('Anna');
-  await context.addInitScript(() => {
+  const { page } = await room.atDesk('Anna');
+  await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await page.goto('/examples/model-viewer');

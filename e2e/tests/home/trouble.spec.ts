@@ -1,9 +1,8 @@
 import type { UbiiClient } from '@ubii/client-web';
-import { testWith } from '../../fixtures/test-with.ts';
-import { expect } from '../../fixtures/test.ts';
+import { expect, test } from '../../fixtures/test.ts';
 
 /** One percent of the time is much to this master: what is noisy anywhere is noisy here. */
-const test = testWith('--busy-percent', '1', '--publisher-percent', '1');
+test.use({ masterStart: { flags: ['--busy-percent', '1', '--publisher-percent', '1'] } });
 
 /** Publishes some thousand records per second until it is told to stop. */
 function makeNoise(robot: UbiiClient): () => void {

@@ -1,12 +1,11 @@
 import type { MasterProcess } from '@ubii/harness';
 import { expectAccessible } from '../../fixtures/accessible.ts';
-import { testWith } from '../../fixtures/test-with.ts';
-import { expect, type Person } from '../../fixtures/test.ts';
+import { expect, test, type Person } from '../../fixtures/test.ts';
 import { JoinPage } from '../../pages/join-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
 /** A master as somebody gets it who says nothing: what is printed makes an admin. */
-const test = testWith('--trust-loopback', 'off');
+test.use({ masterStart: { flags: ['--trust-loopback', 'off'] } });
 
 /** Refusals of services are answers with a status of their own, which browsers log. */
 const REFUSED = /status of (401|403|429)/;

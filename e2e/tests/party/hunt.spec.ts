@@ -1,12 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { expect, type Person, type Room } from '../../fixtures/test.ts';
-import { testWith } from '../../fixtures/test-with.ts';
+import { expect, test, type Person, type Room } from '../../fixtures/test.ts';
 import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
 import { withoutWebGl } from '../../pages/party-pages.ts';
 
-const test = testWith('--lan', 'on', '--mdns', 'off');
+test.use({ masterStart: { flags: ['--lan', 'on', '--mdns', 'off'] } });
 
 const PHOTOS = join(import.meta.dirname, '../../../packages/vision/photos');
 /** A cup is the thing that one of the photographs shows. */

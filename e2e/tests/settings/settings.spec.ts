@@ -1,10 +1,9 @@
 import { readFile } from 'node:fs/promises';
 import type { Download } from '@playwright/test';
-import { testWith } from '../../fixtures/test-with.ts';
-import { expect, test as plain } from '../../fixtures/test.ts';
+import { expect, test, test as plain } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
 
-const test = testWith('--limits', 'topicsPerClient=10', '--checks', 'throttle');
+test.use({ masterStart: { flags: ['--limits', 'topicsPerClient=10', '--checks', 'throttle'] } });
 const textOf = async (download: Download) => readFile(await download.path(), 'utf8');
 
 test('limits are listed with their reason and use; what is near and what was met stands out [EX-35, EX-36]', async ({
