@@ -1,5 +1,7 @@
 import { defineConfig } from '@playwright/test';
-import { CHROMIUM_FLAGS, findChromium } from './fixtures/chromium.ts';
+import { CHROMIUM_FLAGS, findChromium, findHeadlessShell } from './fixtures/chromium.ts';
+
+const isHeaded = process.argv.includes('--headed');
 
 export default defineConfig({
   testDir: 'tests',
@@ -20,6 +22,9 @@ export default defineConfig({
     trace: { mode: 'on-first-retry', screenshots: false, snapshots: true, sources: true },
     actionTimeout: 30_000,
     navigationTimeout: 60_000,
-    launchOptions: { executablePath: findChromium(), args: [...CHROMIUM_FLAGS] },
+    launchOptions: {
+      executablePath: isHeaded ? findChromium() : findHeadlessShell(),
+      args: [...CHROMIUM_FLAGS],
+    },
   },
 });

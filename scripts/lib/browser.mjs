@@ -10,7 +10,7 @@ import { StepFailed, commandStep } from './steps.mjs';
 const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
 
 /** Chromium and the fonts its pages need, as Debian calls them. */
-const browserPackages = ['chromium', 'fonts-liberation'];
+const browserPackages = ['chromium', 'chromium-headless-shell', 'fonts-liberation'];
 
 /**
  * Commands that tests call, in stories with a network of their own, in clusters and in tests of the bridge, and Debian's packages

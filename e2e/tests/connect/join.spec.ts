@@ -1,9 +1,12 @@
 import { AccessRole, FAREWELL_TOPIC } from '@ubii/proto';
 import { expectAccessible } from '../../fixtures/accessible.ts';
 import { callService } from '../../fixtures/call-service.ts';
+import { LAUNCH_WITH_SENSORS } from '../../fixtures/chromium.ts';
 import { expect, test, type Person } from '../../fixtures/test.ts';
 import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
 import { makeGrant, revokeGrant } from './make-grant.ts';
+
+test.use({ launchOptions: LAUNCH_WITH_SENSORS });
 
 /** Refusals of services are answers with a status of their own, which browsers log. */
 const REFUSED = /status of (401|403|429)/;

@@ -1,7 +1,10 @@
 import type { CDPSession, Page } from '@playwright/test';
 import { TouchEventType } from '@ubii/proto';
+import { LAUNCH_WITH_SENSORS } from '../../fixtures/chromium.ts';
 import { expect, test, type Person } from '../../fixtures/test.ts';
 import { middleOf } from '../../pages/touch.ts';
+
+test.use({ launchOptions: LAUNCH_WITH_SENSORS });
 
 const DEVICE = 'web-interface-smart-device';
 

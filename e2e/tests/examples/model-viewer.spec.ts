@@ -1,6 +1,9 @@
 import type { Page } from '@playwright/test';
+import { LAUNCH_WITH_SENSORS } from '../../fixtures/chromium.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { TouchedPhone } from '../../pages/gatherer-page.ts';
+
+test.use({ launchOptions: LAUNCH_WITH_SENSORS });
 
 /** Rotation of the model as drawn by the scene: x, y, z, w. */
 async function drawnTurn(page: Page): Promise<number[]> {
