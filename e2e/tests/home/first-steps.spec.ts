@@ -47,7 +47,7 @@ test('home explains the product with a picture until the first session exists', 
 test('a cold load of home takes less than 200 kB of JavaScript, headers included @smoke', async ({
   room,
 }) => {
-  const { page } = await room.atDesk();
+  const { page } = await room.atDeskForTheFirstTime();
   const bytes = await countLoadedScripts(page);
   await page.goto('/');
   await expect(page.getByRole('region', { name: 'What Ubi-Interact does' })).toBeVisible();

@@ -96,7 +96,9 @@ test('a recording is exported as tables and as video, and tables are opened as r
     const file = { name: 'walk.csv', mimeType: 'text/csv', buffer };
     await page.locator('input[type=file]').setInputFiles(file);
     await dialog.getByRole('radio', { name: 'One topic for all numbers' }).click();
-    await expect(dialog.getByRole('checkbox', { name: '/walk' })).toBeChecked();
+    const walk = dialog.getByRole('checkbox', { name: '/walk' });
+    await expect(walk).toHaveCount(1);
+    await expect(walk).toBeChecked();
     await dialog.getByRole('button', { name: 'Open' }).click();
     await expect(anna.track('/walk')).toBeVisible();
     await anna.button('Upload').click();
