@@ -1,7 +1,9 @@
 import { defineConfig } from '@playwright/test';
 import { CHROMIUM_FLAGS, findChromium, findHeadlessShell } from './fixtures/chromium.ts';
+import { findFirefox } from './fixtures/firefox.ts';
 
 const isHeaded = process.argv.includes('--headed');
+const firefox = findFirefox();
 
 export default defineConfig({
   testDir: 'tests',
@@ -22,9 +24,31 @@ export default defineConfig({
     trace: { mode: 'on-first-retry', screenshots: false, snapshots: true, sources: true },
     actionTimeout: 30_000,
     navigationTimeout: 60_000,
-    launchOptions: {
-      executablePath: isHeaded ? findChromium() : findHeadlessShell(),
-      args: [...CHROMIUM_FLAGS],
-    },
   },
+  projects: [
+    {
+      name: 'chromium',
+      use: {
+        launchOptions: {
+          executablePath: isHeaded ? findChromium() : findHeadlessShell(),
+          args: [...CHROMIUM_FLAGS],
+        },
+      },
+    },
+    // Only where it is installed: what one browser allows and another does not shows in a few stories.
+    ...(firefox === undefined
+      ? []
+      : [
+          {
+            name: 'firefox',
+            grep: /@firefox/,
+            use: {
+              browserName: 'firefox' as const,
+              // The system's own, by WebDriver BiDi
+              channel: 'moz-firefox',
+              launchOptions: { executablePath: firefox },
+            },
+          },
+        ]),
+  ],
 });

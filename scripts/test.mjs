@@ -3,13 +3,16 @@ import { parseArgs } from 'node:util';
 import { requireNode } from './lib/node-version.mjs';
 
 requireNode();
-const { ensureBrowser } = await import('./lib/browser.mjs');
+const { ensureBrowser, ensureFirefox } = await import('./lib/browser.mjs');
 const { ensureBuilt } = await import('./lib/builds.mjs');
 const { runOtherGate, runQuickGate } = await import('./lib/gate.mjs');
 const { ensureInstalled } = await import('./lib/installation.mjs');
 const { runScript } = await import('./lib/steps.mjs');
 const { runBrowserTests, runInteropTests } = await import('./lib/suites.mjs');
 const { addCounts, summary } = await import('./lib/test-results.mjs');
+
+/** Some stories run in Firefox as well, after all others. */
+const CHROMIUM = ['--project', 'chromium'];
 
 /** Without an option: what answers within minutes. `--all`: everything; `--rest`: everything else. */
 const { values } = parseArgs({
@@ -25,13 +28,18 @@ await runScript(async () => {
     if (!values.rest) {
       counts.push(await runQuickGate());
       await ensureBuilt();
-      counts.push(await runBrowserTests(browser, ['--grep', '@smoke']));
+      counts.push(await runBrowserTests(browser, [...CHROMIUM, '--grep', '@smoke']));
       if (addCounts(counts).failed > 0) return;
     }
     if (!values.rest && !values.all) return;
     counts.push(await runOtherGate());
     await ensureBuilt();
-    counts.push(await runBrowserTests(browser, ['--grep-invert', '@smoke']));
+    counts.push(await runBrowserTests(browser, [...CHROMIUM, '--grep-invert', '@smoke']));
+    if (await ensureFirefox()) {
+      counts.push(await runBrowserTests(browser, ['--project', 'firefox']));
+    } else {
+      process.stderr.write('  No Firefox: its stories are left out.\n');
+    }
     counts.push(await runInteropTests());
   } catch (error) {
     counts.push(error.counts ?? { passed: 0, failed: 1 });

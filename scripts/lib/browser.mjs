@@ -50,6 +50,19 @@ export async function ensureBrowser() {
   return browser;
 }
 
+/**
+ * Whether there is a Firefox for the stories that also run in one; on Debian and Ubuntu, as root, it is installed.
+ *
+ * @returns {Promise<boolean>}
+ */
+export async function ensureFirefox() {
+  const isThere = () =>
+    Boolean(process.env.UBII_FIREFOX) ||
+    ['/usr/bin/firefox-esr', '/usr/bin/firefox'].some((path) => existsSync(path));
+  if (!isThere() && mayInstall()) await install(['firefox-esr']).catch(() => undefined);
+  return isThere();
+}
+
 /** @param {readonly string[]} packages */
 async function install(packages) {
   const env = { DEBIAN_FRONTEND: 'noninteractive' };

@@ -3,7 +3,7 @@ import { callService } from '../../fixtures/call-service.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 
-test('a session is built, wired, started and saved with the keyboard alone @smoke', async ({
+test('a session is built, wired, started and saved with the keyboard alone @smoke @firefox', async ({
   room,
   master,
 }) => {

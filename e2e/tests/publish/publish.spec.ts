@@ -3,7 +3,7 @@ import { expect, test } from '../../fixtures/test.ts';
 import { PublishPage } from '../../pages/publish-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
-test('form and JSON are one record, and what is wrong stands beside the field and at its line @smoke', async ({
+test('form and JSON are one record, and what is wrong stands beside the field and at its line @smoke @firefox', async ({
   room,
 }) => {
   const publish = new PublishPage(await room.atDesk());

@@ -30,7 +30,7 @@ test('somebody who has no session starts an example, and sees what flows', async
   });
 });
 
-test('a session is paused, resumed, stopped and started again, and others see it at once [SE-10] @smoke', async ({
+test('a session is paused, resumed, stopped and started again, and others see it at once [SE-10] @smoke @firefox', async ({
   room,
 }) => {
   const anna = await room.atDesk('Anna');

@@ -10,7 +10,7 @@ async function robotWithTopics(room: Room): Promise<UbiiClient> {
   return robot;
 }
 
-test('panels are made, arranged, and there again after a reload and in another browser @smoke', async ({
+test('panels are made, arranged, and there again after a reload and in another browser @smoke @firefox', async ({
   room,
 }) => {
   const robot = await robotWithTopics(room);

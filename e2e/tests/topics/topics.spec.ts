@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { expect, test } from '../../fixtures/test.ts';
 import { TopicsPage } from '../../pages/topics-page.ts';
 
-test('values that were published before the page opened are there, and new ones come by themselves @smoke', async ({
+test('values that were published before the page opened are there, and new ones come by themselves @smoke @firefox', async ({
   room,
 }) => {
   const robot = await room.program('Robot');
