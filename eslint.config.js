@@ -111,7 +111,7 @@ export default ts.config(
     languageOptions: { parser: vueParser, parserOptions: { parser: ts.parser } },
   },
   {
-    // The rules that need types are in .oxlintrc.json and eslint.types.config.js.
+    // The rules that need types are in .oxlintrc.json.
     files: ['**/*.ts', '**/*.vue'],
     rules: {
       '@typescript-eslint/consistent-type-imports': 'error',
@@ -135,7 +135,7 @@ export default ts.config(
       'vue/define-macros-order': 'error',
       'vue/no-v-html': 'error',
       'vue/require-default-prop': 'off',
-      // Takes a complete switch for one without an end, unless it has types: see eslint.types.config.js.
+      // Takes a complete switch for one without an end. TypeScript does not: `noImplicitReturns`.
       'vue/return-in-computed-property': 'off',
     },
   },

@@ -42,7 +42,7 @@ async function checkChanges() {
       .filter(({ name }) => packages.has(name))
       .map(({ name, folder }) => ({ name: `types of ${name}`, work: () => checkTypes(folder) })),
     ...(components.length > 0
-      ? [{ name: 'lint of components with types', work: () => lintTypesOfComponents(components) }]
+      ? [{ name: 'lint of components with types', work: lintTypesOfComponents }]
       : []),
     ...(sources.length > 0 ? [{ name: 'lint', work: () => lintSources(sources) }] : []),
     ...(typed.length > 0 ? [{ name: 'lint with types', work: () => lintTypesOfFiles(typed) }] : []),

@@ -94,6 +94,7 @@ export class Instance {
         throw thrown;
       }
       this.free();
+      return undefined;
     });
     return guarded;
   }
