@@ -52,6 +52,8 @@ for (const group of GROUPS) {
         await expectAccessibleEverywhere(page);
       });
     }
+    await test.step('colours of what only phones show', () =>
+      onPhone(page, () => expectAccessible(page)));
     guest.leave();
   });
 }

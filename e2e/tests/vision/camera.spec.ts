@@ -10,6 +10,8 @@ test('a camera has its objects detected on the phone itself or on the master, in
   const { page } = await room.withPhone('Mara', { permissions: ['camera'] });
   await page.goto('/devices/camera');
   await page.getByRole('button', { name: 'Start the camera' }).tap();
+  // The picture pushes down what stands below it, once it is there.
+  await expect(page.getByText(/\d [kM]B\/s/)).toBeVisible();
   const running = async (): Promise<string[]> =>
     (await robot.call('sessionRuntimeGetList')).elements.map(({ name }) => name);
   const found = page.getByText(/^\d+ objects? found\.$/);
