@@ -56,9 +56,7 @@ export async function ensureBrowser() {
  * @returns {Promise<boolean>}
  */
 export async function ensureFirefox() {
-  const isThere = () =>
-    Boolean(process.env.UBII_FIREFOX) ||
-    ['/usr/bin/firefox-esr', '/usr/bin/firefox'].some((path) => existsSync(path));
+  const isThere = () => existsSync(process.env.UBII_FIREFOX ?? '/usr/bin/firefox-esr');
   if (!isThere() && mayInstall()) await install(['firefox-esr']).catch(() => undefined);
   return isThere();
 }

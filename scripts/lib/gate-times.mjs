@@ -1,3 +1,5 @@
+import { stripVTControlCharacters } from 'node:util';
+
 /**
  * What a run of the gate says about itself.
  *
@@ -22,8 +24,7 @@ export function readGateRun(output) {
   let result = '';
   let suites = 0;
   let isListing = false;
-  // eslint-disable-next-line no-control-regex -- colours
-  for (const line of output.replace(/\x1b\[[\d;]*m/g, '').split(/\r?\n/)) {
+  for (const line of stripVTControlCharacters(output).split(/\r?\n/)) {
     const [, name = '', duration] = STEP.exec(line) ?? [];
     if (duration !== undefined) seconds.set(name, (seconds.get(name) ?? 0) + Number(duration));
     const [, amount, unit] = STORIES.exec(line) ?? [];
