@@ -18,6 +18,8 @@ async function moveUntilPassed(page: Page): Promise<void> {
     await expect(next(page)).not.toHaveAttribute('aria-disabled', 'true', { timeout: 700 });
   }).toPass();
   await next(page).click();
+  // Off the button: why it is disabled now is told over its neighbours.
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.2);
 }
 
 async function waitAndGoOn(page: Page): Promise<void> {
@@ -99,7 +101,7 @@ test('two topics are wired with a mouse, and the answer can be undone', async ({
   });
   await page.getByRole('button', { name: 'Reset', exact: true }).click();
   await page.getByRole('button', { name: 'Show answer' }).click();
-  await page.unrouteAll({ behavior: 'wait' });
+  await page.unrouteAll({ behavior: 'ignoreErrors' });
   await moveUntilPassed(page);
 
   await graph.value(module, 'mirrorX').click();

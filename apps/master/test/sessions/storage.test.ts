@@ -1,7 +1,7 @@
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { ModuleOrigin, SessionState, StatusEventKind } from '@ubii/proto';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { MemoryStorage } from '../../src/testing/index.ts';
 import { doubler, doubling, SessionWorld, TOPICS } from './session-world.ts';
 import { TestNode } from './test-node.ts';
@@ -48,6 +48,26 @@ describe('stored sessions', () => {
     });
     expect(session?.ioMappings[0]?.outputMappings[0]?.topic).toBe('/two');
     expect(session?.processingModules[0]).toMatchObject({ nodeId: '', sessionId: '' });
+  });
+
+  it('stay stored for all who see them while they get another name [SE-21]', async () => {
+    const world = await SessionWorld.create();
+    const session = await save(world, doubling('/in', '/out'));
+    world.takeNews();
+    await save(world, { ...session, name: 'renamed' });
+    const news = world.takeNews().map(([, { name, extension }]) => [name, extension?.stored]);
+    expect(new Set(news.map(String))).toEqual(new Set(['renamed,true']));
+  });
+
+  it('that cannot be written under another name are not stored [SE-21]', async () => {
+    const storage = new MemoryStorage();
+    const world = await SessionWorld.create({ storage });
+    const session = await save(world, doubling('/in', '/out'));
+    vi.spyOn(storage.sessions, 'write').mockRejectedValueOnce(new Error('No space left.'));
+    const topic = TOPICS.save;
+    const reply = await world.master.call({ topic, session: { ...session, name: 'renamed' } });
+    expect(reply.error).toBeDefined();
+    expect((await world.get(session)).extension?.stored).toBe(false);
   });
 
   it('name the master by what it is, as its id changes [SE-30]', async () => {

@@ -21,7 +21,10 @@ function setup(...known: Session[]) {
   const dropped: string[] = [];
   const store = {
     list: shallowRef<readonly Session[]>(known),
-    take: (session: Session) => void taken.push(session),
+    take(session: Session) {
+      taken.push(session);
+      store.list.value = store.list.value.map((one) => (one.id === session.id ? session : one));
+    },
     drop: (id: string) => void dropped.push(id),
   };
   const stops: string[] = [];
@@ -120,6 +123,18 @@ describe('what people do with sessions', () => {
     ]);
     expect(dropped).toEqual(['session']);
     expect(removed).toMatchObject({ id: 'session', wasAlive: true, wasStored: true });
+  });
+
+  it('deletes one that is being renamed under its new name, from the disk, too [SE-16, SE-21]', async () => {
+    const stored = aSession({ json: { extension: { stored: true, revision: 3 } } });
+    const { calls, asked } = setup(stored);
+    await Promise.all([calls.rename(stored, 'Three hands'), calls.remove(stored)]);
+    expect(asked.map(([service, { name }]) => [service, name])).toEqual([
+      ['sessionDatabaseSave', 'Three hands'],
+      ['sessionDatabaseDelete', 'Two hands'],
+      ['sessionDatabaseDelete', 'Three hands'],
+      ['sessionRuntimeRemove', undefined],
+    ]);
   });
 
   it('brings back what was there: stored, and running if it ran', async () => {

@@ -123,6 +123,31 @@ export function createSessionCalls(
     return taken(client.call('sessionRuntimeUpdate', next));
   }
 
+  const turns = new Map<string, Promise<unknown>>();
+  /** Changes of one session take turns: each gets the session as the one before left it. */
+  async function inTurn<T>(given: Session, change: (newest: Session) => Promise<T>): Promise<T> {
+    const { id } = given;
+    const before = turns.get(id);
+    const turn = (async () => {
+      await before?.catch(() => undefined);
+      return change(store.list.value?.find((one) => one.id === id) ?? given);
+    })();
+    turns.set(id, turn);
+    try {
+      return await turn;
+    } finally {
+      if (turns.get(id) === turn) turns.delete(id);
+    }
+  }
+
+  async function rename(session: Session, name: string): Promise<Session> {
+    const renamed = await update(session, { name });
+    if (session.extension?.stored !== true) return renamed;
+    // Files are named after sessions: the old one would be loaded as another session.
+    await unlessGone(client.call('sessionDatabaseDelete', { name: session.name }));
+    return renamed;
+  }
+
   async function remove(session: Session): Promise<RemovedSession> {
     const { id } = session;
     const removed = {
@@ -155,19 +180,13 @@ export function createSessionCalls(
     create,
     store: keep,
     update,
-    remove,
+    remove: (session) => inTurn(session, remove),
     restore,
     open: (id) => taken(client.call('sessionRuntimeAdd', { id })),
     async duplicate(session) {
       const name = copyName(session.name, await takenNames());
       return create({ ...sessionCopy(sessionSpec(session), uuid), name });
     },
-    async rename(session, name) {
-      const renamed = await update(session, { name });
-      if (session.extension?.stored !== true) return renamed;
-      // Files are named after sessions: the old one would be loaded as another session.
-      await unlessGone(client.call('sessionDatabaseDelete', { name: session.name }));
-      return renamed;
-    },
+    rename: (session, name) => inTurn(session, (newest) => rename(newest, name)),
   };
 }

@@ -86,7 +86,12 @@ async function saveSession(core: Parts, message: SessionMessage, maker: string):
   }
   requireRoom(core.limitWatch, sessionLibrary.stored, 'ubii.sessions.Session', message);
   const session = await sessions.toStore(message, maker);
-  await sessionLibrary.save(session);
+  try {
+    await sessionLibrary.save(session);
+  } catch (error) {
+    sessions.setStored(session, sessionLibrary.get(message.name) !== undefined);
+    throw error;
+  }
   for (const other of sessions.list()) {
     if (other.description.name === message.name) sessions.setStored(other, other === session);
   }

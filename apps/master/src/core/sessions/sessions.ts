@@ -160,7 +160,9 @@ export class Sessions {
       (stored && (await this.find(stored.id)));
     if (known === undefined) return this.#create(message, maker, message.id);
     // A name and an id alone mean the session as it is.
-    if (message.processingModules.length > 0) await this.update(known, message, maker);
+    if (message.processingModules.length > 0) {
+      await this.update(known, message, maker, { isBeingStored: true });
+    }
     return known;
   }
 
@@ -185,8 +187,16 @@ export class Sessions {
     resumeSession(this.#context.life, session);
   }
 
-  /** [SE-15] */
-  async update(session: Session, message: SessionMessage, maker: string): Promise<void> {
+  /**
+   * [SE-15]
+   * @param isBeingStored it counts as stored under its new name already: no client may take it for one without a file
+   */
+  async update(
+    session: Session,
+    message: SessionMessage,
+    maker: string,
+    { isBeingStored = false } = {},
+  ): Promise<void> {
     this.#requireNewest(session, message);
     const byteLength = this.#requireSpace(message, session);
     const { draft, warnings } = await makeDraft(this.#context.drafts, message, session);
@@ -195,6 +205,8 @@ export class Sessions {
     this.#requireNewest(session, message);
     const before = new Map(session.modules.map(({ id, spec }) => [id, spec]));
     this.#noteMakers(session, draft, maker);
+    // Sessions are stored by name: a renamed one is not stored yet.
+    if (!isBeingStored) session.isStored &&= draft.name === session.description.name;
     updateSession(this.#context.life, session, draft);
     this.#context.topics.keepOnly(session.id, session.outputTopics());
     this.#recordVersions(session, before);

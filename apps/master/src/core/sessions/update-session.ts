@@ -20,8 +20,6 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
     );
   }
   const before = session.modules;
-  // Sessions are stored by name: a renamed one is not stored yet.
-  session.isStored &&= description.name === session.description.name;
   session.description = description;
   session.revision++;
   session.modules = drafts.map((one) => createModule(one));
