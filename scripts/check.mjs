@@ -25,7 +25,7 @@ await runScript(async () => {
 });
 
 async function checkAll() {
-  return addCounts([await runQuickGate(), await runOtherGate()]);
+  return addCounts([await runQuickGate(), ...(await runOtherGate())]);
 }
 
 /** Checks what has changed and what depends on it. */

@@ -8,10 +8,10 @@ const { ensureBuilt } = await import('./lib/builds.mjs');
 const { runOtherGate, runQuickGate } = await import('./lib/gate.mjs');
 const { ensureInstalled } = await import('./lib/installation.mjs');
 const { runScript } = await import('./lib/steps.mjs');
-const { runBrowserTests, runInteropTests } = await import('./lib/suites.mjs');
+const { runBrowserTests, runFirefoxTests, runInteropTests } = await import('./lib/suites.mjs');
 const { addCounts, summary } = await import('./lib/test-results.mjs');
 
-/** Some stories run in Firefox as well, after all others. */
+/** Some stories run in Firefox as well, which has its own step. */
 const CHROMIUM = ['--project', 'chromium'];
 
 /** Without an option: what answers within minutes. `--all`: everything; `--rest`: everything else. */
@@ -32,15 +32,12 @@ await runScript(async () => {
       if (addCounts(counts).failed > 0) return;
     }
     if (!values.rest && !values.all) return;
-    counts.push(await runOtherGate());
     await ensureBuilt();
+    const suites = [{ name: 'existing clients', work: runInteropTests }];
+    if (await ensureFirefox()) suites.push({ name: 'stories in Firefox', work: runFirefoxTests });
+    else process.stderr.write('  No Firefox: its stories are left out.\n');
+    counts.push(...(await runOtherGate(suites)));
     counts.push(await runBrowserTests(browser, [...CHROMIUM, '--grep-invert', '@smoke']));
-    if (await ensureFirefox()) {
-      counts.push(await runBrowserTests(browser, ['--project', 'firefox']));
-    } else {
-      process.stderr.write('  No Firefox: its stories are left out.\n');
-    }
-    counts.push(await runInteropTests());
   } catch (error) {
     counts.push(error.counts ?? { passed: 0, failed: 1 });
     throw error;

@@ -1,4 +1,5 @@
 import { existsSync, readdirSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 
 import { run, runNode } from './commands.mjs';
@@ -11,6 +12,8 @@ import { inRoot, programFile } from './repository.mjs';
 import { StepFailed, expectSuccess, step, stepsTogether } from './steps.mjs';
 import { checkTypes, packagesWithTypes } from './types.mjs';
 import { runTests } from './vitest.mjs';
+
+const HALF_OF_THE_CORES = `--maxWorkers=${Math.max(1, Math.floor(availableParallelism() / 2))}`;
 
 /**
  * What most changes break: format, lint, types, unit tests. Throws StepFailed at the first thing that does not hold.
@@ -34,11 +37,18 @@ export async function runQuickGate() {
 }
 
 /**
+ * A suite of tests that needs no more than one core.
+ *
+ * @typedef {{ name: string, work: () => Promise<import('./test-results.mjs').Counts> }} Suite
+ */
+
+/**
  * Everything else that must hold before a change lands. Throws StepFailed at the first thing that does not.
  *
- * @returns {Promise<import('./test-results.mjs').Counts>} counts of the process tests
+ * @param {readonly Suite[]} [suites] run beside the process tests, which wait a quarter of their time
+ * @returns {Promise<import('./test-results.mjs').Counts[]>} counts of the process tests and of the suites
  */
-export async function runOtherGate() {
+export async function runOtherGate(suites = []) {
   const { problems, notes } = await step('dependencies', async () => {
     // Needs packages, which may have been installed only now
     const { checkDependencies } = await import('./dependencies.mjs');
@@ -46,14 +56,22 @@ export async function runOtherGate() {
   });
   for (const note of notes) process.stderr.write(`    ${note}\n`);
   expectNone(problems);
+  /** @type {import('./test-results.mjs').Counts[]} */
+  const counts = [];
+  const counted = (/** @type {Suite} */ { name, work }) => ({
+    name,
+    work: async () => counts.push(await work()),
+  });
   // The longest first, so that none is left alone at the end
   await stepsTogether([
+    counted({ name: 'process tests', work: () => runTests('process', [HALF_OF_THE_CORES]) }),
     { name: 'guides followed', work: followGuides },
+    ...suites.map(counted),
     { name: 'no import circles', work: checkImportOrder },
     ...quickTextSteps(),
     { name: 'tests of the scripts', work: testScripts },
   ]);
-  return step('process tests', () => runTests('process'));
+  return counts;
 }
 
 /** Checks of all texts that take seconds. */
