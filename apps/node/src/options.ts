@@ -18,7 +18,7 @@ import {
 import type { OptionValues, ProgramOptions } from '@ubii/program';
 
 /** Room for a few modules. */
-const LEAST_MEGABYTES = 8;
+const MIN_MEGABYTES = 8;
 
 /** Every option. */
 export const OPTIONS = {
@@ -90,6 +90,6 @@ Each option is a flag and an environment variable. When both are set, the flag a
 /** @returns bytes */
 function parseMegabytes(text: string): number {
   const megabytes = /^\d{1,6}$/.test(text) ? Number(text) : 0;
-  if (megabytes < LEAST_MEGABYTES) throw new Error(`a whole number of MiB from ${LEAST_MEGABYTES}`);
+  if (megabytes < MIN_MEGABYTES) throw new Error(`a whole number of MiB from ${MIN_MEGABYTES}`);
   return megabytes * 1024 * 1024;
 }

@@ -27,9 +27,9 @@ const SETTLE_MS = 5000;
 /** A press is held for two frames, and longer than a busy machine holds up the game: a page that is late gets the newest state alone. */
 const HOLD_MS = 153;
 const HOLD_FRAMES = 2;
-const LEAST_PRESSES = 8;
+const MIN_PRESSES = 8;
 /** The game takes no press of a cart that is being lifted back onto the track: few presses end nowhere. */
-const MOST_UNSEEN = 0.1;
+const MAX_UNSEEN = 0.1;
 const PAUSE_MS = 61;
 /** Two programs read the clock of one machine. */
 const CLOCK_MS = 2;
@@ -147,7 +147,7 @@ async function measureScreen(
     deliveries: found.length,
     otherCpuShare: Math.max(0, lap.otherCpuShare - (mainMs + otherMs) / durationMs),
     faults:
-      unseen > MOST_UNSEEN * presses.length
+      unseen > MAX_UNSEEN * presses.length
         ? [`${unseen} of ${presses.length} presses were not seen on the page`]
         : [],
   };
@@ -173,7 +173,7 @@ async function pressInTurn(
 ): Promise<readonly Pressed[]> {
   const presses: Pressed[] = [];
   const endMs = performance.now() + forMs;
-  while (performance.now() < endMs || presses.length < LEAST_PRESSES) {
+  while (performance.now() < endMs || presses.length < MIN_PRESSES) {
     const { seat, phone } = party.nextPhone();
     const button = (isDown: boolean): void => {
       if (press) press(seat, isDown);

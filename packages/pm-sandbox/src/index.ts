@@ -21,7 +21,7 @@ export type {
 } from './definition/io-types.ts';
 export { undeclaredName } from './worker/nearest-name.ts';
 export { exampleOf } from './worker/value-words.ts';
-export { LEAST_MODULE_BYTES } from './worker/quickjs/engine-pages.ts';
+export { MIN_MODULE_BYTES } from './worker/quickjs/engine-pages.ts';
 export {
   MAX_CHOICE_CHARACTERS,
   MAX_CHOICES,

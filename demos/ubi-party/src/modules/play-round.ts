@@ -61,12 +61,12 @@ export interface RoundOutputs {
 }
 
 /** A module that was held up catches up so many steps a run. */
-const MOST_STEPS_A_RUN = 12;
+const MAX_STEPS_A_RUN = 12;
 /** Phones are told ten times a second, and at once of a hit. */
 const STEPS_BETWEEN_FEEDBACK = 6;
 /** Presses that claim to be further from their arrival do not count, milliseconds. */
 const OLDEST_PRESS_MS = 2000;
-const MOST_SETTING = 5;
+const MAX_SETTING = 5;
 
 /**
  * One run of a module that plays a game: as many steps as are due, with what the phones say now.
@@ -85,7 +85,7 @@ export function playRound(
   const { plan } = playing;
   if (!plan || playing.isOver === true) return undefined;
   const due = Math.floor(((nowMs - plan.startsAtMs) * STEPS_PER_SECOND) / 1000);
-  const steps = Math.min(MOST_STEPS_A_RUN, due - playing.step!);
+  const steps = Math.min(MAX_STEPS_A_RUN, due - playing.step!);
   if (steps <= 0) return undefined;
   const settings = readSettings(game, inputs);
   const controls = readControls(inputs, playing, nowMs);
@@ -133,7 +133,7 @@ function readSettings(game: Game<unknown>, inputs: RoundInputs): Record<string, 
     Object.entries(game.settings).map(([name, fallback]) => {
       const { double, float, int32 } = (inputs[name] ?? {}) as Record<string, number | undefined>;
       const value = double ?? float ?? int32 ?? fallback;
-      return [name, Number.isFinite(value) ? Math.min(MOST_SETTING, Math.max(0, value)) : fallback];
+      return [name, Number.isFinite(value) ? Math.min(MAX_SETTING, Math.max(0, value)) : fallback];
     }),
   );
 }

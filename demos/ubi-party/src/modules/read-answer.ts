@@ -10,12 +10,12 @@ export interface AnswerRecord {
   };
 }
 
-const MOST_CHARACTERS = 30;
-const MOST_JSON_CHARACTERS = 200;
+const MAX_CHARACTERS = 30;
+const MAX_JSON_CHARACTERS = 200;
 /** A phone may look so long at a photo, milliseconds. */
 const OLDEST_MS = 10_000;
 /** Answers from further in the future are left out. */
-const MOST_AHEAD_MS = 2000;
+const MAX_AHEAD_MS = 2000;
 
 /**
  * Parses the answer of a phone; undefined for a record that is not one. Texts are lower-case words, like class names.
@@ -31,16 +31,16 @@ export function readAnswer(
   const object = record?.object2D;
   const text = object?.id ?? '';
   const data = readData(object?.userDataJson);
-  if (!data || text.length > MOST_CHARACTERS || !/^[a-z ]*$/.test(text)) return undefined;
+  if (!data || text.length > MAX_CHARACTERS || !/^[a-z ]*$/.test(text)) return undefined;
   const { score, atMs } = data;
-  if (!(atMs <= nowMs + MOST_AHEAD_MS && atMs > nowMs - OLDEST_MS)) return undefined;
+  if (!(atMs <= nowMs + MAX_AHEAD_MS && atMs > nowMs - OLDEST_MS)) return undefined;
   if (!(score >= 0 && score <= 1)) return undefined;
   const area = readArea(object!);
   return { text, score, atMs: atMs - startsAtMs, ...(area && { area }) };
 }
 
 function readData(text = ''): { readonly score: number; readonly atMs: number } | undefined {
-  if (text === '' || text.length > MOST_JSON_CHARACTERS) return undefined;
+  if (text === '' || text.length > MAX_JSON_CHARACTERS) return undefined;
   try {
     const { score, atMs } = JSON.parse(text) as { score?: unknown; atMs?: unknown };
     return typeof score === 'number' && typeof atMs === 'number' ? { score, atMs } : undefined;

@@ -11,7 +11,7 @@ import type { SceneView } from './scenes/scene-view.ts';
 import type { Scene, Stage } from './stage.ts';
 
 /** Pixels drawn for one of the page, at most. */
-const MOST_RATIO: Readonly<Record<Quality, number>> = { low: 1, middle: 1.25, high: 2 };
+const MAX_RATIO: Readonly<Record<Quality, number>> = { low: 1, middle: 1.25, high: 2 };
 /** A pause is not made up for. */
 const LONGEST_FRAME_S = 0.1;
 
@@ -127,7 +127,7 @@ export class StageCore {
   }
 
   #applySize(): void {
-    this.#renderer.setPixelRatio(Math.min(MOST_RATIO[this.#quality], globalThis.devicePixelRatio));
+    this.#renderer.setPixelRatio(Math.min(MAX_RATIO[this.#quality], globalThis.devicePixelRatio));
     this.#renderer.setSize(this.#width, this.#height, false);
   }
 }

@@ -7,7 +7,7 @@ import { driveWithVision, photoImage } from '../../test/vision-assets.ts';
 import { objectDetection } from './object-detection.ts';
 
 /** Least overlap of a found box and one measured by hand; see the tests of `@ubii/vision`. */
-const LEAST_OVERLAP = 0.7;
+const MIN_OVERLAP = 0.7;
 
 let module: DrivenModule;
 beforeAll(async () => {
@@ -39,7 +39,7 @@ describe('object-detection on photographs', () => {
         Math.max(0, Math.min(x + width, box.x + box.width) - Math.max(x, box.x)) *
         Math.max(0, Math.min(y + height, box.y + box.height) - Math.max(y, box.y));
       const outer = width * height + box.width * box.height - inner;
-      expect(inner / outer).toBeGreaterThanOrEqual(LEAST_OVERLAP);
+      expect(inner / outer).toBeGreaterThanOrEqual(MIN_OVERLAP);
       expect((JSON.parse(userDataJson) as { score: number }).score).toBeGreaterThan(0.4);
     }
     expect(found.backend).toBe('wasm');

@@ -20,9 +20,9 @@ export interface BrowserSandboxOptions {
 
 const MIB = 1024 * 1024;
 const MEMORY_SHARE = 1 / 8;
-const LEAST_MEMORY = 128 * MIB;
+const MIN_MEMORY = 128 * MIB;
 /** Tabs that take more are ended by phones. */
-const MOST_MEMORY = 512 * MIB;
+const MAX_MEMORY = 512 * MIB;
 
 const MIN_WORKERS = 2;
 const MAX_WORKERS = 4;
@@ -71,7 +71,7 @@ export function createBrowserSandboxes(options: BrowserSandboxOptions = {}): San
 function defaultMemory(): number {
   const { deviceMemory = 0 } = navigator as { deviceMemory?: number };
   const bytes = deviceMemory * 1024 * MIB * MEMORY_SHARE;
-  return Math.min(MOST_MEMORY, Math.max(LEAST_MEMORY, bytes));
+  return Math.min(MAX_MEMORY, Math.max(MIN_MEMORY, bytes));
 }
 
 function startWorker(url: string | URL, start: WorkerStart, listener: WorkerListener): WorkerLink {

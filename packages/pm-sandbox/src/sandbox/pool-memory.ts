@@ -7,7 +7,7 @@ import {
   pagesOf,
   type MemoryCells,
 } from '../worker/memory-account.ts';
-import { LEAST_MODULE_BYTES } from '../worker/quickjs/engine-pages.ts';
+import { MIN_MODULE_BYTES } from '../worker/quickjs/engine-pages.ts';
 
 /** Memory of one instance. */
 export interface MemoryUse {
@@ -64,7 +64,7 @@ export class PoolMemory implements SandboxMemory {
   }
 
   get leastBytes(): number {
-    return LEAST_MODULE_BYTES;
+    return MIN_MODULE_BYTES;
   }
 
   usedBytes(owner?: string): number {

@@ -19,7 +19,7 @@ const DEFAULTS: DetectionDefaults = {
 };
 
 /** Asked for when classes are filtered afterwards, and the most a caller gets. */
-const MOST_OBJECTS = 100;
+const MAX_OBJECTS = 100;
 
 /**
  * Loads a model of `@tensorflow-models/coco-ssd`, by the code of that library, out of memory.
@@ -43,7 +43,7 @@ export async function createCocoSsd(tensorflow: Tensorflow, files: Files): Promi
       const found = await tensorflow.run(async () => {
         const image = tf.tensor3d(Int32Array.from(rgb), [height, width, 3]);
         try {
-          const count = classIndices === undefined ? maxObjects : MOST_OBJECTS;
+          const count = classIndices === undefined ? maxObjects : MAX_OBJECTS;
           return await model.detect(image, count, threshold);
         } finally {
           image.dispose();

@@ -58,7 +58,7 @@ export type ResolvedOptions = Required<Omit<DetectionOptions, 'classes'>> & {
 };
 
 /** The evaluation of COCO counts at most 100 detections per picture. */
-const MOST_OBJECTS = 100;
+const MAX_OBJECTS = 100;
 /** The default of `@tensorflow-models/coco-ssd`. */
 const USUAL_OBJECTS = 20;
 
@@ -82,7 +82,7 @@ export function resolveOptions(
   const isFiltered = options.classes !== undefined && options.classes.length > 0;
   return {
     threshold: clamp(options.threshold, 0, 1, threshold),
-    maxObjects: Math.round(clamp(options.maxObjects, 1, MOST_OBJECTS, USUAL_OBJECTS)),
+    maxObjects: Math.round(clamp(options.maxObjects, 1, MAX_OBJECTS, USUAL_OBJECTS)),
     inputSize: clamp(options.inputSize, inputSize.least, inputSize.most, inputSize.usual),
     classIndices: isFiltered
       ? new Set(options.classes.map((name) => classNames.indexOf(name)))

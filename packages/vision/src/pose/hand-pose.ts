@@ -68,7 +68,7 @@ const MAX_LONG_SIDE = 960;
 /** Below this angle (15°), turning the hand upright does not improve the result. */
 const MIN_TURN = Math.PI / 12;
 const DEFAULT_THRESHOLD = 0.5;
-const MOST_HANDS = 10;
+const MAX_HANDS = 10;
 const USUAL_HANDS = 2;
 const NAMES_OF_OUTPUTS = ['Identity', 'Identity_1', 'Identity_2', 'Identity_3'];
 
@@ -88,7 +88,7 @@ export async function createHandPose(
   return {
     name: 'Handtrack and MediaPipe hand landmarks',
     detect: async (picture, options = {}) => {
-      const maxHands = Math.round(clamp(options.maxHands, 1, MOST_HANDS, USUAL_HANDS));
+      const maxHands = Math.round(clamp(options.maxHands, 1, MAX_HANDS, USUAL_HANDS));
       const threshold = clamp(options.threshold, 0, 1, DEFAULT_THRESHOLD);
       const reduced = reduce(picture);
       return tensorflow.run(async () => {

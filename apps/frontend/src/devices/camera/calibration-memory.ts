@@ -8,12 +8,12 @@ import { validElements } from '../../json/schemas.ts';
 export type Calibrations = ReadonlyMap<string, string>;
 
 /** Most cameras remembered. Ids change when a browser clears its site data, so old ones are dropped. */
-const MOST_CAMERAS = 8;
+const MAX_CAMERAS = 8;
 
 /** Adds or replaces the calibration of a camera. */
 export function withCalibration(kept: Calibrations, camera: string, json: string): Calibrations {
   if (camera === '') return kept;
-  const others = [...kept].filter(([id]) => id !== camera).slice(1 - MOST_CAMERAS);
+  const others = [...kept].filter(([id]) => id !== camera).slice(1 - MAX_CAMERAS);
   return new Map([...others, [camera, json]]);
 }
 

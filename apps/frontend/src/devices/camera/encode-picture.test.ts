@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { affordableRate, MOST_BYTES_PER_SECOND, packPixels, sizeWithin } from './encode-picture.ts';
+import { affordableRate, MAX_BYTES_PER_SECOND, packPixels, sizeWithin } from './encode-picture.ts';
 
 describe('pictures of a camera', () => {
   it('are made smaller in their shape, never larger', () => {
@@ -10,7 +10,7 @@ describe('pictures of a camera', () => {
   it('keep within the bound on bytes by their rate', () => {
     expect(affordableRate(30, 320 * 240 * 3)).toBe(30);
     const bytes = 640 * 480 * 4;
-    expect(affordableRate(30, bytes) * bytes).toBeCloseTo(MOST_BYTES_PER_SECOND);
+    expect(affordableRate(30, bytes) * bytes).toBeCloseTo(MAX_BYTES_PER_SECOND);
     expect(affordableRate(10, 0)).toBe(10);
   });
 

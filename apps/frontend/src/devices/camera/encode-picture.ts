@@ -5,7 +5,7 @@ import { JpegEncoder } from './jpeg-encoder.ts';
 export type PictureEncoding = 'RGB8' | 'RGBA8' | 'GRAY8' | 'JPEG';
 
 /** Highest data rate of a camera, bytes per second, so that a phone's Wi-Fi has capacity left. */
-export const MOST_BYTES_PER_SECOND = 8_000_000;
+export const MAX_BYTES_PER_SECOND = 8_000_000;
 
 /** Source of pictures, with its size in pixels: a video, a photograph, a canvas. */
 export interface PictureSource {
@@ -37,10 +37,10 @@ export interface PictureSettings {
   quality: number;
 }
 
-/** Returns the wanted rate, or a lower one that keeps within `MOST_BYTES_PER_SECOND`. */
+/** Returns the wanted rate, or a lower one that keeps within `MAX_BYTES_PER_SECOND`. */
 export function affordableRate(wantedHz: number, pictureBytes: number): number {
   if (pictureBytes <= 0) return wantedHz;
-  return Math.min(wantedHz, MOST_BYTES_PER_SECOND / pictureBytes);
+  return Math.min(wantedHz, MAX_BYTES_PER_SECOND / pictureBytes);
 }
 
 /** Scales a size down to a width, keeping the aspect ratio; never enlarges. */

@@ -16,13 +16,13 @@ export type PictureHabits = v.InferOutput<typeof HABITS>;
 
 export const storedHabits = storedAs(HABITS, {});
 
-const LEAST_EXPIRY_MS = 1000;
+const MIN_EXPIRY_MS = 1000;
 /** Expiry of a picture as a multiple of the interval. */
 const INTERVALS = 3;
 
 /** Returns the expiry of a picture without a newer one, milliseconds. [TD-49] */
 export function pictureExpiryMs(rateHz: number): number {
-  return Math.round(Math.max(LEAST_EXPIRY_MS, (INTERVALS * 1000) / rateHz));
+  return Math.round(Math.max(MIN_EXPIRY_MS, (INTERVALS * 1000) / rateHz));
 }
 
 /** Preferences stored in this browser. */

@@ -11,7 +11,7 @@ export interface SeenThing {
 }
 
 /** Limits for listed objects below the threshold: lowest score, and number. */
-const LEAST_SCORE = 0.2;
+const MIN_SCORE = 0.2;
 const MAX_BELOW = 4;
 
 /**
@@ -35,7 +35,7 @@ export function seenThings(
     ...above.map((shape) => thing(shape, false)).sort(byScore),
     ...below
       .map((shape) => thing(shape, true))
-      .filter(({ score }) => score >= LEAST_SCORE)
+      .filter(({ score }) => score >= MIN_SCORE)
       .sort(byScore)
       .slice(0, MAX_BELOW),
   ];

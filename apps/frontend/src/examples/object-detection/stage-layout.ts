@@ -6,7 +6,7 @@ export interface PlacedStage {
 }
 
 /** Smallest width of a stage, pixels, so that it is visible. */
-const LEAST_WIDTH = 2;
+const MIN_WIDTH = 2;
 
 /** Places stages one after the other, to scale; their sum is the whole bar. */
 export function placeStages(
@@ -15,7 +15,7 @@ export function placeStages(
   gap: number,
 ): PlacedStage[] {
   const sum = durations.reduce((total, ms) => total + ms, 0) || 1;
-  const least = Math.min(LEAST_WIDTH, width / Math.max(1, durations.length));
+  const least = Math.min(MIN_WIDTH, width / Math.max(1, durations.length));
   const wished = durations.map((ms) => Math.max(least, (ms / sum) * width));
   const scale = width / wished.reduce((total, one) => total + one, 0);
   let x = 0;

@@ -69,7 +69,7 @@ export function isOpen(grant: AccessGrant, nowMs: number): boolean {
 }
 
 /** Remaining share of the lifetime below which an invitation is replaced by a new one. */
-const LEAST_LEFT = 1 / 5;
+const MIN_LEFT = 1 / 5;
 
 /** Returns an invitation with the same options that is valid long enough to be shown. */
 export function reusable(
@@ -87,7 +87,7 @@ export function reusable(
       Math.abs(grant.staysUntilMs - grant.createdMs - Math.max(choice.stayMs, choice.lifetimeMs)) <
         MINUTE_MS &&
       isOpen(grant, nowMs) &&
-      grant.expiresMs - nowMs > choice.lifetimeMs * LEAST_LEFT &&
+      grant.expiresMs - nowMs > choice.lifetimeMs * MIN_LEFT &&
       hasSecret(grant.id),
   );
 }

@@ -32,12 +32,12 @@ export function conflictSentence(replay: Replay): string {
   if (mutedCount === 0) return `Live records of these topics are ${done}.`;
   const records = `${formatNumber(mutedCount)} live ${plural(mutedCount, 'record')}`;
   const topics =
-    mutedTopics.length < MOST_TOPICS ? ` on ${counted(mutedTopics.length, 'topic')}` : '';
+    mutedTopics.length < MAX_TOPICS ? ` on ${counted(mutedTopics.length, 'topic')}` : '';
   return `${records}${topics} ${done} so far.`;
 }
 
 /** The master names no more muted topics. */
-const MOST_TOPICS = 100;
+const MAX_TOPICS = 100;
 
 /** The banner of the page whose recording is played. @param publishers of the same topics, when this page knows them */
 export function bannerSentence(replay: Replay, publishers: readonly string[]): string {
@@ -54,7 +54,7 @@ export const MODULES = 'modules of the master';
 
 /** Names as people list them: `a, b and c`; the rest of many as a number. */
 export function listed(names: readonly string[]): string {
-  const shown = names.slice(0, MOST_NAMES);
+  const shown = names.slice(0, MAX_NAMES);
   const rest = names.length - shown.length;
   if (rest > 0) return `${shown.join(', ')} and ${counted(rest, 'other client')}`;
   return names.length < 2
@@ -62,7 +62,7 @@ export function listed(names: readonly string[]): string {
     : `${names.slice(0, -1).join(', ')} and ${names.at(-1)!}`;
 }
 
-const MOST_NAMES = 3;
+const MAX_NAMES = 3;
 
 /** State of a replay, one word. */
 export function replayStateWord({ state }: Pick<Replay, 'state'>): string {

@@ -14,7 +14,7 @@ export interface ModuleLoading {
 }
 
 /** Time before the remaining time is estimated, milliseconds. */
-const LEAST_MS = 500;
+const MIN_MS = 500;
 
 /** Returns what a module is loading; `undefined` when nothing. */
 export function loadingOf(statistics: ModuleStatistics | undefined): ModuleLoading | undefined {
@@ -36,7 +36,7 @@ export class LoadingPace {
     }
     const passedMs = nowMs - this.#first.atMs;
     const bytes = loading.loadedBytes - this.#first.bytes;
-    if (passedMs < LEAST_MS || bytes <= 0) return loading;
+    if (passedMs < MIN_MS || bytes <= 0) return loading;
     const left = loading.totalBytes - loading.loadedBytes;
     return { ...loading, leftMs: (left * passedMs) / bytes };
   }

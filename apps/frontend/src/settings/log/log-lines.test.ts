@@ -1,6 +1,6 @@
 import { LogLevel, type LogLine } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { addTail, EMPTY_LOG, filterLines, linesText, MOST_LINES } from './log-lines.ts';
+import { addTail, EMPTY_LOG, filterLines, linesText, MAX_LINES } from './log-lines.ts';
 
 const line = (number: number, changes: Partial<LogLine> = {}): LogLine => ({
   number,
@@ -24,10 +24,10 @@ describe('addTail', () => {
   });
 
   it('keeps so many lines, and counts those that went', () => {
-    const full = addTail(EMPTY_LOG, tail({ reset: true, lines: lines(1, MOST_LINES) }));
-    const next = addTail(full, tail({ missed: 5, lines: lines(MOST_LINES + 6, 2) }));
-    expect(next.lines).toHaveLength(MOST_LINES);
-    expect(next.lines.at(-1)?.number).toBe(MOST_LINES + 7);
+    const full = addTail(EMPTY_LOG, tail({ reset: true, lines: lines(1, MAX_LINES) }));
+    const next = addTail(full, tail({ missed: 5, lines: lines(MAX_LINES + 6, 2) }));
+    expect(next.lines).toHaveLength(MAX_LINES);
+    expect(next.lines.at(-1)?.number).toBe(MAX_LINES + 7);
     expect(next.missed).toBe(7);
   });
 

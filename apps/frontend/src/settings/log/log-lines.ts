@@ -1,7 +1,7 @@
 import { LogLevel, type LogLine, type LogTail } from '@ubii/proto';
 
 /** Most lines kept in this page, the same as on the master; older ones are dropped. [EX-37] */
-export const MOST_LINES = 1000;
+export const MAX_LINES = 1000;
 
 /** Part of the log that this page has. */
 export interface KeptLog {
@@ -19,7 +19,7 @@ export const EMPTY_LOG: KeptLog = { cursor: 0, lines: [], missed: 0 };
 export function addTail(kept: KeptLog, tail: LogTail): KeptLog {
   const before = tail.reset ? [] : kept.lines;
   const all = [...before, ...tail.lines];
-  const lines = all.slice(-MOST_LINES);
+  const lines = all.slice(-MAX_LINES);
   const missed = (tail.reset ? 0 : kept.missed) + tail.missed + (all.length - lines.length);
   return { cursor: tail.cursor, lines, missed };
 }

@@ -6,7 +6,7 @@ import { SECRET_MODE } from '@ubii/program';
 import type { AuditStore, Log } from '../../core/ports/index.ts';
 
 /** Lines that wait to be written at most: of more, while a disk hangs, the newest are lost. */
-const MOST_WAITING = 10_000;
+const MAX_WAITING = 10_000;
 
 export interface AuditFileParts {
   readonly folder: string;
@@ -53,7 +53,7 @@ export class AuditFile implements AuditStore {
   }
 
   append(line: string): void {
-    if (this.#waiting.length >= MOST_WAITING) {
+    if (this.#waiting.length >= MAX_WAITING) {
       this.#lost++;
       return;
     }

@@ -13,7 +13,7 @@ const FORGET_MS = 60_000;
 /** Seconds for which an unused allowance accumulates. */
 const BURST_S = 2;
 /** Addresses of one network that have a pace of their own; further ones have that of the network. */
-const MOST_ADDRESSES = 64;
+const MAX_ADDRESSES = 64;
 
 /** A place that sent wrong codes of late. */
 interface Guesser {
@@ -67,7 +67,7 @@ export class GuessLimit {
     guesser.lastMs = nowMs;
     guesser.allowance.spend();
     const { addresses } = guesser;
-    if (address !== place && addresses.size < MOST_ADDRESSES && !addresses.has(address)) {
+    if (address !== place && addresses.size < MAX_ADDRESSES && !addresses.has(address)) {
       addresses.set(address, new Allowance(this.#paces(true).address, nowMs));
     }
     addresses.get(address)?.spend();

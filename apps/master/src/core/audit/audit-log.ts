@@ -11,7 +11,7 @@ const KNOWN_CALLERS = 1_000;
 /** Allowance for all callers of one kind of access together, as a multiple of that for one caller. */
 const CALLERS_OF_ONE_WAY = 8;
 const DEFAULT_COUNT = 100;
-const MOST_COUNT = 500;
+const MAX_COUNT = 500;
 
 /** An entry without the members that the log adds. */
 export type AuditNote = Omit<AuditEntry, 'number' | 'timeMs' | 'leftOut'>;
@@ -76,7 +76,7 @@ export class AuditLog {
     service,
     text,
   }: AuditLogRequest): Init<AuditLogMessage> {
-    const most = count > 0 ? Math.min(count, MOST_COUNT) : DEFAULT_COUNT;
+    const most = count > 0 ? Math.min(count, MAX_COUNT) : DEFAULT_COUNT;
     const words = text.toLowerCase().split(/\s+/).filter(Boolean);
     const entries: AuditEntry[] = [];
     for (let i = this.#entries.length - 1; i >= 0; i--) {

@@ -4,7 +4,7 @@ import type { Limits } from '../limits/index.ts';
 const OWN_DESCRIPTORS = 128;
 /** A connection and the file that is sent on it. */
 const DESCRIPTORS_PER_CONNECTION = 2;
-const LEAST_CONNECTIONS = 16;
+const MIN_CONNECTIONS = 16;
 
 /**
  * Limits on connections that the process can keep: lower ones where it may open less, in the same
@@ -17,7 +17,7 @@ export function fitConnections(limits: Limits, descriptors: number | undefined):
     descriptors === undefined
       ? limits.connections
       : Math.floor((descriptors - OWN_DESCRIPTORS) / DESCRIPTORS_PER_CONNECTION);
-  const connections = Math.max(LEAST_CONNECTIONS, Math.min(limits.connections, able));
+  const connections = Math.max(MIN_CONNECTIONS, Math.min(limits.connections, able));
   const connectionsOfStrangers = lower(limits.connectionsOfStrangers, connections / 2);
   return {
     ...limits,

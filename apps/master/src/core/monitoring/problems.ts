@@ -15,7 +15,7 @@ export type ProblemParts = Pick<Core, 'clock' | 'limits' | 'limitWatch' | 'start
   Pick<Core, 'sessions' | 'clients' | 'checks' | 'masters'>;
 
 /** Problems told at most: what a page can show. */
-const MOST_PROBLEMS = 100;
+const MAX_PROBLEMS = 100;
 
 /** Limits of the whole master: everybody suffers when one is met. */
 const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
@@ -40,7 +40,7 @@ export function listProblems(core: ProblemParts): Problem[] {
   const { eventCharacters } = core.limits;
   return problems
     .sort((a, b) => b.severity - a.severity)
-    .slice(0, MOST_PROBLEMS)
+    .slice(0, MAX_PROBLEMS)
     .map((problem) => ({ ...problem, text: oneLine(problem.text, eventCharacters) })); // [EX-72]
 }
 

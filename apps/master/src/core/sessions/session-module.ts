@@ -1,4 +1,4 @@
-import { LEAST_MODULE_BYTES, type InstanceSpec } from '@ubii/pm-sandbox';
+import { MIN_MODULE_BYTES, type InstanceSpec } from '@ubii/pm-sandbox';
 import {
   ProcessingModuleStatus,
   type IOMapping,
@@ -82,7 +82,7 @@ export class SessionModule {
 
   /** Memory it takes at least, bytes; trusted ones share the heap of their worker. */
   get leastMemoryBytes(): number {
-    return this.isTrusted ? 0 : LEAST_MODULE_BYTES;
+    return this.isTrusted ? 0 : MIN_MODULE_BYTES;
   }
 
   /** The module as an instance is made of it. */

@@ -27,7 +27,7 @@ export interface PublishingClient extends TopicOwner {
 }
 
 /** The most memory a kept record may take, as a multiple of its length. */
-const MOST_MEMORY = 2;
+const MAX_MEMORY = 2;
 /** Small records share pieces of memory of this size, bytes: at worst, one of them keeps all of it. */
 const SHARED_BYTES = 2048;
 /** Records up to this length are small, bytes. */
@@ -68,7 +68,7 @@ export class Publication {
     const { frame, start, byteLength } = this;
     const { buffer, byteOffset } = frame;
     const record = new Uint8Array(buffer, byteOffset + start, byteLength);
-    if (buffer.byteLength <= MOST_MEMORY * byteLength) return record;
+    if (buffer.byteLength <= MAX_MEMORY * byteLength) return record;
     if (byteLength > SMALL_BYTES) return record.slice();
     if (this.#shared === undefined || this.#sharedLength + byteLength > SHARED_BYTES) {
       this.#shared = new ArrayBuffer(SHARED_BYTES);

@@ -1,11 +1,11 @@
 import { isPace } from '../../sim/index.ts';
 import type { PhoneRequest, PhoneWish } from '../messages.ts';
 
-const MOST_CHARACTERS = 1000;
+const MAX_CHARACTERS = 1000;
 
 /** Parses a request of a phone; undefined if invalid: any client that has joined may publish any text. */
 export function parseRequest(text: string): PhoneRequest | undefined {
-  if (text.length > MOST_CHARACTERS) return undefined;
+  if (text.length > MAX_CHARACTERS) return undefined;
   let value: unknown;
   try {
     value = JSON.parse(text);

@@ -12,7 +12,7 @@ export interface MeasuredRoundTrip {
 const WINDOW_MS = 60_000;
 const FORGET_MS = 120_000;
 /** Phones that are remembered: more than can play. */
-const MOST_PHONES = 256;
+const MAX_PHONES = 256;
 /** The time of a measurement is computed from its age, which the way of the report makes uncertain. */
 const SAME_MS = 250;
 /** Steps in which browsers and master read their clocks, and the drift between two measurements. */
@@ -38,7 +38,7 @@ export class PhoneDelays {
     for (const [one, samples] of this.#measured)
       if (samples.at(-1)!.measuredAtMs < measuredAtMs - FORGET_MS) this.#measured.delete(one);
     const samples = this.#measured.get(key) ?? [];
-    if (samples.length === 0 && this.#measured.size >= MOST_PHONES) return;
+    if (samples.length === 0 && this.#measured.size >= MAX_PHONES) return;
     if (Math.abs((samples.at(-1)?.measuredAtMs ?? -Infinity) - measuredAtMs) < SAME_MS) return;
     const isOfNow = (one: MeasuredRoundTrip): boolean =>
       one.measuredAtMs > measuredAtMs - WINDOW_MS;

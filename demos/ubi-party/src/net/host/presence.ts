@@ -3,7 +3,7 @@ import type { Seat } from '../../sim/index.ts';
 /** A phone that was not heard of for so long is away, milliseconds; it speaks once a second. */
 export const AWAY_AFTER_MS = 3000;
 /** Phones that are remembered: more than can play. */
-const MOST_PHONES = 128;
+const MAX_PHONES = 128;
 
 /** Time of the last message and round-trip time of each phone. */
 export class Presence {
@@ -11,7 +11,7 @@ export class Presence {
 
   /** @param lagMs what the phone measured; anything */
   hear(key: string, lagMs: number, nowMs: number): void {
-    if (!this.#heard.has(key) && this.#heard.size >= MOST_PHONES) return;
+    if (!this.#heard.has(key) && this.#heard.size >= MAX_PHONES) return;
     const isLag = Number.isFinite(lagMs) && lagMs >= 0;
     this.#heard.set(key, { atMs: nowMs, lagMs: isLag ? Math.min(lagMs, 60_000) : 0 });
   }

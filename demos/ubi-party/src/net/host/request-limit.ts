@@ -1,4 +1,4 @@
-const MOST_PHONES = 128;
+const MAX_PHONES = 128;
 
 /** Rate limit of a phone: burst size and requests per second. */
 export interface Rate {
@@ -18,7 +18,7 @@ export class RequestLimit {
   isAllowed(key: string, nowMs: number): boolean {
     const { atOnce, perSecond } = this.#rate;
     const known = this.#left.get(key);
-    if (!known && this.#left.size >= MOST_PHONES) this.#left.clear();
+    if (!known && this.#left.size >= MAX_PHONES) this.#left.clear();
     const left = known
       ? Math.min(atOnce, known.left + ((nowMs - known.atMs) / 1000) * perSecond)
       : atOnce;

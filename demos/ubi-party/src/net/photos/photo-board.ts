@@ -5,7 +5,7 @@ import { photoFile } from './check-photo.ts';
 import { isHidden, photoId, type HiddenPhotos, type Photo } from './photo.ts';
 
 /** Photos that were taken down are remembered, the newest so many. */
-const MOST_HIDDEN = 64;
+const MAX_HIDDEN = 64;
 
 interface PhotoBoardOptions {
   readonly client: UbiiClient;
@@ -59,7 +59,7 @@ export class PhotoBoard {
   takeDown(clientId: string): void {
     const photo = this.#photos.get(clientId);
     if (!photo) return;
-    const ids = [...this.#hidden.ids, photoId(clientId, photo)].slice(-MOST_HIDDEN);
+    const ids = [...this.#hidden.ids, photoId(clientId, photo)].slice(-MAX_HIDDEN);
     this.#hidden = { ...this.#hidden, ids };
     this.#remove(clientId);
   }

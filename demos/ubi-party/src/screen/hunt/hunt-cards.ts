@@ -27,7 +27,7 @@ export interface HuntCard {
   readonly isAway: boolean;
 }
 
-export const MOST_CARDS = 12;
+export const MAX_CARDS = 12;
 /** Points of a place, as long as the best photo is not decided. */
 const PROVISIONAL = ['+3', '+2'];
 /** Times are floating-point numbers on their way. */

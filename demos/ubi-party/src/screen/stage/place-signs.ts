@@ -38,7 +38,7 @@ interface Box {
 const TOKEN = { halfWidth: 0.4, top: 0.94 } as const;
 /** A name that is not written yet needs so much room on all sides, pixels; one that is stays until it touches. */
 const ROOM = 5;
-const LEAST_LETTERS = 3;
+const MIN_LETTERS = 3;
 /** Shares of a token's height to which a name goes aside, into the gap between two nearer tokens. */
 const ASIDE = [0, -0.3, 0.3, -0.55, 0.55] as const;
 
@@ -101,7 +101,7 @@ function textsOf(name: string, isShared: (firstWord: string) => boolean): string
   const rest = isShared(first) ? name.slice(first.length) : '';
   const texts = first + rest === name ? [name] : [name, first];
   const letters = [...first];
-  for (let count = letters.length - 2; count >= LEAST_LETTERS; count -= 1)
+  for (let count = letters.length - 2; count >= MIN_LETTERS; count -= 1)
     texts.push(`${letters.slice(0, count).join('')}…${rest}`);
   return texts;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { AT_REST, STEPS_PER_SECOND, type Controls } from '../game.ts';
-import { duelGame, LEAST_REACTION_MS, type DuelState } from './duel-game.ts';
+import { duelGame, MIN_REACTION_MS, type DuelState } from './duel-game.ts';
 
 const start = (): DuelState => duelGame.start({ seats: [0, 1], seed: 2 });
 const nowMs = (state: DuelState): number => (state.step * 1000) / STEPS_PER_SECOND;
@@ -37,7 +37,7 @@ describe('Quick Draw', () => {
     const { signalAtMs } = state.bout;
     bout(state, {
       0: { atMs: signalAtMs - 300, arrivesMs: signalAtMs - 280 },
-      1: { atMs: signalAtMs + LEAST_REACTION_MS - 1, arrivesMs: signalAtMs + 150 },
+      1: { atMs: signalAtMs + MIN_REACTION_MS - 1, arrivesMs: signalAtMs + 150 },
     });
     expect(state.decided).toEqual([{}]);
   });

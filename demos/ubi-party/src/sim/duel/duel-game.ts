@@ -22,9 +22,9 @@ export interface DuelSettings extends GameSettings {
 }
 
 const BOUTS = 5;
-const MOST_EXTRA = 3;
+const MAX_EXTRA = 3;
 /** Faster is guessed, not seen (World Athletics, technical rules: 100 ms). */
-export const LEAST_REACTION_MS = 100;
+export const MIN_REACTION_MS = 100;
 const LONGEST_REACTION_MS = 1500;
 
 /** Reaction duel: press when the screen turns. What counts is when the button went down. */
@@ -80,7 +80,7 @@ export const duelGame: Game<DuelState, DuelSettings> = {
 /** Sudden death: while several lead, one more flag, three times at most. */
 function isOver(state: DuelState): boolean {
   const { length } = state.decided;
-  return length >= BOUTS + MOST_EXTRA || (length >= BOUTS && places(state)[0]!.length === 1);
+  return length >= BOUTS + MAX_EXTRA || (length >= BOUTS && places(state)[0]!.length === 1);
 }
 
 function places({ seats, decided }: DuelState): Places {
@@ -98,7 +98,7 @@ function headlineOf({ decided }: DuelState): string {
 function feedback(state: DuelState, seat: Seat): Feedback {
   const { seats, decided, bout } = state;
   const pressedAtMs = bout.presses[seat];
-  const isEarly = pressedAtMs !== undefined && pressedAtMs < bout.signalAtMs + LEAST_REACTION_MS;
+  const isEarly = pressedAtMs !== undefined && pressedAtMs < bout.signalAtMs + MIN_REACTION_MS;
   const last = decided.at(-1);
   const sentence =
     pressedAtMs === undefined
@@ -151,7 +151,7 @@ function decide(state: DuelState): DuelState['decided'][number] {
       seat in presses ? { winner: seat, reactionMs: presses[seat]! - signalAtMs } : [],
     )
     .filter(
-      ({ reactionMs }) => reactionMs >= LEAST_REACTION_MS && reactionMs <= longestReactionMs(state),
+      ({ reactionMs }) => reactionMs >= MIN_REACTION_MS && reactionMs <= longestReactionMs(state),
     )
     .sort((a, b) => a.reactionMs - b.reactionMs);
   return best ?? {};

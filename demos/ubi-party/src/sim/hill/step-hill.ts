@@ -33,7 +33,7 @@ const STEPS_BETWEEN_DASHES = 1.5 * STEPS_PER_SECOND;
 /** A push counts for so long, when the pushed one falls. */
 const PUSH_COUNTS = 2.5 * STEPS_PER_SECOND;
 /** Units per second; a softer touch is no push. */
-const LEAST_PUSH = 1.5;
+const MIN_PUSH = 1.5;
 
 export function stepHill(state: HillState, controls: ReadControls, settings: HillSettings): void {
   state.step += 1;
@@ -82,7 +82,7 @@ function dash(piece: Piece, controls: Controls, step: number, settings: HillSett
 function push(state: HillState, settings: HillSettings): void {
   const discs = standing(state).map((piece) => asDisc(piece, state.step, settings));
   for (const { a, b, speed } of collide(discs)) {
-    if (speed < LEAST_PUSH) continue;
+    if (speed < MIN_PUSH) continue;
     a.piece.lastPush = { by: b.piece.seat, at: state.step };
     b.piece.lastPush = { by: a.piece.seat, at: state.step };
   }

@@ -12,9 +12,9 @@ import {
 import { THINGS, type ThingId } from './things.ts';
 
 const TIME_MS = 30_000;
-const LEAST_TIME_MS = 5000;
+const MIN_TIME_MS = 5000;
 /** A detector with a score below it is guessing (the default threshold of CenterNet). */
-const LEAST_SCORE = 0.4;
+const MIN_SCORE = 0.4;
 /** A slow phone looks so long at a photo at most. */
 const WAIT_FOR_LOOKING_MS = 4000;
 const SHOW_RESULT_MS = 3500;
@@ -28,7 +28,7 @@ export function stepHunt(state: HuntState, controls: ReadControls, settings: Hun
     return;
   }
   hunt.endsAtMs = hunt.beganAtMs + timeMs(state, settings);
-  hunt.leastScore = Math.min(1, LEAST_SCORE * settings.certainty);
+  hunt.leastScore = Math.min(1, MIN_SCORE * settings.certainty);
   const all = hunt.hunters.map((seat) => [seat, controls(seat)] as const);
   hunt.present = all.flatMap(([seat, { isAway }]) => (isAway ? [] : seat));
   for (const [seat, control] of all) takePhoto(state, hunt, seat, control);
@@ -61,7 +61,7 @@ function beginNext(state: HuntState, nowMs: number, settings: HuntSettings): voi
     isDecisive,
     hunters,
     present: hunters,
-    leastScore: LEAST_SCORE,
+    leastScore: MIN_SCORE,
     photos: {},
   };
 }
@@ -77,7 +77,7 @@ function drawThing(state: HuntState, settings: HuntSettings): string {
 }
 
 const timeMs = ({ pace = 1 }: HuntState, { time }: HuntSettings): number =>
-  Math.max(LEAST_TIME_MS, TIME_MS * time) * pace;
+  Math.max(MIN_TIME_MS, TIME_MS * time) * pace;
 
 /** The first right photo counts. A wrong one costs nothing but a short wait. */
 function takePhoto(state: HuntState, hunt: Hunt, seat: Seat, { answer }: Controls): void {

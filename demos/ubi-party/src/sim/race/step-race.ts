@@ -37,9 +37,9 @@ const STEPS_OF_LIFT = 0.75 * STEPS_PER_SECOND;
 const SECONDS_TO_FILL = 9;
 /** A cart is off when its middle is so far beyond the kerb. */
 const BEYOND_KERB = 0.6;
-const LEAST_TO_JUMP = 6;
+const MIN_TO_JUMP = 6;
 /** Units per second; a softer touch is no hit. */
-const LEAST_HIT = 2;
+const MIN_HIT = 2;
 
 export function stepRace(state: RaceState, controls: ReadControls, settings: RaceSettings): void {
   state.step += 1;
@@ -50,7 +50,7 @@ export function stepRace(state: RaceState, controls: ReadControls, settings: Rac
     else drive(cart, cart.finishedAt === undefined ? controls(cart.seat) : ROLL_OUT, settings);
   }
   for (const { a, b, speed } of collide(state.carts.filter(isOnGround).map(asDisc))) {
-    if (speed > LEAST_HIT) a.cart.hitAt = b.cart.hitAt = state.step;
+    if (speed > MIN_HIT) a.cart.hitAt = b.cart.hitAt = state.step;
   }
   for (const cart of state.carts) {
     if (cart.liftSteps === 0) follow(cart, track, state.step, settings);
@@ -121,7 +121,7 @@ function follow(cart: Cart, track: Track, step: number, settings: RaceSettings):
     const at = Math.floor(cart.distance / track.length) * track.length + share * track.length;
     return before < at && cart.distance >= at;
   };
-  if (track.bridge && crossed(track.bridge.from) && length(cart.velocity) > LEAST_TO_JUMP) {
+  if (track.bridge && crossed(track.bridge.from) && length(cart.velocity) > MIN_TO_JUMP) {
     cart.jumpSteps = Math.round(STEPS_OF_JUMP / Math.max(0.2, settings.gravity));
   }
 }

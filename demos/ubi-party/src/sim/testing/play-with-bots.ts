@@ -1,6 +1,6 @@
 import type { Controls, Game, GameSettings, Seat } from '../game.ts';
 
-const MOST_STEPS = 300 * 60;
+const MAX_STEPS = 300 * 60;
 
 /** Plays a round of bots to its end. @returns the last state */
 export function playWithBots<State, Settings extends GameSettings>(
@@ -12,7 +12,7 @@ export function playWithBots<State, Settings extends GameSettings>(
   const seats = Array.from({ length: players }, (_, seat) => seat);
   const state = game.start({ seats, seed });
   for (let step = 0; !game.isOver(state); step += 1) {
-    if (step > MOST_STEPS) throw new Error(`${game.title} does not end.`);
+    if (step > MAX_STEPS) throw new Error(`${game.title} does not end.`);
     const controls = new Map<Seat, Controls>(seats.map((seat) => [seat, game.bot(state, seat)]));
     game.step(state, (seat) => controls.get(seat)!, game.settings);
     onStep(state);

@@ -12,7 +12,7 @@ const EVENT_GAIN = 0.8;
 /** Events of the same moment are heard one after the other. */
 const SPREAD_S = 0.06;
 /** More at a time would be noise. */
-const MOST_EVENTS = 12;
+const MAX_EVENTS = 12;
 
 /** Settings of the sound engine. */
 export interface SoundWishes {
@@ -61,7 +61,7 @@ export class SoundEngine {
   play(events: readonly SoundEvent[]): void {
     const desk = this.#desk;
     if (desk?.context.state !== 'running') return;
-    for (const [index, event] of events.slice(0, MOST_EVENTS).entries()) {
+    for (const [index, event] of events.slice(0, MAX_EVENTS).entries()) {
       for (const note of notesOf(event)) {
         const atS = desk.context.currentTime + index * SPREAD_S + note.afterS;
         strike(desk.events, desk.noise, note, atS);

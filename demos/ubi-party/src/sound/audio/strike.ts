@@ -3,7 +3,7 @@ import { hzOf } from '../scale.ts';
 import { INSTRUMENTS, type Instrument } from './instruments.ts';
 
 /** Above it nobody hears a partial, but the sound card may. */
-const MOST_HZ = 16_000;
+const MAX_HZ = 16_000;
 const ATTACK_S = 0.003;
 /** -80 dB: exponential ramps cannot reach 0. */
 const GONE = 0.0001;
@@ -15,7 +15,7 @@ export function strike(out: AudioNode, noise: AudioBuffer, note: Note, atS: numb
   if (peak <= GONE) return;
   for (const { ratio, gain, decayS } of instrument.partials) {
     const hz = hzOf(note.midi) * ratio;
-    if (hz > MOST_HZ || gain * peak <= GONE) continue;
+    if (hz > MAX_HZ || gain * peak <= GONE) continue;
     const tone = new OscillatorNode(out.context, { type: instrument.wave ?? 'sine' });
     bend(tone.frequency, hz, instrument.bend, atS);
     tone.connect(envelope(out, gain * peak, ATTACK_S, decayS, atS));

@@ -8,7 +8,7 @@ const FAST_MS = 18.5;
 const SLOW_WINDOWS = 2;
 const FAST_WINDOWS = 4;
 /** Each step down doubles the windows that a step up takes; after so many, there is no way up. */
-const MOST_FALLS = 3;
+const MAX_FALLS = 3;
 
 /** Frame statistics so far. */
 export interface QualityState {
@@ -36,7 +36,7 @@ export function nextQuality(state: QualityState, p95Ms: number): QualityState {
     return { ...startQuality(LEVELS[level - 1]!), falls: state.falls + 1 };
   }
   const needed = FAST_WINDOWS * 2 ** state.falls;
-  if (fastWindows >= needed && level < 2 && state.falls < MOST_FALLS) {
+  if (fastWindows >= needed && level < 2 && state.falls < MAX_FALLS) {
     return { ...startQuality(LEVELS[level + 1]!), falls: state.falls };
   }
   return { ...state, slowWindows, fastWindows };

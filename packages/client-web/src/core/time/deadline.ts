@@ -4,7 +4,7 @@ import type { Cancel, Clock } from '@ubii/timing';
 const LATE_MS = 250;
 /** Time to read what has arrived meanwhile, milliseconds, and how often it is given. */
 const READING_MS = 500;
-const MOST_READINGS = 10;
+const MAX_READINGS = 10;
 
 /**
  * Calls back when something has not been answered in time. When the timer itself comes late, this computer was busy or
@@ -22,7 +22,7 @@ export function atDeadline(
     const dueMs = clock.monotonicMs() + ms;
     return clock.after(ms, () => {
       const isLate = clock.monotonicMs() - dueMs > LATE_MS;
-      if (!isLate || readings === MOST_READINGS) return giveUp();
+      if (!isLate || readings === MAX_READINGS) return giveUp();
       readings++;
       cancel = wait(READING_MS);
     });

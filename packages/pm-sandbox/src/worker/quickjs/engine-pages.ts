@@ -12,4 +12,4 @@ export const INITIAL_PAGES = 86;
 export const UNTOUCHED_PAGES = 72;
 
 /** Minimum memory of a sandboxed module, bytes: its copy of the engine. [PM-58] */
-export const LEAST_MODULE_BYTES = (INITIAL_PAGES - UNTOUCHED_PAGES) * PAGE_BYTES;
+export const MIN_MODULE_BYTES = (INITIAL_PAGES - UNTOUCHED_PAGES) * PAGE_BYTES;

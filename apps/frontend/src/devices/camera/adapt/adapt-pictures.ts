@@ -62,7 +62,7 @@ const FEW_RESULTS = 0.85;
 const MANY_RESULTS = 0.95;
 const MORE = 1.1;
 const MUCH_MORE = 1.5;
-const LEAST_HZ = 0.5;
+const MIN_HZ = 0.5;
 /** Results missing at the time of counting; not a sign of a slow module, Hz. */
 const MISSED_HZ = 0.35;
 /** Rate below which a missing result does not prevent trying a higher rate, Hz. */
@@ -177,7 +177,7 @@ function followModule(
   const seen = { ...state, lastResultMs: nowMs };
   if (sent === undefined) return seen;
   if (resultHz < sent.rateHz * FEW_RESULTS - MISSED_HZ) {
-    const moduleHz = Math.max(LEAST_HZ, resultHz * HEADROOM);
+    const moduleHz = Math.max(MIN_HZ, resultHz * HEADROOM);
     // The rate may have been lowered already, while measurements still include earlier pictures.
     if (state.moduleHz !== undefined && moduleHz >= state.moduleHz) return seen;
     return { ...seen, moduleHz, resultHz };

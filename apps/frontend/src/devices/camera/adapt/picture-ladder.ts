@@ -4,14 +4,14 @@ import type { PictureSettings } from '../encode-picture.ts';
 export type PictureStep = Pick<PictureSettings, 'width' | 'quality' | 'rateHz'>;
 
 /** Lowest quality: below, compression hides objects, and smaller pictures lose less. */
-const LEAST_QUALITY = 0.5;
+const MIN_QUALITY = 0.5;
 const QUALITY_STEP = 0.15;
 /** Factors on the wanted width. */
 const WIDTH_SHARES = [0.75, 0.5, 0.375, 0.25];
-const LEAST_WIDTH = 160;
+const MIN_WIDTH = 160;
 /** Factors on the wanted rate. */
 const RATE_SHARES = [0.67, 0.5, 0.33, 0.2, 0.1];
-const LEAST_RATE_HZ = 1;
+const MIN_RATE_HZ = 1;
 
 /**
  * Returns settings from the wanted ones down to the least useful ones. Quality is reduced first, because it costs many
@@ -22,20 +22,20 @@ export function pictureLadder(wanted: Readonly<PictureSettings>): readonly Pictu
   let { width, quality, rateHz }: PictureStep = wanted;
   const steps: PictureStep[] = [{ width, quality, rateHz }];
   const add = (): unknown => steps.push({ width, quality, rateHz });
-  while (wanted.encoding === 'JPEG' && quality - QUALITY_STEP >= LEAST_QUALITY - 1e-9) {
+  while (wanted.encoding === 'JPEG' && quality - QUALITY_STEP >= MIN_QUALITY - 1e-9) {
     quality = Math.round((quality - QUALITY_STEP) * 100) / 100;
     add();
   }
   for (const share of WIDTH_SHARES) {
     // JPEG blocks and camera sizes are multiples of 16.
     const next = Math.round((wanted.width * share) / 16) * 16;
-    if (next < Math.min(LEAST_WIDTH, width)) break;
+    if (next < Math.min(MIN_WIDTH, width)) break;
     width = next;
     add();
   }
   for (const share of RATE_SHARES) {
     const next = wanted.rateHz * share;
-    if (next < Math.min(LEAST_RATE_HZ, rateHz)) break;
+    if (next < Math.min(MIN_RATE_HZ, rateHz)) break;
     rateHz = next;
     add();
   }

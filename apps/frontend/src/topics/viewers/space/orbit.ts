@@ -17,7 +17,7 @@ export interface Orbit {
 /** Vertical field of view, degrees. */
 export const FIELD_DEGREES = 32;
 
-const MOST_ELEVATION = Math.PI / 2 - 0.02;
+const MAX_ELEVATION = Math.PI / 2 - 0.02;
 const START = { azimuth: 0.6, elevation: 0.42 } as const;
 /** Rotation per key press, radians. */
 const KEY_TURN = Math.PI / 24;
@@ -31,8 +31,8 @@ export function startOrbit({ center, radius }: Sphere): Orbit {
 
 export function turn(orbit: Orbit, byAzimuth: number, byElevation: number): Orbit {
   const elevation = Math.max(
-    -MOST_ELEVATION,
-    Math.min(MOST_ELEVATION, orbit.elevation + byElevation),
+    -MAX_ELEVATION,
+    Math.min(MAX_ELEVATION, orbit.elevation + byElevation),
   );
   return { ...orbit, azimuth: orbit.azimuth + byAzimuth, elevation };
 }

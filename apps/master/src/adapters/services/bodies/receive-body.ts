@@ -7,7 +7,7 @@ import type { IncomingRequest } from '../../../core/services/incoming-request.ts
 import type { BodyScan } from './body-scan.ts';
 
 /** Bytes charged for any request: a request without a body takes memory, too. */
-const LEAST_BYTES = 512;
+const MIN_BYTES = 512;
 /** Room that a body of unknown length begins with, bytes. */
 const FIRST_BYTES = 4 * 1024;
 
@@ -64,7 +64,7 @@ export function receiveBody(
   if (declared !== undefined && declared > largest.bytes) {
     throw incoming.tooManyBytes(largest, `${declared}`);
   }
-  incoming.reserve(Math.max(LEAST_BYTES, declared ?? FIRST_BYTES));
+  incoming.reserve(Math.max(MIN_BYTES, declared ?? FIRST_BYTES));
   return new Promise((resolve, reject) => {
     // Memory of its own, which a worker may be given.
     let bytes = new Uint8Array(declared ?? FIRST_BYTES);

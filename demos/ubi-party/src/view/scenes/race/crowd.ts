@@ -19,8 +19,8 @@ export interface CrowdStand {
 /** A token of full size, units. */
 const WIDTH = 5.2;
 const HEIGHT = 5.4;
-const LEAST_SIZE = 0.6;
-const MOST_LIFT = 6;
+const MIN_SIZE = 0.6;
+const MAX_LIFT = 6;
 /** The camera looks down 36 degrees: a unit towards it lowers the picture as much as this share of a unit of height. */
 const DEPTH_TO_HEIGHT = 0.73;
 /** Extent of the letter on a token, and the part of its square that the token fills. Shares of its size. */
@@ -50,7 +50,7 @@ export function standInCrowd(spots: readonly CrowdSpot[]): CrowdStand[] {
       const needed = HEIGHT * (top * sizes[front]! - LETTER_FOOT * size);
       lifts[index]! += Math.max(0, (needed - seen) * share);
     }
-    lifts[index] = Math.min(MOST_LIFT, lifts[index]!);
+    lifts[index] = Math.min(MAX_LIFT, lifts[index]!);
   }
   return spots.map((_, index) => ({ size: sizes[index]!, lift: lifts[index]! }));
 }
@@ -62,5 +62,5 @@ function sizeAmong(spot: CrowdSpot, index: number, spots: readonly CrowdSpot[]):
     if (other === index) continue;
     crowd += clamp01(1.4 - Math.hypot(x - spot.x, (z - spot.z) * DEPTH_TO_HEIGHT) / WIDTH);
   }
-  return Math.max(LEAST_SIZE, 1 / (1 + 0.11 * crowd));
+  return Math.max(MIN_SIZE, 1 / (1 + 0.11 * crowd));
 }
