@@ -5,6 +5,8 @@ import globals from 'globals';
 import ts from 'typescript-eslint';
 import vueParser from 'vue-eslint-parser';
 
+import ubii, { HAND_WRITTEN_PLURALS } from './scripts/lib/lint-rules.mjs';
+
 /** Imports that the dependency arrows of docs/architecture.md forbid, with what to do instead. */
 const noApps = {
   group: [
@@ -68,23 +70,6 @@ const noEngine = {
   group: ['three', 'three/*', '**/view/**', '**/screen/**'],
   message: 'Phones and the network draw nothing in three dimensions: that is the big screen.',
 };
-/** [TD-60] */
-const noNativePatterns = ['NewExpression', 'CallExpression'].map((call) => ({
-  selector: `${call}[callee.name="RegExp"][arguments.0.type!="Literal"]`,
-  message:
-    'A pattern that somebody else wrote can stop the thread: compile it with @ubii/patterns. A pattern of ours may stay, with the reason why it is linear.',
-}));
-/** A word or a sentence for one thing, and another for several. */
-const noHandWrittenPlurals = [
-  '[consequent.type="Literal"][consequent.value=/./][alternate.value=/./]',
-  '[consequent.type="Literal"][consequent.value=/./][alternate.type="TemplateLiteral"]',
-  '[consequent.type="TemplateLiteral"][alternate.value=/./]',
-  '[consequent.type="TemplateLiteral"][alternate.type="TemplateLiteral"]',
-  '[consequent.value=""][alternate.value=/^e?s$/]',
-].map((forms) => ({
-  selector: `ConditionalExpression[test.operator="==="][test.right.value=1]${forms}`,
-  message: 'Use `plural` or `counted` of @ubii/words.',
-}));
 const restrict = (...patterns) => ({
   '@typescript-eslint/no-restricted-imports': ['error', { patterns }],
 });
@@ -111,7 +96,7 @@ export default ts.config(
     languageOptions: { parser: vueParser, parserOptions: { parser: ts.parser } },
   },
   {
-    // The rules that need types are in .oxlintrc.json.
+    // The rules that need types are in .oxlintrc.json. Of those here, oxlint.config.mjs takes what oxlint can check.
     files: ['**/*.ts', '**/*.vue'],
     rules: {
       '@typescript-eslint/consistent-type-imports': 'error',
@@ -164,11 +149,12 @@ export default ts.config(
       'benchmarks/**',
       'robustness/**',
     ],
-    rules: { 'no-restricted-syntax': ['error', ...noNativePatterns, ...noHandWrittenPlurals] },
+    plugins: { ubii },
+    rules: { 'ubii/no-native-patterns': 'error', 'ubii/no-hand-written-plurals': 'error' },
   },
   {
     files: ['**/*.vue'],
-    rules: { 'vue/no-restricted-syntax': ['error', ...noHandWrittenPlurals] },
+    rules: { 'vue/no-restricted-syntax': ['error', ...HAND_WRITTEN_PLURALS] },
   },
   { files: ['**/*.test.ts'], rules: { 'vue/one-component-per-file': 'off' } },
   { files: ['packages/**'], rules: restrict(noApps, noVue) },

@@ -24,7 +24,7 @@ export const EXTENSION_SERVICE_PREFIX = '/services/ubii/';
 
 /** Source of a regular expression for a UUID of any version, lower or upper case. */
 export const UUID_PATTERN = '[0-9a-fA-F]{8}(?:-[0-9a-fA-F]{4}){3}-[0-9a-fA-F]{12}';
-// eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
+// eslint-disable-next-line ubii/no-native-patterns -- our own pattern, linear
 const UUID = new RegExp(`^${UUID_PATTERN}$`);
 
 /** True for the text of a UUID of any version. */

@@ -15,7 +15,7 @@ export function locateSyntaxError(text: string): SourcePosition | undefined {
     return undefined;
   } catch (thrown) {
     const lines = String((thrown as Error).stack).split('\n');
-    // eslint-disable-next-line no-restricted-syntax -- of a constant
+    // eslint-disable-next-line ubii/no-native-patterns -- of a constant
     const line = Number(new RegExp(`^${FILE_NAME}:(\\d+)$`).exec(lines[0] ?? '')?.[1]);
     if (!(line > 0)) return undefined;
     const column = (lines[2] ?? '').indexOf('^') + 1;

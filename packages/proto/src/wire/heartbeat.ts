@@ -34,7 +34,7 @@ export const PING_TEXT = 'PING';
 export const PONG_TEXT = 'PONG';
 
 const NUMBER = String.raw`\d{1,13}(?:\.\d{1,6})?`;
-// eslint-disable-next-line no-restricted-syntax -- of constants, without nested repetitions
+// eslint-disable-next-line ubii/no-native-patterns -- of constants, without nested repetitions
 const TIMED_PING = new RegExp(`^PING (\\d{1,10})(?: (-?${NUMBER}) (${NUMBER}) (-?${NUMBER}))?$`);
 const PONG: Heartbeat = { kind: 'pong' };
 const PLAIN_PING: Heartbeat = { kind: 'ping', timed: undefined };

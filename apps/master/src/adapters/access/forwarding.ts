@@ -7,7 +7,7 @@ import { plainAddress } from '../addresses/address-kinds.ts';
  * Headers with which proxies and tunnels mark forwarded requests, by what their
  * names have in common: new ones follow the habit. Those of browsers and programs are none of them. [AC-1]
  */
-// eslint-disable-next-line no-restricted-syntax -- alternatives of words, without repetitions
+// eslint-disable-next-line ubii/no-native-patterns -- alternatives of words, without repetitions
 const FORWARDING = new RegExp(
   [
     'forward',

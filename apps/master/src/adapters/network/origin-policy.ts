@@ -169,6 +169,6 @@ function patternOf(origin: string): RegExp {
     .replace(/[.[\]?+^$(){}|\\/-]/g, '\\$&')
     .replace(/:\*$/, '(:\\d+)?')
     .replace('*\\.', '([a-z0-9-]+\\.)+');
-  // eslint-disable-next-line no-restricted-syntax -- the operator's, escaped; each level ends with a dot no level contains
+  // eslint-disable-next-line ubii/no-native-patterns -- the operator's, escaped; each level ends with a dot no level contains
   return new RegExp(`^${source}$`);
 }

@@ -13,7 +13,7 @@ export interface IdentityRule {
   ofTopic(topic: string): string | undefined;
 }
 
-// eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
+// eslint-disable-next-line ubii/no-native-patterns -- our own pattern, linear
 const FIRST_UUID = new RegExp(UUID_PATTERN);
 
 const none = (): undefined => undefined;

@@ -63,7 +63,7 @@ function topicAt(graph: Graph, { node, ref }: WireEnd): string | undefined {
   return freeTopic(graph, ref);
 }
 
-// eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
+// eslint-disable-next-line ubii/no-native-patterns -- our own pattern, linear
 const UUID = new RegExp(UUID_PATTERN, 'i');
 
 /** Glob for the same topic of all clients or devices; undefined when no level identifies a client or device. */

@@ -16,7 +16,7 @@ export function stateSource({ sections }: ModuleText): string {
     head && name !== undefined && end > head[0].length
       ? created
           .slice(head[0].length, end)
-          // eslint-disable-next-line no-restricted-syntax -- one name, escaped, without repetitions
+          // eslint-disable-next-line ubii/no-native-patterns -- one name, escaped, without repetitions
           .replaceAll(new RegExp(`(?<![\\w$.])${name.replaceAll('$', '\\$')}\\.`, 'g'), 'this.')
       : '';
   return `export class OwnState {\n  constructor() {\n${body}\n  }\n}\n`;

@@ -34,7 +34,7 @@ describe('a message in pieces [SV-44]', () => {
     });
     const record = decode('ubii.topicData.TopicDataRecord', bytes);
     const [piece] = splitMessage({ image: record.image2D?.data });
-    expect((piece?.values[0] as Uint8Array).buffer.byteLength).toBe(3);
+    expect((piece!.values[0] as Uint8Array).buffer.byteLength).toBe(3);
     expect(passed(record)).toStrictEqual(record);
   });
 
