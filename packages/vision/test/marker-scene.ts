@@ -31,35 +31,36 @@ export function renderScene(
   { format = 'GRAY8', noise = 0, blur = 0, background = 0.45, samples = 2 }: SceneOptions = {},
 ): Picture {
   const { width, height } = camera;
-  const planes = prints.map((print) => {
-    const axis = (x: number, y: number, z: number) => rotate(print.orientation, { x, y, z });
-    return { ...print, across: axis(1, 0, 0), up: axis(0, 1, 0), normal: axis(0, 0, 1) };
+  const planes = prints.map(({ position, orientation, brightness }) => {
+    const axis = (x: number, y: number, z: number) => rotate(orientation, { x, y, z });
+    const [across, up, normal] = [axis(1, 0, 0), axis(0, 1, 0), axis(0, 0, 1)];
+    return { position, brightness, across, up, normal, offset: dot(position, normal) };
   });
-  const seen = (px: number, py: number): number => {
-    const ray = rayOf(camera, px, py);
-    for (const { position, across, up, normal, brightness } of planes) {
-      const along = dot(ray, normal);
+  const seen = (rayX: number, rayY: number): number => {
+    for (const { position, brightness, across, up, normal, offset } of planes) {
+      const along = rayX * normal.x + rayY * normal.y - normal.z;
       if (Math.abs(along) < 1e-9) continue;
-      const distance = dot(position, normal) / along;
+      const distance = offset / along;
       if (distance <= 0) continue;
-      const from = {
-        x: ray.x * distance - position.x,
-        y: ray.y * distance - position.y,
-        z: ray.z * distance - position.z,
-      };
-      const value = brightness(dot(from, across), dot(from, up));
+      const x = rayX * distance - position.x;
+      const y = rayY * distance - position.y;
+      const z = -distance - position.z;
+      const value = brightness(
+        x * across.x + y * across.y + z * across.z,
+        x * up.x + y * up.y + z * up.z,
+      );
       if (value !== undefined) return value;
     }
     return background;
   };
+  const rays = raysOf(camera, samples);
   const light = new Float64Array(width * height);
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {
       let sum = 0;
-      for (let sub = 0; sub < samples * samples; sub++) {
-        const dx = ((sub % samples) + 0.5) / samples - 0.5;
-        const dy = (Math.floor(sub / samples) + 0.5) / samples - 0.5;
-        sum += seen(column + dx, row + dy);
+      const first = (row * width + column) * samples ** 2;
+      for (let ray = first; ray < first + samples ** 2; ray++) {
+        sum += seen(rays[ray * 2]!, rays[ray * 2 + 1]!);
       }
       light[row * width + column] = 20 + (215 * sum) / samples ** 2;
     }
@@ -114,8 +115,43 @@ export function turned(xDegrees: number, yDegrees: number, zDegrees = 0): Quater
   return product(about(zDegrees, 'z'), product(about(yDegrees, 'y'), about(xDegrees, 'x')));
 }
 
+/** Rays of the cameras of a test file: many scenes have the same camera. */
+const known = new WeakMap<CameraCalibration, Map<number, Float64Array>>();
+
+/** Directions of the rays through the parts of each pixel, pixel by pixel: x and y of each, z is -1. */
+function raysOf(camera: CameraCalibration, samples: number): Float64Array {
+  const ofCamera = known.get(camera) ?? new Map<number, Float64Array>();
+  known.set(camera, ofCamera);
+  const rays = ofCamera.get(samples) ?? computeRays(camera, samples);
+  ofCamera.set(samples, rays);
+  return rays;
+}
+
+function computeRays(camera: CameraCalibration, samples: number): Float64Array {
+  const { width, height } = camera;
+  const rays = new Float64Array(width * height * samples ** 2 * 2);
+  let next = 0;
+  for (let row = 0; row < height; row++) {
+    for (let column = 0; column < width; column++) {
+      for (let sub = 0; sub < samples ** 2; sub++) {
+        const dx = ((sub % samples) + 0.5) / samples - 0.5;
+        const dy = (Math.floor(sub / samples) + 0.5) / samples - 0.5;
+        writeRay(rays, next, camera, column + dx, row + dy);
+        next += 2;
+      }
+    }
+  }
+  return rays;
+}
+
 /** The direction of what a pixel sees, in the frame of `MarkerPose`; the lens is undone by iteration, as OpenCV does. */
-function rayOf(camera: CameraCalibration, px: number, py: number): Vector3Value {
+function writeRay(
+  rays: Float64Array,
+  index: number,
+  camera: CameraCalibration,
+  px: number,
+  py: number,
+): void {
   const [k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0] = camera.distortion;
   const x0 = (px - camera.cx) / camera.fx;
   const y0 = (py - camera.cy) / camera.fy;
@@ -127,7 +163,8 @@ function rayOf(camera: CameraCalibration, px: number, py: number): Vector3Value 
     const dy = p1 * (r2 + 2 * y * y) + 2 * p2 * x * y;
     [x, y] = [(x0 - dx) / radial, (y0 - dy) / radial];
   }
-  return { x, y: -y, z: -1 };
+  rays[index] = x;
+  rays[index + 1] = -y;
 }
 
 const dot = (a: Vector3Value, b: Vector3Value): number => a.x * b.x + a.y * b.y + a.z * b.z;
