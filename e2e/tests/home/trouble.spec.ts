@@ -13,54 +13,49 @@ function makeNoise(robot: UbiiClient): () => void {
   return () => clearInterval(noise);
 }
 
-test('home names the client with too high a load, with cause and remedy; one press throttles, another lifts it [EX-31, EX-47]', async ({
-  room,
-}) => {
+test('home helps against what takes too much', async ({ room }) => {
   const robot = await room.program('Robot');
   const { page } = await room.atDesk('Anna');
   await page.goto('/');
-  const stop = makeNoise(robot);
   const rows = page.getByRole('list', { name: 'Problems' }).getByRole('listitem');
-  const noisy = rows.filter({ hasText: /Robot publishes .* records per second/ });
-  await expect(noisy).toContainText('Publish less often');
-  await expect(noisy.getByRole('link', { name: 'Open client' })).toHaveAttribute(
-    'href',
-    `/clients/${robot.id}`,
-  );
-  await noisy.getByRole('button', { name: 'Throttle' }).click();
-  const throttled = rows.filter({ hasText: /Robot is throttled/ });
-  await expect(throttled).toContainText('by Anna');
-  await throttled.getByRole('button', { name: 'Remove throttle' }).click();
-  await expect(throttled).toHaveCount(0);
-  stop();
-});
 
-test('home stops a session whose module takes too much, and starts it again [EX-47]', async ({
-  room,
-}) => {
-  const robot = await room.program('Robot');
-  const { page } = await room.atDesk('Anna');
-  await page.goto('/');
-  const { id } = await robot.call('sessionRuntimeAdd', {
-    name: 'Slow one',
-    processingModules: [
-      {
-        name: 'slow',
-        processingMode: { frequency: { hertz: 20 } },
-        onProcessingStringified:
-          '() => { const start = Date.now(); while (Date.now() - start < 70); }',
-      },
-    ],
+  await test.step('home names the client with too high a load, with cause and remedy; one press throttles, another lifts it [EX-31, EX-47]', async () => {
+    const stop = makeNoise(robot);
+    const noisy = rows.filter({ hasText: /Robot publishes .* records per second/ });
+    await expect(noisy).toContainText('Publish less often');
+    await expect(noisy.getByRole('link', { name: 'Open client' })).toHaveAttribute(
+      'href',
+      `/clients/${robot.id}`,
+    );
+    await noisy.getByRole('button', { name: 'Throttle' }).click();
+    const throttled = rows.filter({ hasText: /Robot is throttled/ });
+    await expect(throttled).toContainText('by Anna');
+    await throttled.getByRole('button', { name: 'Remove throttle' }).click();
+    await expect(throttled).toHaveCount(0);
+    stop();
   });
-  await robot.call('sessionRuntimeStart', { id });
-  const rows = page.getByRole('list', { name: 'Problems' }).getByRole('listitem');
-  const slow = rows.filter({ hasText: 'later than its mode requires' });
-  await expect(slow).toContainText('Lower its frequency');
-  await slow.getByRole('button', { name: 'Stop session' }).click();
-  const sessions = page.getByRole('list', { name: 'Sessions' });
-  await expect(sessions).toContainText('Stopped');
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await expect(sessions).toContainText(/Running|Degraded/);
+
+  await test.step('home stops a session whose module takes too much, and starts it again [EX-47]', async () => {
+    const { id } = await robot.call('sessionRuntimeAdd', {
+      name: 'Slow one',
+      processingModules: [
+        {
+          name: 'slow',
+          processingMode: { frequency: { hertz: 20 } },
+          onProcessingStringified:
+            '() => { const start = Date.now(); while (Date.now() - start < 70); }',
+        },
+      ],
+    });
+    await robot.call('sessionRuntimeStart', { id });
+    const slow = rows.filter({ hasText: 'later than its mode requires' });
+    await expect(slow).toContainText('Lower its frequency');
+    await slow.getByRole('button', { name: 'Stop session' }).click();
+    const sessions = page.getByRole('list', { name: 'Sessions' });
+    await expect(sessions).toContainText('Stopped');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect(sessions).toContainText(/Running|Degraded/);
+  });
 });
 
 test('a throttled page shows actor, reason and remedy once, on every page [EX-33]', async ({
