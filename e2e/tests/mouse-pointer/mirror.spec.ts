@@ -47,61 +47,59 @@ test('one session from this page mirrors the pointer on the master, in this tab 
   });
 });
 
-test('the pointer is mirrored in somebody else’s tab, and the page says when that is gone', async ({
-  room,
-}) => {
-  const ben = await room.atDesk('Ben');
-  await ben.page.goto('/settings');
-  const runsModules = ben.page.getByRole('switch', { name: /^Run modules in this tab/ });
+test('people mirror their pointers beside each other', async ({ room }) => {
+  const carla = await room.atDesk('Carla');
+  await carla.page.goto('/settings');
+  const runsModules = carla.page.getByRole('switch', { name: /^Run modules in this tab/ });
   await runsModules.click();
-  await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
+  await expect(carla.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
 
-  const anna = new MousePointerPage(await room.atDesk('Anna'));
+  const one = await room.atDesk('Anna');
+  const anna = new MousePointerPage(one);
   await anna.open();
   await anna.expectMirrorState('Running');
-  await anna.place('Node').click();
-  await expect(ben.page.getByRole('status').filter({ hasText: 'Runs 1 module' })).toBeVisible();
-  await anna.pointTo({ x: 0.2, y: 0.3 });
-  await anna.expectPointer(anna.mirroredPointer, { x: 0.8, y: 0.3 });
-  await runsModules.click();
-  await anna.expectMirrorState('Degraded');
-  await expect(anna.session.getByRole('alert')).toContainText('Ben');
-  await anna.place('Master').click();
-  await anna.expectMirrorState('Running');
-  await anna.pointTo({ x: 0.7, y: 0.3 });
-  await anna.expectPointer(anna.mirroredPointer, { x: 0.3, y: 0.3 });
-});
 
-test('everybody has a session of their own, which ends with their page', async ({ room }) => {
-  const one = await room.atDesk('Anna');
-  const two = await room.withPhone('Ben');
-  const anna = new MousePointerPage(one);
-  const ben = new MousePointerPage(two);
-  await Promise.all([anna.open(), ben.open()]);
-  await anna.expectMirrorState('Running');
-  await ben.expectMirrorState('Running');
-  await anna.pointTo({ x: 0.1, y: 0.5 });
-  await ben.pointTo({ x: 0.7, y: 0.5 });
-  await anna.expectPointer(anna.mirroredPointer, { x: 0.9, y: 0.5 });
-  await ben.expectPointer(ben.mirroredPointer, { x: 0.3, y: 0.5 });
-
-  const carla = await room.atDesk('Carla');
-  const sessions = new SessionsPage(carla);
-  await sessions.open();
-  await expect(sessions.link('Mouse pointer of Anna')).toBeVisible();
-  await expect(sessions.link('Mouse pointer of Ben')).toBeVisible();
-
-  await test.step('a visit of another page of the program', async () => {
-    await new Shell(one.page).go('Home');
-    await expect(sessions.link('Mouse pointer of Anna')).toHaveCount(0);
+  await test.step('the pointer is mirrored in somebody else’s tab, and the page says when that is gone', async () => {
+    await anna.place('Node').click();
+    await expect(carla.page.getByRole('status').filter({ hasText: 'Runs 1 module' })).toBeVisible();
+    await anna.pointTo({ x: 0.2, y: 0.3 });
+    await anna.expectPointer(anna.mirroredPointer, { x: 0.8, y: 0.3 });
+    await runsModules.click();
+    await anna.expectMirrorState('Degraded');
+    await expect(anna.session.getByRole('alert')).toContainText('Carla');
+    await anna.place('Master').click();
+    await anna.expectMirrorState('Running');
+    await anna.pointTo({ x: 0.7, y: 0.3 });
+    await anna.expectPointer(anna.mirroredPointer, { x: 0.3, y: 0.3 });
   });
-  await test.step('a reload has one session, not two', async () => {
-    await two.page.reload();
+
+  await test.step('everybody has a session of their own, which ends with their page', async () => {
+    const two = await room.withPhone('Ben');
+    const ben = new MousePointerPage(two);
+    await ben.open();
     await ben.expectMirrorState('Running');
-    await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(1);
-  });
-  await test.step('a closed page', async () => {
-    await two.page.close({ runBeforeUnload: false });
-    await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(0);
+    await anna.pointTo({ x: 0.1, y: 0.5 });
+    await ben.pointTo({ x: 0.7, y: 0.5 });
+    await anna.expectPointer(anna.mirroredPointer, { x: 0.9, y: 0.5 });
+    await ben.expectPointer(ben.mirroredPointer, { x: 0.3, y: 0.5 });
+
+    await new Shell(carla.page).go('Sessions');
+    const sessions = new SessionsPage(carla);
+    await expect(sessions.link('Mouse pointer of Anna')).toBeVisible();
+    await expect(sessions.link('Mouse pointer of Ben')).toBeVisible();
+
+    await test.step('a visit of another page of the program', async () => {
+      await new Shell(one.page).go('Home');
+      await expect(sessions.link('Mouse pointer of Anna')).toHaveCount(0);
+    });
+    await test.step('a reload has one session, not two', async () => {
+      await two.page.reload();
+      await ben.expectMirrorState('Running');
+      await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(1);
+    });
+    await test.step('a closed page', async () => {
+      await two.page.close({ runBeforeUnload: false });
+      await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(0);
+    });
   });
 });
