@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import type { Object2DList } from '@ubii/proto';
 import { expect, test } from '../../fixtures/test.ts';
+import { showPhoto } from '../../pages/picture-source.ts';
 import { SessionPage } from '../../pages/session-page.ts';
 
 const PHOTO = join(import.meta.dirname, '../../../packages/vision/photos/camera.jpg');
@@ -70,6 +71,8 @@ test('a backend that is lost while it computes is replaced, and the page says wh
   const { page } = await room.atDesk('Anna');
   await beforeWorkers(page, LOST_CONTEXT);
   await page.goto('/examples/image-processing');
+  // Of the clip, the cup would be back a quarter of a minute later.
+  await showPhoto(page, 'coffee.jpg');
   await page.getByRole('combobox', { name: 'Module' }).click();
   await page.getByRole('option', { name: /^object-detection/ }).click();
   await page.getByRole('button', { name: 'Start', exact: true }).click();
@@ -129,7 +132,7 @@ test('WebGL in the worker of a tab finds the keypoints that wasm finds, or leave
   const data = new Uint8Array(readFileSync(PHOTO));
   const publishing = setInterval(() => {
     robot.publish('/gym/image', 'image2D', { width: 0, height: 0, dataFormat: 0, data });
-  }, 200);
+  }, 500);
   const found = async (): Promise<Map<string, { x: number; y: number }>> => {
     keypoints = undefined;
     await expect.poll(() => keypoints?.elements.length ?? 0).toBeGreaterThan(4);

@@ -4,7 +4,7 @@ import { expect, test } from '../../fixtures/test.ts';
 
 const CAMERA = { width: 640, height: 480, fx: 600, fy: 604, cx: 331, cy: 228, distortion: [] };
 /** A board is held still for so long, milliseconds. */
-const HELD_MS = 700;
+const HELD_MS = 500;
 
 /** Gives the page a camera that sees the printed board, held in one way after the other. */
 async function showBoard(page: Page): Promise<void> {
@@ -25,9 +25,9 @@ async function showBoard(page: Page): Promise<void> {
         await Promise.all(images.map((image) => image.decode()));
         let frame = 0;
         setInterval(() => {
-          const turn = Math.floor((frame++ * 50) / heldMs);
+          const turn = Math.floor((frame++ * 100) / heldMs);
           context.drawImage(images[turn % images.length]!, 0, 0);
-        }, 50);
+        }, 100);
         const stream = canvas.captureStream();
         const [track] = stream.getVideoTracks();
         track!.getSettings = () => ({ deviceId: 'board-camera', width: 640, height: 480 });

@@ -31,7 +31,7 @@ test('objects in pictures are found on the master and, moved while it runs, in a
   const publishing = setInterval(() => {
     const data = new Uint8Array(readFileSync(join(PHOTOS, photo)));
     robot.publish('/kitchen/image', 'image2D', { width: 0, height: 0, dataFormat: 0, data });
-  }, 200);
+  }, 500);
   const classes = (): string[] | undefined => newest?.list.elements.map(({ id }) => id);
 
   try {

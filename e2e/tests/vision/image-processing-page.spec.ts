@@ -1,4 +1,5 @@
 import { expect, test } from '../../fixtures/test.ts';
+import { showPhoto } from '../../pages/picture-source.ts';
 
 test('the example sends pictures through a module, shows what comes out, and changes it while it runs', async ({
   room,
@@ -48,34 +49,37 @@ test('the example sends pictures through a module, shows what comes out, and cha
   });
 });
 
-test('pictures and outputs fill the window of a desk without scrolling', async ({ room }) => {
+test('at a desk, the page has room for pictures, outputs, and sources in which modules find something', async ({
+  room,
+}) => {
   const { page } = await room.atDesk('Ben');
   await page.goto('/examples/image-processing');
   await page.getByRole('button', { name: 'Start', exact: true }).click();
-  const after = page.getByRole('img', { name: 'The newest picture' });
-  await expect(after).toBeVisible();
-  const stage = page.getByRole('figure').filter({ has: after }).first();
-  const { width, height } = page.viewportSize()!;
-  const box = (await stage.boundingBox())!;
-  expect(box.width).toBeGreaterThan(width / 2);
-  expect(box.height).toBeGreaterThan(height / 2);
-  expect(box.y + box.height).toBeLessThanOrEqual(height);
-  await expect(page.getByRole('region', { name: 'Outputs' })).toBeInViewport({ ratio: 1 });
-});
 
-test('a module that finds nothing says so and offers sources in which it may', async ({ room }) => {
-  const { page } = await room.atDesk('Ben');
-  await page.goto('/examples/image-processing');
-  await page.getByRole('combobox', { name: 'Module' }).click();
-  await page.getByRole('option', { name: /^hand-pose/ }).click();
-  await page.getByRole('button', { name: 'Start', exact: true }).click();
-  const hint = page.getByRole('status').filter({ hasText: 'hand-pose found nothing' });
-  await expect(hint).toBeVisible({ timeout: 60_000 });
-  await hint.getByRole('button', { name: 'Clip: Drawn hand' }).click();
-  await expect(page.getByRole('combobox', { name: 'Built-in clip' })).toContainText('Drawn hand');
-  const hands = page
-    .getByRole('listitem')
-    .filter({ has: page.getByRole('link', { name: 'hands' }) });
-  await expect(hands).toContainText('1.00', { timeout: 30_000 });
-  await expect(hint).toHaveCount(0);
+  await test.step('pictures and outputs fill the window of a desk without scrolling', async () => {
+    const after = page.getByRole('img', { name: 'The newest picture' });
+    await expect(after).toBeVisible();
+    const stage = page.getByRole('figure').filter({ has: after }).first();
+    const { width, height } = page.viewportSize()!;
+    const box = (await stage.boundingBox())!;
+    expect(box.width).toBeGreaterThan(width / 2);
+    expect(box.height).toBeGreaterThan(height / 2);
+    expect(box.y + box.height).toBeLessThanOrEqual(height);
+    await expect(page.getByRole('region', { name: 'Outputs' })).toBeInViewport({ ratio: 1 });
+  });
+
+  await test.step('a module that finds nothing says so and offers sources in which it may', async () => {
+    await showPhoto(page, 'chelsea.jpg');
+    await page.getByRole('combobox', { name: 'Module' }).click();
+    await page.getByRole('option', { name: /^hand-pose/ }).click();
+    const hint = page.getByRole('status').filter({ hasText: 'hand-pose found nothing' });
+    await expect(hint).toBeVisible({ timeout: 60_000 });
+    await hint.getByRole('button', { name: 'Clip: Drawn hand' }).click();
+    await expect(page.getByRole('combobox', { name: 'Built-in clip' })).toContainText('Drawn hand');
+    const hands = page
+      .getByRole('listitem')
+      .filter({ has: page.getByRole('link', { name: 'hands' }) });
+    await expect(hands).toContainText('1.00', { timeout: 30_000 });
+    await expect(hint).toHaveCount(0);
+  });
 });

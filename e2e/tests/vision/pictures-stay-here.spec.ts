@@ -1,6 +1,7 @@
 import { meet, DESKTOP } from '../../fixtures/person.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { startWatchedBrowser } from '../../fixtures/foreign-traffic.ts';
+import { showPhoto } from '../../pages/picture-source.ts';
 
 test('no vision module asks another host for anything, in pages, workers and service workers', async ({
   master,
@@ -12,6 +13,7 @@ test('no vision module asks another host for anything, in pages, workers and ser
 
     await test.step('objects, bodies and hands in this tab', async () => {
       await page.goto('/examples/object-detection');
+      await showPhoto(page, 'astronaut.jpg');
       await page.getByRole('switch', { name: /^Body/ }).click();
       await page.getByRole('switch', { name: /^Hands/ }).click();
       await page.getByRole('button', { name: 'Start', exact: true }).click();
@@ -22,6 +24,7 @@ test('no vision module asks another host for anything, in pages, workers and ser
 
     await test.step('every other module that takes pictures', async () => {
       await page.goto('/examples/image-processing');
+      await showPhoto(page, 'astronaut.jpg');
       const module = page.getByRole('combobox', { name: 'Module', exact: true });
       await module.click();
       await expect(page.getByRole('option').nth(3)).toBeVisible();
