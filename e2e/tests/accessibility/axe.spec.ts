@@ -4,8 +4,10 @@ import {
   onPhone,
 } from '../../fixtures/accessible.ts';
 import { callService } from '../../fixtures/call-service.ts';
+import { followLink } from '../../fixtures/follow-link.ts';
 import { HostileClient } from '../../fixtures/hostile-client.ts';
 import { expect, test, type Room } from '../../fixtures/test.ts';
+import { withoutDrawing } from '../../fixtures/without-drawing.ts';
 import { PerformancePage } from '../../pages/performance-page.ts';
 import { RecordingsPage } from '../../pages/recordings-page.ts';
 import { Shell } from '../../pages/shell.ts';
@@ -15,7 +17,7 @@ import pages from './pages.json' with { type: 'json' };
 /** Pages without anything of their own in the address; for the others, see the stories below. The frontend's tests say when one is missing. */
 const PAGES: readonly string[] = pages.opened;
 
-/** Pages that say in their own header how it stands with the master, if they do. */
+/** Pages that are opened by their address: they say in their own header how it stands with the master, if they do. */
 const HAS_OWN_HEADER = /^\/(devices\/|party|connect|join)/;
 
 /** Layer of the tooltip, at the end of the document. */
@@ -43,10 +45,12 @@ for (const group of GROUPS) {
       { topic: '/guest/pressed', bool: true },
     ]);
     const { page } = await enter(room);
+    await withoutDrawing(page);
     const shell = new Shell(page);
     for (const path of group) {
       await test.step(path, async () => {
-        await page.goto(path);
+        const isOpened = path === group[0] || HAS_OWN_HEADER.test(path);
+        await (isOpened ? page.goto(path) : followLink(page, path));
         await expect(shell.main.getByRole('heading', { level: 1 })).toBeVisible();
         if (!HAS_OWN_HEADER.test(path)) await shell.expectConnected();
         await expectAccessibleEverywhere(page);
