@@ -30,6 +30,9 @@ function install(files: { readonly [name: string]: Uint8Array }): void {
 const { width, height, data } = squares({ x: 160, y: 120, rgb: [255, 0, 0] });
 const RED_SQUARE = { width, height, dataFormat: 1, data: new Uint8Array(data) };
 
+/** As few pixels as a detector takes: CenterNet detects again and again while a model is loaded. */
+const INPUTS = { image: RED_SQUARE, inputSize: 128 };
+
 interface Results {
   predictions?: Object2DList;
   error?: string;
@@ -39,7 +42,7 @@ interface Results {
 /** One image; the module is asked again until what it gives is as expected. */
 function looker(module: DrivenModule) {
   const look = async (parameters: object = {}): Promise<Results> =>
-    (await module.run(1000, { image: RED_SQUARE, ...parameters }, ['image'])) as Results;
+    (await module.run(1000, { ...INPUTS, ...parameters }, ['image'])) as Results;
   const lookUntil = async (
     isDone: (results: Results) => boolean,
     parameters: object = {},
