@@ -80,7 +80,7 @@ export class PartyPhonePage {
 
   /** Ready, if the phone still asks for it. */
   async ready(): Promise<void> {
-    const button = this.page.getByRole('button', { name: 'Ready', exact: true });
+    const button = this.page.getByRole('button', { name: /^Ready( for the next game)?$/ });
     if (await button.isVisible()) await button.tap({ timeout: 2000 }).catch(() => undefined);
   }
 
