@@ -45,79 +45,75 @@ test('panels are made, arranged, and there again after a reload and in another b
   await expect(ben.panel('/lab/state')).toContainText('"idle"');
 });
 
-test('a panel is moved, shown alone, removed, and what was done is undone', async ({ room }) => {
+test('panels are arranged, and their layouts kept', async ({ room }) => {
   await robotWithTopics(room);
   const anna = new PanelsPage(await room.atDesk());
   await anna.open();
   await anna.add('/lab/angle');
-  await anna.add('/lab/state');
-  const [angle, state] = [anna.panel('/lab/angle'), anna.panel('/lab/state')];
-  const leftOf = async (panel: typeof angle): Promise<number> => (await panel.boundingBox())!.x;
-  expect(await leftOf(angle)).toBeLessThan(await leftOf(state));
-  await anna.choose('/lab/angle', 'Move right');
-  await expect.poll(async () => (await leftOf(angle)) > (await leftOf(state))).toBe(true);
 
-  await angle.getByRole('button', { name: 'Maximise' }).click();
-  await expect(state).toBeHidden();
-  await angle.getByRole('button', { name: 'Show all panels' }).click();
-  await expect(state).toBeVisible();
+  await test.step('a layout is saved by name, and goes away and comes back as a file; a damaged one changes nothing', async () => {
+    await anna.chooseLayout('Save in this browser');
+    await anna.page.getByRole('textbox', { name: 'Name' }).fill('Arm');
+    await anna.page.getByRole('button', { name: 'Save', exact: true }).click();
 
-  await anna.choose('/lab/state', 'Remove panel');
-  await expect(anna.panels).toHaveCount(1);
-  await anna.page.getByRole('button', { name: 'Undo' }).click();
-  await expect(anna.panels).toHaveCount(2);
-});
+    const download = anna.page.waitForEvent('download');
+    await anna.chooseLayout('Export as a file');
+    const file = await download;
+    expect(file.suggestedFilename()).toBe('Arm.layout.json');
+    const text = await readFile(await file.path(), 'utf8');
+    expect(JSON.parse(text)).toMatchObject({ type: 'ubi-interact-layout', name: 'Arm' });
 
-test('a layout is saved by name, and goes away and comes back as a file; a damaged one changes nothing', async ({
-  room,
-}) => {
-  await robotWithTopics(room);
-  const anna = new PanelsPage(await room.atDesk());
-  await anna.open();
-  await anna.add('/lab/angle');
-  await anna.chooseLayout('Save in this browser');
-  await anna.page.getByRole('textbox', { name: 'Name' }).fill('Arm');
-  await anna.page.getByRole('button', { name: 'Save', exact: true }).click();
+    await anna.chooseLayout('New layout');
+    await expect(anna.page.getByText(/^No panels yet/)).toBeVisible();
+    await anna.file.setInputFiles({
+      name: 'Arm.layout.json',
+      mimeType: 'application/json',
+      buffer: Buffer.from(text),
+    });
+    await expect(anna.panel('/lab/angle')).toBeVisible();
 
-  const download = anna.page.waitForEvent('download');
-  await anna.chooseLayout('Export as a file');
-  const file = await download;
-  expect(file.suggestedFilename()).toBe('Arm.layout.json');
-  const text = await readFile(await file.path(), 'utf8');
-  expect(JSON.parse(text)).toMatchObject({ type: 'ubi-interact-layout', name: 'Arm' });
+    await anna.file.setInputFiles({
+      name: 'Arm.layout.json',
+      mimeType: 'application/json',
+      buffer: Buffer.from(text.slice(0, -20)),
+    });
+    await expect(anna.page.getByRole('alert')).toContainText('not JSON');
+    await expect(anna.page.getByRole('alert')).toContainText('Nothing was changed.');
+    await expect(anna.panel('/lab/angle')).toBeVisible();
 
-  await anna.chooseLayout('New layout');
-  await expect(anna.page.getByText(/^No panels yet/)).toBeVisible();
-  await anna.file.setInputFiles({
-    name: 'Arm.layout.json',
-    mimeType: 'application/json',
-    buffer: Buffer.from(text),
+    await anna.chooseLayout('New layout');
+    await expect(anna.panels).toHaveCount(0);
+    await anna.chooseLayout('Arm');
+    await expect(anna.panel('/lab/angle')).toBeVisible();
   });
-  await expect(anna.panel('/lab/angle')).toBeVisible();
 
-  await anna.file.setInputFiles({
-    name: 'Arm.layout.json',
-    mimeType: 'application/json',
-    buffer: Buffer.from(text.slice(0, -20)),
+  await test.step('a panel is moved, shown alone, removed, and what was done is undone', async () => {
+    await anna.add('/lab/state');
+    const [angle, state] = [anna.panel('/lab/angle'), anna.panel('/lab/state')];
+    const leftOf = async (panel: typeof angle): Promise<number> => (await panel.boundingBox())!.x;
+    expect(await leftOf(angle)).toBeLessThan(await leftOf(state));
+    await anna.choose('/lab/angle', 'Move right');
+    await expect.poll(async () => (await leftOf(angle)) > (await leftOf(state))).toBe(true);
+
+    await angle.getByRole('button', { name: 'Maximise' }).click();
+    await expect(state).toBeHidden();
+    await angle.getByRole('button', { name: 'Show all panels' }).click();
+    await expect(state).toBeVisible();
+
+    await anna.choose('/lab/state', 'Remove panel');
+    await expect(anna.panels).toHaveCount(1);
+    await anna.page.getByRole('button', { name: 'Undo' }).click();
+    await expect(anna.panels).toHaveCount(2);
   });
-  await expect(anna.page.getByRole('alert')).toContainText('not JSON');
-  await expect(anna.page.getByRole('alert')).toContainText('Nothing was changed.');
-  await expect(anna.panel('/lab/angle')).toBeVisible();
 
-  await anna.chooseLayout('New layout');
-  await expect(anna.panels).toHaveCount(0);
-  await anna.chooseLayout('Arm');
-  await expect(anna.panel('/lab/angle')).toBeVisible();
-});
-
-test('on a phone panels stand one above the other', async ({ room }) => {
-  await robotWithTopics(room);
-  const ben = new PanelsPage(await room.withPhone());
-  await ben.page.goto('/panels?topic=/lab/angle');
-  await expect(ben.panel('/lab/angle')).toBeVisible();
-  await ben.add('/lab/state');
-  const above = (await ben.panel('/lab/angle').boundingBox())!;
-  const below = (await ben.panel('/lab/state').boundingBox())!;
-  expect(below.x).toBe(above.x);
-  expect(below.y).toBeGreaterThanOrEqual(above.y + above.height - 1);
+  await test.step('on a phone panels stand one above the other', async () => {
+    const ben = new PanelsPage(await room.withPhone());
+    await ben.page.goto('/panels?topic=/lab/angle');
+    await expect(ben.panel('/lab/angle')).toBeVisible();
+    await ben.add('/lab/state');
+    const above = (await ben.panel('/lab/angle').boundingBox())!;
+    const below = (await ben.panel('/lab/state').boundingBox())!;
+    expect(below.x).toBe(above.x);
+    expect(below.y).toBeGreaterThanOrEqual(above.y + above.height - 1);
+  });
 });
