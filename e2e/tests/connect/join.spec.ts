@@ -51,45 +51,52 @@ test('a scanned code is one tap away from the page it is for [AC-11] @smoke', as
   await expect(second).toHaveURL(/\/examples$/);
 });
 
-test('a stranger lands where one joins, and comes to the page it wanted with a typed code', async ({
-  master,
-  room,
-}) => {
-  const { code } = await makeGrant(master, { target: '' });
-  const phone = await stranger(room);
-  const join = new JoinPage(phone);
-  await phone.page.goto('/performance');
-  await expect(join.heading).toHaveText('Join with the code.');
-  await join.code.pressSequentially(code.replace('-', '').toLowerCase());
-  await expect(join.code).toHaveValue(code);
-  await join.checkCode.click();
-  await join.join.click();
-  await expect(phone.page).toHaveURL(/\/performance/);
-});
-
-test('what is wrong with a code is said in words, with the way out [AC-12]', async ({
-  master,
-  room,
-}) => {
-  const phone = await stranger(room);
-  const join = new JoinPage(phone);
-  await phone.page.goto('/join');
-  await join.type('0000-0000');
-  await expect(join.heading).toHaveText('This code is not valid.');
-
-  const revoked = await makeGrant(master);
-  await revokeGrant(master, revoked.id);
-  await join.type(revoked.code);
-  await expect(join.heading).toHaveText('The host revoked this code.');
-
-  const short = await makeGrant(master, { lifetimeMs: 1 });
-  await join.type(short.code);
-  await expect(join.heading).toHaveText('This code has expired.');
-
+test('a typed code admits, or the page says what is wrong with it', async ({ master, room }) => {
   const good = await makeGrant(master);
-  await join.code.fill(`https://some.where/join#${good.token}`);
-  await join.join.click();
-  await expect(phone.page).toHaveURL(/\/topics/);
+
+  await test.step('a stranger lands where one joins, and comes to the page it wanted with a typed code', async () => {
+    const { code } = await makeGrant(master, { target: '' });
+    const phone = await stranger(room);
+    const join = new JoinPage(phone);
+    await phone.page.goto('/performance');
+    await expect(join.heading).toHaveText('Join with the code.');
+    await join.code.pressSequentially(code.replace('-', '').toLowerCase());
+    await expect(join.code).toHaveValue(code);
+    await join.checkCode.click();
+    await join.join.click();
+    await expect(phone.page).toHaveURL(/\/performance/);
+  });
+
+  const phone = await stranger(room);
+  const join = new JoinPage(phone);
+
+  await test.step('what is wrong with a code is said in words, with the way out [AC-12]', async () => {
+    await phone.page.goto('/join');
+    await join.type('0000-0000');
+    await expect(join.heading).toHaveText('This code is not valid.');
+
+    const revoked = await makeGrant(master);
+    await revokeGrant(master, revoked.id);
+    await join.type(revoked.code);
+    await expect(join.heading).toHaveText('The host revoked this code.');
+
+    const short = await makeGrant(master, { lifetimeMs: 1 });
+    await join.type(short.code);
+    await expect(join.heading).toHaveText('This code has expired.');
+
+    await join.code.fill(`https://some.where/join#${good.token}`);
+    await join.join.click();
+    await expect(phone.page).toHaveURL(/\/topics/);
+  });
+
+  await test.step('whose code is revoked while they are here comes back to joining, and hears why', async () => {
+    await revokeGrant(master, good.id);
+    await expect(
+      phone.page.getByText(/the story wants it|revoked this code/).first(),
+    ).toBeVisible();
+    await phone.page.reload();
+    await expect(join.heading).toHaveText('The host revoked this code.');
+  });
 });
 
 test('beside somebody who tries codes, a right one waits and then joins; scanning works at once [AC-17]', async ({
@@ -130,22 +137,6 @@ function tryCodes(): void {
   };
   for (let i = 0; i < 6; i += 1) tryAgain();
 }
-
-test('whose code is revoked while they are here comes back to joining, and hears why', async ({
-  master,
-  room,
-}) => {
-  const { token, id } = await makeGrant(master);
-  const phone = await stranger(room);
-  const join = new JoinPage(phone);
-  await phone.page.goto(`/join#${token}`);
-  await join.join.click();
-  await expect(phone.page).toHaveURL(/\/topics/);
-  await revokeGrant(master, id);
-  await expect(phone.page.getByText(/the story wants it|revoked this code/).first()).toBeVisible();
-  await phone.page.reload();
-  await expect(join.heading).toHaveText('The host revoked this code.');
-});
 
 test('a player who joined is a smart device and a controller, and changes to another code of players', async ({
   master,
