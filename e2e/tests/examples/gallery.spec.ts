@@ -40,29 +40,28 @@ for (const screen of ['desktop', 'phone'] as const) {
       await sine.getByRole('button', { name: 'Delete the session Sine wave' }).click();
       await expect(sine.getByRole('button', { name: /^Delete the session/ })).toBeHidden();
     });
+
+    if (screen === 'phone') return;
+    await test.step('keys go to the session that takes them, and to no shortcut of the page', async () => {
+      await card(page, 'Keys to text')
+        .getByRole('button', { name: 'Start and open Keys to text' })
+        .click();
+      const chord = new GraphPage({ page }).node('Topic /examples/key-chord/chord');
+      await expect(chord).toBeVisible();
+      await expect(page.getByText('Running').filter({ visible: true }).first()).toBeVisible();
+      await page.keyboard.down('c');
+      await expect(chord).toContainText('c');
+      await page.keyboard.down('a');
+      await expect(chord).toContainText(/a.*c|c.*a/);
+      await expect(page.getByRole('dialog')).toHaveCount(0);
+      await expect(page.getByRole('combobox')).toHaveCount(0);
+      await page.keyboard.up('c');
+      await page.keyboard.up('a');
+
+      await test.step('with Ctrl, keys are still those of the page', async () => {
+        await page.keyboard.press('Control+k');
+        await expect(page.getByRole('combobox', { name: 'Search or run a command' })).toBeVisible();
+      });
+    });
   });
 }
-
-test('keys go to the session that takes them, and to no shortcut of the page', async ({ room }) => {
-  const { page } = await room.atDesk('Anna');
-  await page.goto('/examples');
-  await card(page, 'Keys to text')
-    .getByRole('button', { name: 'Start and open Keys to text' })
-    .click();
-  const chord = new GraphPage({ page }).node('Topic /examples/key-chord/chord');
-  await expect(chord).toBeVisible();
-  await expect(page.getByText('Running').filter({ visible: true }).first()).toBeVisible();
-  await page.keyboard.down('c');
-  await expect(chord).toContainText('c');
-  await page.keyboard.down('a');
-  await expect(chord).toContainText(/a.*c|c.*a/);
-  await expect(page.getByRole('dialog')).toHaveCount(0);
-  await expect(page.getByRole('combobox')).toHaveCount(0);
-  await page.keyboard.up('c');
-  await page.keyboard.up('a');
-
-  await test.step('with Ctrl, keys are still those of the page', async () => {
-    await page.keyboard.press('Control+k');
-    await expect(page.getByRole('combobox', { name: 'Search or run a command' })).toBeVisible();
-  });
-});
