@@ -1,96 +1,80 @@
 import { callService } from '../../fixtures/call-service.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
+import { NAVIGATION_PAGES } from './navigation-pages.ts';
 
-test('every page of the navigation can be reached, shared by its address, and gone back from', async ({
-  room,
-}) => {
-  const { page, context } = await room.atDesk();
-  await page.goto('/');
-  const shell = new Shell(page);
-  for (const [name, path] of [
-    ['Sessions', '/sessions'],
-    ['Modules', '/modules'],
-    ['Topics', '/topics'],
-    ['Publish', '/publish'],
-    ['Services', '/calls'],
-    ['Clients', '/clients'],
-    ['Performance', '/performance/round-trip'],
-    ['Examples', '/examples'],
-    ['Settings', '/settings'],
-    ['Home', '/'],
-  ] as const) {
-    await shell.go(name);
-    await expect(page).toHaveURL((url) => url.pathname === path);
-    await expect(page).toHaveTitle(new RegExp(`^${name}`));
-    const shared = await context.newPage();
-    await shared.goto(page.url());
-    await expect(shared).toHaveTitle(new RegExp(`^${name}`));
-    await shared.close();
-  }
-  await page.goBack();
-  await expect(page).toHaveURL(/\/settings$/);
-});
-
-test('an unknown address says so and leads home', async ({ room }) => {
-  const { page } = await room.atDesk();
-  await page.goto('/sessions/of/another/version');
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Page not found');
-  await expect(page.getByText('/sessions/of/another/version')).toBeVisible();
-  await page.getByRole('main').getByRole('link', { name: 'Home' }).click();
-  await expect(page).toHaveURL((url) => url.pathname === '/');
-});
-
-test('the connection and its round trip are always in sight', async ({ room }) => {
-  for (const person of [await room.atDesk(), await room.withPhone()]) {
-    await person.page.goto('/topics');
-    await expect(new Shell(person.page).connection).toContainText(/\d+(\.\d+)?\s*ms/);
-  }
-});
-
-test('everything can be reached with the keyboard alone', async ({ room }) => {
+test('pages are reached by navigation, address and keyboard', async ({ room }) => {
   const { page } = await room.atDesk();
   await page.goto('/');
   const shell = new Shell(page);
-  await shell.expectConnected();
 
-  await test.step('the first stop jumps over the navigation', async () => {
-    await page.keyboard.press('Tab');
-    await expect(page.getByRole('link', { name: 'Skip to the content' })).toBeFocused();
-    await page.keyboard.press('Enter');
-    await expect(shell.main).toBeFocused();
-  });
-
-  await test.step('tabbing through the page comes by every control, always in sight', async () => {
-    await page.goto('/examples/mouse-pointer');
-    await shell.expectConnected();
-    await expect(page.getByRole('application')).toBeVisible();
-    const seen = new Set<string>();
-    for (let press = 0; press < 40; press++) {
-      await page.keyboard.press('Tab');
-      const focused = await page.evaluate(() => {
-        const element = document.activeElement;
-        if (!element || element === document.body) return undefined;
-        const { outlineStyle, boxShadow } = getComputedStyle(element);
-        const { width, height } = element.getBoundingClientRect();
-        const name = element.getAttribute('aria-label') ?? element.textContent?.trim() ?? '';
-        const marked = outlineStyle !== 'none' || boxShadow !== 'none';
-        return { name, role: element.role ?? element.tagName, marked, drawn: width * height > 0 };
-      });
-      if (!focused) continue;
-      seen.add(focused.name);
-      expect(focused.marked, `focus is visible on ${focused.role} "${focused.name}"`).toBe(true);
-      expect(focused.drawn, `${focused.role} "${focused.name}" is drawn`).toBe(true);
+  await test.step('every page of the navigation can be reached, and gone back from', async () => {
+    for (const [name, path] of NAVIGATION_PAGES) {
+      await shell.go(name);
+      await expect(page).toHaveURL((url) => url.pathname === path);
+      await expect(page).toHaveTitle(new RegExp(`^${name}`));
     }
-    expect([...seen]).toEqual(
-      expect.arrayContaining(['Pointer pad', 'Publish interval', 'Topics', 'Connect a phone']),
-    );
+    await page.goBack();
+    await expect(page).toHaveURL(/\/settings$/);
   });
 
-  await test.step('pairs of keys go to pages', async () => {
-    await page.keyboard.press('g');
-    await page.keyboard.press('t');
-    await expect(page).toHaveURL(/\/topics$/);
+  await test.step('an unknown address says so and leads home', async () => {
+    await page.goto('/sessions/of/another/version');
+    await expect(page.getByRole('heading', { level: 1 })).toHaveText('Page not found');
+    await expect(page.getByText('/sessions/of/another/version')).toBeVisible();
+    await page.getByRole('main').getByRole('link', { name: 'Home' }).click();
+    await expect(page).toHaveURL((url) => url.pathname === '/');
+  });
+
+  await test.step('the connection and its round trip are always in sight', async () => {
+    for (const person of [{ page }, await room.withPhone()]) {
+      await person.page.goto('/topics');
+      await expect(new Shell(person.page).connection).toContainText(/\d+(\.\d+)?\s*ms/);
+    }
+  });
+
+  await test.step('everything can be reached with the keyboard alone', async () => {
+    await page.goto('/');
+    await shell.expectConnected();
+
+    await test.step('the first stop jumps over the navigation', async () => {
+      await page.keyboard.press('Tab');
+      await expect(page.getByRole('link', { name: 'Skip to the content' })).toBeFocused();
+      await page.keyboard.press('Enter');
+      await expect(shell.main).toBeFocused();
+    });
+
+    await test.step('tabbing through the page comes by every control, always in sight', async () => {
+      await page.goto('/examples/mouse-pointer');
+      await shell.expectConnected();
+      await expect(page.getByRole('application')).toBeVisible();
+      const seen = new Set<string>();
+      for (let press = 0; press < 40; press++) {
+        await page.keyboard.press('Tab');
+        const focused = await page.evaluate(() => {
+          const element = document.activeElement;
+          if (!element || element === document.body) return undefined;
+          const { outlineStyle, boxShadow } = getComputedStyle(element);
+          const { width, height } = element.getBoundingClientRect();
+          const name = element.getAttribute('aria-label') ?? element.textContent?.trim() ?? '';
+          const marked = outlineStyle !== 'none' || boxShadow !== 'none';
+          return { name, role: element.role ?? element.tagName, marked, drawn: width * height > 0 };
+        });
+        if (!focused) continue;
+        seen.add(focused.name);
+        expect(focused.marked, `focus is visible on ${focused.role} "${focused.name}"`).toBe(true);
+        expect(focused.drawn, `${focused.role} "${focused.name}" is drawn`).toBe(true);
+      }
+      expect([...seen]).toEqual(
+        expect.arrayContaining(['Pointer pad', 'Publish interval', 'Topics', 'Connect a phone']),
+      );
+    });
+
+    await test.step('pairs of keys go to pages', async () => {
+      await page.keyboard.press('g');
+      await page.keyboard.press('t');
+      await expect(page).toHaveURL(/\/topics$/);
+    });
   });
 });
 
