@@ -10,22 +10,15 @@ import { PublishPage } from '../../pages/publish-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
 /**
- * One data format for each kind of field, with a field to type into where there is one. All formats with all their
- * members are published in `PublishPage.test.ts`.
+ * Data formats of a number, a text, a message, messages with an enumeration, and a list, with a field to type into where
+ * there is one. All formats with all their members are published in `PublishPage.test.ts`.
  */
 const KINDS: readonly (readonly [DataFormat, string?])[] = [
   ['double', 'double'],
-  ['int32'],
-  ['bool'],
   ['string', 'string'],
   ['vector2', 'x'],
-  ['quaternion', 'x'],
-  ['color', 'r'],
-  ['stringList'],
   ['touchEvent'],
-  ['image2D'],
   ['object3DList'],
-  ['component', 'topic'],
 ];
 const SESSION: JsonObject = {
   id: 'the-one',
