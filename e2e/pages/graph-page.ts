@@ -39,6 +39,17 @@ export class GraphPage {
     await expect(this.canvas).toBeVisible();
   }
 
+  /** Undoes all that was done since the page was opened, selects nothing, and shows all nodes as at first. */
+  async startAgain(): Promise<void> {
+    const { keyboard } = this.page;
+    const undo = this.page.getByRole('button', { name: /^Undo: / });
+    await this.canvas.focus();
+    while (await undo.isVisible()) await keyboard.press('Control+z');
+    await keyboard.press('Escape');
+    await keyboard.press('Home');
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+  }
+
   /** Chooses what is done with the session as a whole. */
   async choose(action: string): Promise<void> {
     await this.page.getByRole('button', { name: 'Session menu' }).click();
@@ -59,15 +70,19 @@ export class GraphPage {
     await this.inspector.getByLabel('Description').fill(text);
   }
 
-  /** Drops a file on the canvas, as from the desktop of the system. */
-  async dropFile(name: string, text: string): Promise<void> {
+  /**
+   * Drops a file on the canvas, as from the desktop of the system.
+   * @param spaces after its text, made in the page: to send them there takes seconds
+   */
+  async dropFile(name: string, text: string, spaces = 0): Promise<void> {
     const dataTransfer = await this.page.evaluateHandle(
-      ([fileName, content]) => {
+      ([fileName, content, count]) => {
         const transfer = new DataTransfer();
-        transfer.items.add(new File([content], fileName, { type: 'application/json' }));
+        const parts = [content, ' '.repeat(count)];
+        transfer.items.add(new File(parts, fileName, { type: 'application/json' }));
         return transfer;
       },
-      [name, text] as const,
+      [name, text, spaces] as const,
     );
     await this.canvas.dispatchEvent('dragenter', { dataTransfer });
     await expect(this.page.getByText('Drop to import')).toBeVisible();

@@ -39,54 +39,83 @@ async function seesItLive(graph: GraphPage, pad: Locator): Promise<void> {
   }).toPass();
 }
 
-test('at a desk, a pointer is smoothed onto a second topic from an empty editor', async ({
+test('the pointer of a phone is smoothed, from an empty editor and by an example', async ({
   room,
 }) => {
   const pad = await aPhone(room);
   const { page } = await room.atDesk('Anna');
-  const graph = await anEmptyEditor(page);
+  await test.step('at a desk, a pointer is smoothed onto a second topic from an empty editor', async () => {
+    const graph = await anEmptyEditor(page);
 
-  await test.step('a click on the topic offers to add it', async () => {
-    await pointerOf(graph).click();
-    await page.getByRole('button', { name: 'Add to graph: mouse_client_position' }).click();
-    await expect(graph.canvas.getByRole('group', { name: /^Topic / })).toBeVisible();
-    await expect(page.getByText('Next: drag a module in.')).toBeVisible();
+    await test.step('a click on the topic offers to add it', async () => {
+      await pointerOf(graph).click();
+      await page.getByRole('button', { name: 'Add to graph: mouse_client_position' }).click();
+      await expect(graph.canvas.getByRole('group', { name: /^Topic / })).toBeVisible();
+      await expect(page.getByText('Next: drag a module in.')).toBeVisible();
+    });
+
+    await test.step('the module is found by what it does', async () => {
+      await graph.palette.getByLabel('Filter topics and modules').fill('smooth');
+      await graph.drag(graph.paletteModule(MODULE), await graph.spot(0.7, 0.2));
+      await expect(graph.node(module)).toBeVisible();
+    });
+
+    await test.step('a wire leads from the topic to its input', async () => {
+      await graph.dragTo(
+        graph.canvas.getByRole('button', { name: /^Output \/.*mouse_client_position, / }),
+        graph.socket(module, 'Input value'),
+      );
+      await expect(graph.socket(module, 'Input value')).toHaveAccessibleName(/1 connected/);
+    });
+
+    await test.step('nothing covers what is pulled next', async () => {
+      await expect(graph.passing).toBeHidden();
+      // Over the map, which lets a wire through.
+      await graph.drag(graph.socket(module, 'Output smoothed'), await graph.spot(0.94, 0.9));
+      const search = page.getByRole('combobox', { name: 'Connect to a new node' });
+      await expect(search).toBeVisible();
+      await search.press('Enter');
+      await expect(graph.socket(module, 'Output smoothed')).toHaveAccessibleName(/1 connected/);
+    });
+
+    await test.step('it is started, and seen', async () => {
+      await expect(page.getByText('Next: press Start.')).toBeVisible();
+      await graph.life.getByRole('button', { name: 'Start' }).click();
+      await expect(graph.life).toContainText('Running');
+      await seesItLive(graph, pad);
+      await graph.canvas.locator('[data-wire-chip]').last().hover();
+      await expect(async () => {
+        await pad.tap({ position: { x: 120, y: 120 } });
+        await expect(graph.passing).toContainText(/0\.\d+, 0\.\d+/, { timeout: 2_000 });
+      }).toPass();
+    });
   });
 
-  await test.step('the module is found by what it does', async () => {
-    await graph.palette.getByLabel('Filter topics and modules').fill('smooth');
-    await graph.drag(graph.paletteModule(MODULE), await graph.spot(0.7, 0.2));
-    await expect(graph.node(module)).toBeVisible();
-  });
-
-  await test.step('a wire leads from the topic to its input', async () => {
-    await graph.dragTo(
-      graph.canvas.getByRole('button', { name: /^Output \/.*mouse_client_position, / }),
-      graph.socket(module, 'Input value'),
-    );
-    await expect(graph.socket(module, 'Input value')).toHaveAccessibleName(/1 connected/);
-  });
-
-  await test.step('nothing covers what is pulled next', async () => {
-    await expect(graph.passing).toBeHidden();
-    // Over the map, which lets a wire through.
-    await graph.drag(graph.socket(module, 'Output smoothed'), await graph.spot(0.94, 0.9));
-    const search = page.getByRole('combobox', { name: 'Connect to a new node' });
-    await expect(search).toBeVisible();
-    await search.press('Enter');
-    await expect(graph.socket(module, 'Output smoothed')).toHaveAccessibleName(/1 connected/);
-  });
-
-  await test.step('it is started, and seen', async () => {
-    await expect(page.getByText('Next: press Start.')).toBeVisible();
+  await test.step('an example runs with the finger of a phone, one click after it was chosen', async () => {
+    const graph = new GraphPage({ page });
+    await page.goto('/sessions/new');
+    const begin = page.getByRole('region', { name: 'Getting started' });
+    await expect(async () => {
+      await pad.tap({ position: { x: 40, y: 60 } });
+      await expect(begin).toContainText('Uses the pointer of Ines.', { timeout: 1000 });
+    }).toPass();
+    await begin.getByRole('button', { name: /^Smooth a pointer/ }).click();
+    await expect(graph.title).toHaveText('Smooth a pointer');
     await graph.life.getByRole('button', { name: 'Start' }).click();
     await expect(graph.life).toContainText('Running');
-    await seesItLive(graph, pad);
-    await graph.canvas.locator('[data-wire-chip]').last().hover();
     await expect(async () => {
-      await pad.tap({ position: { x: 120, y: 120 } });
-      await expect(graph.passing).toContainText(/0\.\d+, 0\.\d+/, { timeout: 2_000 });
+      await pad.tap({ position: { x: 200, y: 200 } });
+      await pad.tap({ position: { x: 60, y: 300 } });
+      await expect(graph.node('Topic /examples/smooth-pointer/smoothed')).toContainText(/0\.\d/, {
+        timeout: 2_000,
+      });
     }).toPass();
+
+    await test.step('it was one step', async () => {
+      await graph.canvas.focus();
+      await page.keyboard.press('Control+z');
+      await expect(begin).toBeVisible();
+    });
   });
 });
 
