@@ -118,24 +118,6 @@ test('two topics are wired with a mouse, and the answer can be undone', async ({
   });
 });
 
-test('a module is run, fed, written and put into a session', async ({ room }) => {
-  const { page } = await room.atDesk('Anna');
-  await page.goto('/learn/first-module');
-  const tryIt = page.getByRole('region', { name: 'Try it' });
-  await tryIt.getByRole('button', { name: 'Run', exact: true }).click();
-  await waitAndGoOn(page);
-  await tryIt.getByRole('radio', { name: 'Topic' }).click();
-  await tryIt.getByRole('button', { name: /mouse_client_position/ }).click();
-  await moveUntilPassed(page);
-  for (let step = 0; step < 2; step += 1) {
-    await page.getByRole('button', { name: 'Show answer' }).click();
-    await waitAndGoOn(page);
-  }
-  await page.getByRole('button', { name: 'Run in a session' }).click();
-  await moveUntilPassed(page);
-  await expect(page.getByText('Lesson done.')).toBeVisible();
-});
-
 test('fingers of two phones in the page are counted by one session', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
   const graph = new GraphPage({ page });
@@ -158,62 +140,83 @@ test('fingers of two phones in the page are counted by one session', async ({ ro
   await waitAndGoOn(page);
   await graph.life.getByRole('button', { name: 'Start', exact: true }).click();
   await waitAndGoOn(page);
-  await touchBoth();
-  await waitAndGoOn(page);
+  // The first touch is over soon: on a busy machine, before the other one.
+  await expect(async () => {
+    await touchBoth();
+    await expect(next(page)).not.toHaveAttribute('aria-disabled', 'true', { timeout: 700 });
+  }).toPass();
+  await next(page).click();
   await expect(page.getByText('Lesson done.')).toBeVisible();
 });
 
-test('a program of the client library is run, answers, and leaves', async ({ room }) => {
+test('lessons about modules, programs and services are done', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
-  await page.goto('/learn/own-program');
-  await page.getByText('In this page', { exact: true }).click();
-  await page.getByRole('button', { name: 'Run in this page' }).click();
-  await expect(page.getByRole('list', { name: 'Output of the program' })).toContainText(
-    'connected as first program',
-  );
-  await waitAndGoOn(page);
-  await waitAndGoOn(page);
-  await page.getByRole('switch', { name: /^Lamp/ }).click();
-  await waitAndGoOn(page);
-  await page.getByRole('button', { name: 'Stop', exact: true }).click();
-  await waitAndGoOn(page);
-  await expect(page.getByText('Lesson done.')).toBeVisible();
-});
 
-test('services reply and refuse', async ({ room }) => {
-  const { page } = await room.atDesk('Anna');
-  await page.goto('/learn/call-a-service');
-  const call = page.getByRole('button', { name: 'Call', exact: true });
-  await call.click();
-  await waitAndGoOn(page);
-  await page.getByRole('button', { name: 'topic_list' }).click();
-  await call.click();
-  await waitAndGoOn(page);
-  await page.getByRole('button', { name: 'Show answer' }).click();
-  await expect(checks(page)).toContainText('Anna');
-  await waitAndGoOn(page);
-  await page.getByRole('button', { name: 'session/runtime/stop' }).click();
-  await page.getByRole('textbox', { name: 'id', exact: true }).fill('nothing');
-  await call.click();
-  await expect(checks(page)).toContainText('not_found');
-  await waitAndGoOn(page);
-  await expect(page.getByText('Lesson done.')).toBeVisible();
-});
+  await test.step('a module is run, fed, written and put into a session', async () => {
+    await page.goto('/learn/first-module');
+    const tryIt = page.getByRole('region', { name: 'Try it' });
+    await tryIt.getByRole('button', { name: 'Run', exact: true }).click();
+    await waitAndGoOn(page);
+    await tryIt.getByRole('radio', { name: 'Topic' }).click();
+    await tryIt.getByRole('button', { name: /mouse_client_position/ }).click();
+    await moveUntilPassed(page);
+    for (let step = 0; step < 2; step += 1) {
+      await page.getByRole('button', { name: 'Show answer' }).click();
+      await waitAndGoOn(page);
+    }
+    await page.getByRole('button', { name: 'Run in a session' }).click();
+    await moveUntilPassed(page);
+    await expect(page.getByText('Lesson done.')).toBeVisible();
+  });
 
-test('a question finds the reference, and lesson and editor are tabs on a phone', async ({
-  room,
-}) => {
-  const { page } = await room.withPhone('Ines');
-  await page.goto('/learn');
-  await page.getByRole('searchbox', { name: 'Ask or search' }).fill('what is vector2');
-  await page.getByRole('link', { name: /^vector2\s*Data formats/ }).click();
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Data formats');
-  await expect(page.locator('#vector2')).toContainText('Two numbers.');
-  await page.goto('/learn/call-a-service');
-  await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Call', exact: true })).toBeHidden();
-  await page.getByRole('radio', { name: 'Editor' }).click();
-  await page.getByRole('button', { name: 'Call', exact: true }).click();
-  await page.getByRole('radio', { name: 'Lesson' }).click();
-  await waitAndGoOn(page);
+  await test.step('a program of the client library is run, answers, and leaves', async () => {
+    await page.goto('/learn/own-program');
+    await page.getByText('In this page', { exact: true }).click();
+    await page.getByRole('button', { name: 'Run in this page' }).click();
+    await expect(page.getByRole('list', { name: 'Output of the program' })).toContainText(
+      'connected as first program',
+    );
+    await waitAndGoOn(page);
+    await waitAndGoOn(page);
+    await page.getByRole('switch', { name: /^Lamp/ }).click();
+    await waitAndGoOn(page);
+    await page.getByRole('button', { name: 'Stop', exact: true }).click();
+    await waitAndGoOn(page);
+    await expect(page.getByText('Lesson done.')).toBeVisible();
+  });
+
+  await test.step('services reply and refuse', async () => {
+    await page.goto('/learn/call-a-service');
+    const call = page.getByRole('button', { name: 'Call', exact: true });
+    await call.click();
+    await waitAndGoOn(page);
+    await page.getByRole('button', { name: 'topic_list' }).click();
+    await call.click();
+    await waitAndGoOn(page);
+    await page.getByRole('button', { name: 'Show answer' }).click();
+    await expect(checks(page)).toContainText('Anna');
+    await waitAndGoOn(page);
+    await page.getByRole('button', { name: 'session/runtime/stop' }).click();
+    await page.getByRole('textbox', { name: 'id', exact: true }).fill('nothing');
+    await call.click();
+    await expect(checks(page)).toContainText('not_found');
+    await waitAndGoOn(page);
+    await expect(page.getByText('Lesson done.')).toBeVisible();
+  });
+
+  await test.step('a question finds the reference, and lesson and editor are tabs on a phone', async () => {
+    const phone = (await room.withPhone('Ines')).page;
+    await phone.goto('/learn');
+    await phone.getByRole('searchbox', { name: 'Ask or search' }).fill('what is vector2');
+    await phone.getByRole('link', { name: /^vector2\s*Data formats/ }).click();
+    await expect(phone.getByRole('heading', { level: 1 })).toHaveText('Data formats');
+    await expect(phone.locator('#vector2')).toContainText('Two numbers.');
+    await phone.goto('/learn/call-a-service');
+    await expect(phone.getByRole('heading', { level: 1 })).toBeVisible();
+    await expect(phone.getByRole('button', { name: 'Call', exact: true })).toBeHidden();
+    await phone.getByRole('radio', { name: 'Editor' }).click();
+    await phone.getByRole('button', { name: 'Call', exact: true }).click();
+    await phone.getByRole('radio', { name: 'Lesson' }).click();
+    await waitAndGoOn(phone);
+  });
 });

@@ -6,6 +6,7 @@ import { callService } from '../../fixtures/call-service.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { ModuleEditor } from '../../pages/module-editor.ts';
 import { ModulesPage } from '../../pages/modules-page.ts';
+import { Shell } from '../../pages/shell.ts';
 
 const DOUBLER = {
   name: 'doubler',
@@ -76,17 +77,16 @@ test('a module is written, tried, saved, used by a session, changed under it and
   await test.step('the editor knows its inputs', async () => {
     await editor.typeAfter('!inputs.value', '');
     await anna.page.keyboard.press('Enter');
-    await anna.page.keyboard.type('const factor = inputs.value.');
+    await anna.page.keyboard.insertText('const factor = inputs.value');
+    await anna.page.keyboard.type('.');
     await expect(
       anna.page.locator('.suggest-widget .monaco-list-row').filter({ hasText: 'double' }),
     ).toBeVisible();
     await anna.page.keyboard.press('Escape');
-    await anna.page.keyboard.type('wrong;');
+    await anna.page.keyboard.insertText('wrong;');
     await expect(editor.problems).toContainText("Property 'wrong' does not exist");
-    for (let letter = 0; letter < 'inputs.value.wrong;'.length; letter += 1) {
-      await anna.page.keyboard.press('Backspace');
-    }
-    await anna.page.keyboard.type('2;');
+    await anna.page.keyboard.press('Shift+Home');
+    await anna.page.keyboard.insertText('const factor = 2;');
     await expect(editor.problems).toContainText('No problems found.');
   });
 
@@ -95,7 +95,7 @@ test('a module is written, tried, saved, used by a session, changed under it and
     for (let letter = 0; letter < ' } } };'.length; letter += 1) {
       await anna.page.keyboard.press('ArrowLeft');
     }
-    await anna.page.keyboard.type(' * factor');
+    await anna.page.keyboard.insertText(' * factor');
     await editor.input('value').getByRole('textbox', { name: 'value' }).fill('21');
     await editor.step();
     await expect(editor.output('result')).toContainText('42');
@@ -140,9 +140,8 @@ test('a module is written, tried, saved, used by a session, changed under it and
     await question.getByRole('button', { name: 'Cancel' }).click();
     await expectAnswer(program, 4, 12);
     await editor.typeAfter('missing();', '');
-    for (let letter = 0; letter < ' missing();'.length; letter += 1) {
-      await anna.page.keyboard.press('Backspace');
-    }
+    await anna.page.keyboard.press('Shift+Home');
+    await anna.page.keyboard.insertText('const factor = 3;');
     await expect(editor.problems).toContainText('No problems found.');
   });
 
@@ -177,82 +176,100 @@ test('a module is written, tried, saved, used by a session, changed under it and
   });
 });
 
-test('what is changed on the disk of the master appears, and asks when both changed', async ({
+test('a stored module is opened, changed on both sides, renamed and tried', async ({
   master,
   room,
 }) => {
   await store(master.endpoints);
   const anna = await room.atDesk('Anna');
   const editor = new ModuleEditor(anna);
-  await editor.open('doubler');
-  await editor.expectCode('2 * inputs.value.double');
-  const file = join(master.dataDir, 'modules/doubler.pm');
-  const change = async (from: string, to: string): Promise<void> =>
-    writeFile(file, (await readFile(file, 'utf8')).replace(from, to));
+  await test.step('only the editor loads the code editor', async () => {
+    const loaded: string[] = [];
+    anna.page.on('request', (request) => {
+      if (/monaco|editor\.api|ts\.worker|editor\.worker/i.test(request.url())) {
+        loaded.push(request.url());
+      }
+    });
+    await anna.page.goto('/');
+    for (const page of ['Sessions', 'Topics', 'Modules']) {
+      await new Shell(anna.page).go(page);
+      await expect(anna.page).toHaveURL(new RegExp(`/${page.toLowerCase()}$`));
+      await expect(anna.page.getByRole('heading', { level: 1 })).toBeAttached();
+    }
+    const modules = new ModulesPage(anna);
+    await modules.link('doubler').click();
+    await expect(modules.detail).toContainText('Twice the number.');
+    expect(loaded).toEqual([]);
+    await editor.open('doubler');
+    await editor.expectCode('2 * inputs.value.double');
+    expect(loaded.length).toBeGreaterThan(0);
+  });
 
-  await change('2 * inputs', '7 * inputs');
-  await editor.expectCode('7 * inputs.value.double');
+  await test.step('what is changed on the disk of the master appears, and asks when both changed', async () => {
+    await editor.expectCode('2 * inputs.value.double');
+    const file = join(master.dataDir, 'modules/doubler.pm');
+    const change = async (from: string, to: string): Promise<void> =>
+      writeFile(file, (await readFile(file, 'utf8')).replace(from, to));
 
-  const description = editor.about.getByLabel('Description', { exact: true });
-  await description.fill('Mine.');
-  await change('7 * inputs', '9 * inputs');
-  const question = anna.page.getByRole('alert', { name: 'Changed on both sides' });
-  await expect(question).toBeVisible();
-  await expect(editor.save).toHaveAttribute('aria-description', /^Another client/);
-  await question.getByRole('button', { name: 'Compare' }).click();
-  await expect(question.locator('.view-line').filter({ hasText: '9' }).first()).toBeVisible();
-  await question.getByRole('button', { name: 'Keep mine' }).click();
-  await expect(question).toHaveCount(0);
-  await editor.expectCode('7 * inputs.value.double');
-  await expect(description).toHaveValue('Mine.');
+    await change('2 * inputs', '7 * inputs');
+    await editor.expectCode('7 * inputs.value.double');
 
-  await change('9 * inputs', '11 * inputs');
-  await question.getByRole('button', { name: 'Take theirs' }).click();
-  await editor.expectCode('11 * inputs.value.double');
-  await expect(description).toHaveValue('Twice the number.');
-});
+    const description = editor.about.getByLabel('Description', { exact: true });
+    await description.fill('Mine.');
+    await change('7 * inputs', '9 * inputs');
+    const question = anna.page.getByRole('alert', { name: 'Changed on both sides' });
+    await expect(question).toBeVisible();
+    await expect(editor.save).toHaveAttribute('aria-description', /^Another client/);
+    await question.getByRole('button', { name: 'Compare' }).click();
+    await expect(question.locator('.view-line').filter({ hasText: '9' }).first()).toBeVisible();
+    await question.getByRole('button', { name: 'Keep mine' }).click();
+    await expect(question).toHaveCount(0);
+    await editor.expectCode('7 * inputs.value.double');
+    await expect(description).toHaveValue('Mine.');
 
-test('a module is renamed, tried with a live topic and a pasted record, and wrong fields say why', async ({
-  master,
-  room,
-}) => {
-  await store(master.endpoints);
-  const program = await room.program('numbers');
-  const anna = await room.atDesk('Anna');
-  const editor = new ModuleEditor(anna);
-  await editor.open('doubler');
+    await change('9 * inputs', '11 * inputs');
+    await question.getByRole('button', { name: 'Take theirs' }).click();
+    await editor.expectCode('11 * inputs.value.double');
+    await expect(description).toHaveValue('Twice the number.');
+  });
 
-  const name = editor.about.getByLabel('Name', { exact: true });
-  await name.fill('clock');
-  await expect(editor.about.getByRole('alert')).toContainText('A module named clock exists');
-  await name.fill('twice');
-  await editor.saveIt();
-  await expect(anna.page).toHaveURL(/\/modules\/twice\/edit$/);
+  await test.step('a module is renamed, tried with a live topic and a pasted record, and wrong fields say why', async () => {
+    await store(master.endpoints);
+    await editor.expectCode('2 * inputs.value.double');
+    const program = await room.program('numbers');
 
-  program.publish('/live', 'double', 8);
-  const input = editor.input('value');
-  await input.getByRole('radio', { name: 'Topic' }).click();
-  await input.getByRole('button', { name: '/live' }).click();
-  await expect
-    .poll(async () => {
-      await editor.step();
-      return editor.output('result').innerText();
-    })
-    .toContain('16');
+    const name = editor.about.getByLabel('Name', { exact: true });
+    await name.fill('clock');
+    await expect(editor.about.getByRole('alert')).toContainText('A module named clock exists');
+    await name.fill('twice');
+    await editor.saveIt();
+    await expect(anna.page).toHaveURL(/\/modules\/twice\/edit$/);
 
-  await input.getByRole('radio', { name: 'Record' }).click();
-  const record = input.getByRole('textbox', { name: 'Record for value' });
-  await record.fill('{ "vector2": { "x": 1 } }');
-  await expect(input.getByRole('alert')).toContainText('vector2');
-  await record.fill('{ "topic": "/pasted", "double": 50 }');
-  await expect(input.getByRole('alert')).toHaveCount(0);
-  await editor.step();
-  await expect(editor.output('result')).toContainText('100');
+    program.publish('/live', 'double', 8);
+    const input = editor.input('value');
+    await input.getByRole('radio', { name: 'Topic' }).click();
+    await input.getByRole('button', { name: '/live' }).click();
+    await expect
+      .poll(async () => {
+        await editor.step();
+        return editor.output('result').innerText();
+      })
+      .toContain('16');
 
-  const modules = new ModulesPage(anna);
-  await modules.open();
-  await expect(modules.link('twice')).toBeVisible();
-  await expect(modules.link('doubler')).toHaveCount(0);
+    await input.getByRole('radio', { name: 'Record' }).click();
+    const record = input.getByRole('textbox', { name: 'Record for value' });
+    await record.fill('{ "vector2": { "x": 1 } }');
+    await expect(input.getByRole('alert')).toContainText('vector2');
+    await record.fill('{ "topic": "/pasted", "double": 50 }');
+    await expect(input.getByRole('alert')).toHaveCount(0);
+    await editor.step();
+    await expect(editor.output('result')).toContainText('100');
+
+    const modules = new ModulesPage(anna);
+    await modules.open();
+    await expect(modules.link('twice')).toBeVisible();
+    await expect(modules.link('doubler')).toHaveCount(0);
+  });
 });
 
 test('a phone has a plain editor with the same checks', async ({ master, room }) => {
@@ -276,24 +293,4 @@ test('a phone has a plain editor with the same checks', async ({ master, room })
     () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
   );
   expect(overflow).toBe(0);
-});
-
-test('only the editor loads the code editor', async ({ master, room }) => {
-  await store(master.endpoints);
-  const anna = await room.atDesk('Anna');
-  const loaded: string[] = [];
-  anna.page.on('request', (request) => {
-    if (/monaco|editor\.api|ts\.worker|editor\.worker/i.test(request.url())) {
-      loaded.push(request.url());
-    }
-  });
-  for (const path of ['/', '/modules', '/modules/doubler', '/sessions', '/topics']) {
-    await anna.page.goto(path);
-    await expect(anna.page.getByRole('heading', { level: 1 })).toBeAttached();
-  }
-  expect(loaded).toEqual([]);
-  const editor = new ModuleEditor(anna);
-  await editor.open('doubler');
-  await editor.expectCode('2 * inputs.value.double');
-  expect(loaded.length).toBeGreaterThan(0);
 });

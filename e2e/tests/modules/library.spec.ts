@@ -16,82 +16,78 @@ const DOUBLE = JSON.stringify({
     '(deltaTimeMs, inputs) => ({\n  outputs: { twice: { double: 2 * inputs.number.double } },\n})',
 });
 
-test('the library is searched by words and data formats, and a module tells all about itself', async ({
-  room,
-}) => {
+test('a library of modules is searched, and takes and gives modules @smoke', async ({ room }) => {
   const anna = await room.atDesk('Anna');
   const modules = new ModulesPage(anna);
-  await modules.open();
-  await modules.search.fill('mirror');
-  await expect(modules.list.getByRole('listitem')).toHaveCount(1);
-  await modules.link('mirror-pointer').click();
-  await expect(modules.detail).toContainText('built in');
-  await expect(modules.detail.getByRole('region', { name: 'Inputs' })).toContainText('pointer');
-  await expect(modules.detail).toContainText('True swaps left and right.');
-  await expect(modules.detail.getByRole('region', { name: 'Compatible nodes' })).toContainText(
-    'Master',
-  );
-  await expect(
-    modules.detail.getByRole('region', { name: 'Source of onProcessing' }),
-  ).toContainText('mirrorX');
-  await modules.search.fill('');
-  await anna.page.getByRole('combobox', { name: 'Data format' }).click();
-  await anna.page.getByRole('option', { name: 'quaternion' }).click();
-  await expect(modules.link('low-pass-quaternion')).toBeVisible();
-  await expect(modules.link('mirror-pointer')).toHaveCount(0);
-});
-
-test('a module is imported, used, duplicated, exported, deleted and brought back @smoke', async ({
-  room,
-}) => {
-  const anna = await room.atDesk('Anna');
-  const modules = new ModulesPage(anna);
-  await modules.open();
-  await expect(modules.link('clock')).toBeVisible();
-  await modules.importFile('doubler.pm', DOUBLE);
-  await expect(modules.detail).toContainText('stored');
-  await expect(modules.detail).toContainText('arithmetic');
-
-  const [download] = await Promise.all([
-    anna.page.waitForEvent('download'),
-    modules.choose('doubler', 'Export'),
-  ]);
-  expect(JSON.parse(await readFile(await download.path(), 'utf8'))).toMatchObject({
-    name: 'doubler',
-    outputs: [{ internalName: 'twice' }],
+  await test.step('the library is searched by words and data formats, and a module tells all about itself', async () => {
+    await modules.open();
+    await modules.search.fill('mirror');
+    await expect(modules.list.getByRole('listitem')).toHaveCount(1);
+    await modules.link('mirror-pointer').click();
+    await expect(modules.detail).toContainText('built in');
+    await expect(modules.detail.getByRole('region', { name: 'Inputs' })).toContainText('pointer');
+    await expect(modules.detail).toContainText('True swaps left and right.');
+    await expect(modules.detail.getByRole('region', { name: 'Compatible nodes' })).toContainText(
+      'Master',
+    );
+    await expect(
+      modules.detail.getByRole('region', { name: 'Source of onProcessing' }),
+    ).toContainText('mirrorX');
+    await modules.search.fill('');
+    await anna.page.getByRole('combobox', { name: 'Data format' }).click();
+    await anna.page.getByRole('option', { name: 'quaternion' }).click();
+    await expect(modules.link('low-pass-quaternion')).toBeVisible();
+    await expect(modules.link('mirror-pointer')).toHaveCount(0);
   });
 
-  await modules.choose('doubler', 'Duplicate');
-  await expect(modules.detail.getByRole('heading', { level: 2 }).first()).toHaveText(
-    'doubler copy',
-  );
-  await modules.choose('doubler copy', 'Delete');
-  await expect(modules.link('doubler copy')).toHaveCount(0);
-  await anna.page.getByRole('button', { name: 'Undo' }).click();
-  await expect(modules.link('doubler copy')).toBeVisible();
+  await test.step('a module is imported, used, duplicated, exported, deleted and brought back', async () => {
+    await modules.open();
+    await expect(modules.link('clock')).toBeVisible();
+    await modules.importFile('doubler.pm', DOUBLE);
+    await expect(modules.detail).toContainText('stored');
+    await expect(modules.detail).toContainText('arithmetic');
 
-  await test.step('a session uses it by its name alone [SE-1], and the library says so', async () => {
-    const session = new SessionPage(anna);
-    await anna.page.goto('/sessions/new/text');
-    const text = { name: 'Doubles', processingModules: [{ name: 'doubler' }] };
-    await session.write(JSON.stringify(text), 'Create');
-    await expect(session.module('doubler')).toContainText('twice');
-    await anna.page.goto('/modules/doubler');
-    const users = modules.detail.getByRole('region', { name: 'Sessions that use this module' });
-    await expect(users).toContainText('Doubles');
-  });
+    const [download] = await Promise.all([
+      anna.page.waitForEvent('download'),
+      modules.choose('doubler', 'Export'),
+    ]);
+    expect(JSON.parse(await readFile(await download.path(), 'utf8'))).toMatchObject({
+      name: 'doubler',
+      outputs: [{ internalName: 'twice' }],
+    });
 
-  await test.step('what came with the program cannot be deleted [SE-22]', async () => {
-    await anna.page.goto('/modules/clock');
-    await anna.page.getByRole('button', { name: 'More for clock', exact: true }).click();
-    await expect(anna.page.getByRole('menuitem', { name: 'Export' })).toBeVisible();
-    await expect(anna.page.getByRole('menuitem', { name: 'Delete' })).toHaveCount(0);
-    await anna.page.keyboard.press('Escape');
-  });
+    await modules.choose('doubler', 'Duplicate');
+    await expect(modules.detail.getByRole('heading', { level: 2 }).first()).toHaveText(
+      'doubler copy',
+    );
+    await modules.choose('doubler copy', 'Delete');
+    await expect(modules.link('doubler copy')).toHaveCount(0);
+    await anna.page.getByRole('button', { name: 'Undo' }).click();
+    await expect(modules.link('doubler copy')).toBeVisible();
 
-  await test.step('a file that is none says why', async () => {
-    await modules.importFile('broken.pm', '{ "name": ');
-    await expect(anna.page.getByRole('alert')).toContainText('broken.pm, line 1');
+    await test.step('a session uses it by its name alone [SE-1], and the library says so', async () => {
+      const session = new SessionPage(anna);
+      await anna.page.goto('/sessions/new/text');
+      const text = { name: 'Doubles', processingModules: [{ name: 'doubler' }] };
+      await session.write(JSON.stringify(text), 'Create');
+      await expect(session.module('doubler')).toContainText('twice');
+      await anna.page.goto('/modules/doubler');
+      const users = modules.detail.getByRole('region', { name: 'Sessions that use this module' });
+      await expect(users).toContainText('Doubles');
+    });
+
+    await test.step('what came with the program cannot be deleted [SE-22]', async () => {
+      await anna.page.goto('/modules/clock');
+      await anna.page.getByRole('button', { name: 'More for clock', exact: true }).click();
+      await expect(anna.page.getByRole('menuitem', { name: 'Export' })).toBeVisible();
+      await expect(anna.page.getByRole('menuitem', { name: 'Delete' })).toHaveCount(0);
+      await anna.page.keyboard.press('Escape');
+    });
+
+    await test.step('a file that is none says why', async () => {
+      await modules.importFile('broken.pm', '{ "name": ');
+      await expect(anna.page.getByRole('alert')).toContainText('broken.pm, line 1');
+    });
   });
 });
 

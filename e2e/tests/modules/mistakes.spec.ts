@@ -67,7 +67,7 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await editor.create('Blank');
     await editor.typeAfter('return { outputs', '');
     await anna.page.keyboard.press('Home');
-    await anna.page.keyboard.type('return { outputs: { reslt: 3, result: 3 } };');
+    await anna.page.keyboard.insertText('return { outputs: { reslt: 3, result: 3 } };');
     await editor.step();
     await editor.step();
     const cause = editor.tryIt.getByRole('status').filter({ hasText: 'The code has an error' });
@@ -92,7 +92,9 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await expect(editor.problems).not.toContainText('SyntaxError');
     await expect(cause).toBeHidden();
     await anna.page.keyboard.press('Control+a');
-    await anna.page.keyboard.type('onProcessing = () => ({ outputs: { result: { double: 7 } } });');
+    await anna.page.keyboard.insertText(
+      'onProcessing = () => ({ outputs: { result: { double: 7 } } });',
+    );
     await expect(editor.output('result')).toContainText('7');
     await expect(cause).toBeHidden();
     await expect(wrong).toBeHidden();

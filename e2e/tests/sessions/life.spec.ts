@@ -3,30 +3,93 @@ import { SessionPage } from '../../pages/session-page.ts';
 import { SessionsPage } from '../../pages/sessions-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
-test('somebody who has no session starts an example, and sees what flows', async ({ room }) => {
+test('the sessions of one person begin with an example, and are handled with mouse and keys', async ({
+  room,
+}) => {
   const anna = await room.atDesk('Anna');
+  const { page } = anna;
   const sessions = new SessionsPage(anna);
   const session = new SessionPage(anna);
-  await sessions.open();
-  await sessions.startExample('Smoothing chain');
-  await expect(session.heading).toHaveText('Smoothing chain');
-  await session.expectState('Running');
-  await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
-  await expect(session.fact('clock', 'p95')).toHaveText(/ms$/);
+  await test.step('somebody who has no session starts an example, and sees what flows', async () => {
+    await sessions.open();
+    await sessions.startExample('Smoothing chain');
+    await expect(session.heading).toHaveText('Smoothing chain');
+    await session.expectState('Running');
+    await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
+    await expect(session.fact('clock', 'p95')).toHaveText(/ms$/);
 
-  await test.step('a mapping leads to its topic', async () => {
-    const output = session.module('clock').getByRole('list', { name: 'Outputs of clock' });
-    await output.getByRole('link').first().click();
-    await expect(anna.page).toHaveURL(/\/topics\/./);
-    await expect(anna.page.getByRole('article', { name: /^Topic / })).toContainText('double');
+    await test.step('a mapping leads to its topic', async () => {
+      const output = session.module('clock').getByRole('list', { name: 'Outputs of clock' });
+      await output.getByRole('link').first().click();
+      await expect(anna.page).toHaveURL(/\/topics\/./);
+      await expect(anna.page.getByRole('article', { name: /^Topic / })).toContainText('double');
+    });
+
+    await test.step('Home says what runs', async () => {
+      await new Shell(anna.page).go('Home');
+      await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
+        'One session is running',
+      );
+      await expect(sessions.row('Smoothing chain')).toContainText('Running');
+    });
   });
 
-  await test.step('Home says what runs', async () => {
-    await new Shell(anna.page).go('Home');
-    await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
-      'One session is running',
-    );
-    await expect(sessions.row('Smoothing chain')).toContainText('Running');
+  await test.step('a session is found, renamed, duplicated, deleted and brought back', async () => {
+    await sessions.link('Smoothing chain').click();
+    await session.expectState('Running');
+    await session.choose('Rename');
+    const dialog = anna.page.getByRole('dialog');
+    await dialog.getByRole('textbox', { name: 'Name' }).fill('My chain');
+    await dialog.getByRole('button', { name: 'Rename' }).click();
+    await expect(session.heading).toHaveText('My chain');
+
+    await session.choose('Duplicate');
+    await expect(session.heading).toHaveText('My chain copy');
+    await session.expectState('Not started');
+
+    await new Shell(anna.page).go('Sessions');
+    await expect(sessions.list.getByRole('listitem')).toHaveCount(2);
+    await sessions.search.fill('copy');
+    await expect(sessions.list.getByRole('listitem')).toHaveCount(1);
+    await sessions.search.fill('');
+
+    await test.step('what was deleted while it ran comes back and runs', async () => {
+      await sessions.choose('My chain', 'Delete');
+      await expect(sessions.link('My chain')).toHaveCount(0);
+      await anna.page.getByRole('button', { name: 'Undo' }).click();
+      await expect(sessions.row('My chain')).toContainText('Running');
+      await expect(sessions.list.getByRole('listitem')).toHaveCount(2);
+    });
+
+    await test.step('all that run are stopped at once, and started again', async () => {
+      const stop = anna.page.getByRole('button', { name: 'Stop all 2' });
+      await anna.page.getByRole('button', { name: 'Start My chain copy' }).click();
+      await stop.click();
+      await expect(sessions.list.getByText('Stopped', { exact: true })).toHaveCount(2);
+      await expect(stop).toBeHidden();
+      await anna.page.getByRole('button', { name: 'Start again' }).click();
+      await expect(sessions.list.getByText('Running', { exact: true })).toHaveCount(2);
+    });
+  });
+
+  await test.step('sessions are handled with the keyboard alone', async () => {
+    await sessions.choose('My chain copy', 'Delete');
+    await expect(sessions.list.getByRole('listitem')).toHaveCount(1);
+    await sessions.link('My chain').click();
+    await session.expectState('Running');
+    await page.keyboard.press('g');
+    await page.keyboard.press('n');
+    await expect(page).toHaveURL(/\/sessions$/);
+    await sessions.link('My chain').focus();
+    await page.keyboard.press('Space');
+    await expect(sessions.row('My chain')).toContainText('Paused');
+    await page.keyboard.press('F2');
+    await page.getByRole('dialog').getByRole('textbox').fill('Renamed');
+    await page.keyboard.press('Enter');
+    // The dialog gives the focus back.
+    await expect(sessions.link('Renamed')).toBeFocused();
+    await page.keyboard.press('Delete');
+    await expect(sessions.link('Renamed')).toHaveCount(0);
   });
 });
 
@@ -60,74 +123,7 @@ test('a session is paused, resumed, stopped and started again, and others see it
   await session.expectState('Running');
 });
 
-test('a session is found, renamed, duplicated, deleted and brought back', async ({ room }) => {
-  const anna = await room.atDesk('Anna');
-  const sessions = new SessionsPage(anna);
-  const session = new SessionPage(anna);
-  await sessions.open();
-  await sessions.startExample('Smoothing chain');
-  await session.expectState('Running');
-
-  await session.choose('Rename');
-  const dialog = anna.page.getByRole('dialog');
-  await dialog.getByRole('textbox', { name: 'Name' }).fill('My chain');
-  await dialog.getByRole('button', { name: 'Rename' }).click();
-  await expect(session.heading).toHaveText('My chain');
-
-  await session.choose('Duplicate');
-  await expect(session.heading).toHaveText('My chain copy');
-  await session.expectState('Not started');
-
-  await new Shell(anna.page).go('Sessions');
-  await expect(sessions.list.getByRole('listitem')).toHaveCount(2);
-  await sessions.search.fill('copy');
-  await expect(sessions.list.getByRole('listitem')).toHaveCount(1);
-  await sessions.search.fill('');
-
-  await test.step('what was deleted while it ran comes back and runs', async () => {
-    await sessions.choose('My chain', 'Delete');
-    await expect(sessions.link('My chain')).toHaveCount(0);
-    await anna.page.getByRole('button', { name: 'Undo' }).click();
-    await expect(sessions.row('My chain')).toContainText('Running');
-    await expect(sessions.list.getByRole('listitem')).toHaveCount(2);
-  });
-
-  await test.step('all that run are stopped at once, and started again', async () => {
-    const stop = anna.page.getByRole('button', { name: 'Stop all 2' });
-    await anna.page.getByRole('button', { name: 'Start My chain copy' }).click();
-    await stop.click();
-    await expect(sessions.list.getByText('Stopped', { exact: true })).toHaveCount(2);
-    await expect(stop).toBeHidden();
-    await anna.page.getByRole('button', { name: 'Start again' }).click();
-    await expect(sessions.list.getByText('Running', { exact: true })).toHaveCount(2);
-  });
-});
-
-test('sessions are handled with the keyboard alone', async ({ room }) => {
-  const { page } = await room.atDesk('Anna');
-  const sessions = new SessionsPage({ page });
-  await sessions.open();
-  await sessions.startExample('Smoothing chain');
-  await new SessionPage({ page }).expectState('Running');
-  await page.keyboard.press('g');
-  await page.keyboard.press('n');
-  await expect(page).toHaveURL(/\/sessions$/);
-  await sessions.link('Smoothing chain').focus();
-  await page.keyboard.press('Space');
-  await expect(sessions.row('Smoothing chain')).toContainText('Paused');
-  await page.keyboard.press('F2');
-  await page.getByRole('dialog').getByRole('textbox').fill('Renamed');
-  await page.keyboard.press('Enter');
-  // The dialog gives the focus back.
-  await expect(sessions.link('Renamed')).toBeFocused();
-  await page.keyboard.press('Delete');
-  await expect(sessions.link('Renamed')).toHaveCount(0);
-});
-
-test('a session that was started here runs again after a restart of the master [SE-24]', async ({
-  master,
-  room,
-}) => {
+test('sessions outlive a restart of the master', async ({ master, room }) => {
   const anna = await room.atDesk('Anna');
   const sessions = new SessionsPage(anna);
   const session = new SessionPage(anna);
@@ -135,43 +131,34 @@ test('a session that was started here runs again after a restart of the master [
   await sessions.startExample('Smoothing chain');
   await session.expectState('Running');
   const again = anna.page.getByRole('switch', { name: /^Resume when the master restarts/ });
-  await expect(again).toBeChecked();
   anna.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
-  await master.stop();
-  await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
-  await master.restart();
-  await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
-  await session.expectState('Running');
-  await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
-});
+  await test.step('a session that was started here runs again after a restart of the master [SE-24]', async () => {
+    await expect(again).toBeChecked();
+    await master.stop();
+    await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
+    await master.restart();
+    await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
+    await session.expectState('Running');
+    await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
+  });
 
-test('a session that was made here is there after a restart of the master, and opens as it was [SE-21]', async ({
-  master,
-  room,
-}) => {
-  const anna = await room.atDesk('Anna');
-  const sessions = new SessionsPage(anna);
-  const session = new SessionPage(anna);
-  await sessions.open();
-  await sessions.startExample('Smoothing chain');
-  await session.expectState('Running');
-  const again = anna.page.getByRole('switch', { name: /^Resume when the master restarts/ });
-  await again.click();
-  await expect(again).not.toBeChecked();
-  await new Shell(anna.page).go('Sessions');
-  anna.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
-  await master.stop();
-  await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
-  await master.restart();
-  await expect(sessions.row('Smoothing chain')).toContainText('Stopped');
-  await sessions.link('Smoothing chain').click();
-  await expect(session.heading).toHaveText('Smoothing chain');
-  await session.act('Start');
-  await session.expectState('Running');
+  await test.step('a session that was made here is there after a restart of the master, and opens as it was [SE-21]', async () => {
+    await again.click();
+    await expect(again).not.toBeChecked();
+    await new Shell(anna.page).go('Sessions');
+    await master.stop();
+    await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
+    await master.restart();
+    await expect(sessions.row('Smoothing chain')).toContainText('Stopped');
+    await sessions.link('Smoothing chain').click();
+    await expect(session.heading).toHaveText('Smoothing chain');
+    await session.act('Start');
+    await session.expectState('Running');
 
-  await test.step('deleted, it is gone permanently', async () => {
-    await session.choose('Delete');
-    await expect(anna.page).toHaveURL(/\/sessions$/);
-    await expect(anna.page.getByRole('button', { name: 'Start Smoothing chain' })).toBeVisible();
+    await test.step('deleted, it is gone permanently', async () => {
+      await session.choose('Delete');
+      await expect(anna.page).toHaveURL(/\/sessions$/);
+      await expect(anna.page.getByRole('button', { name: 'Start Smoothing chain' })).toBeVisible();
+    });
   });
 });

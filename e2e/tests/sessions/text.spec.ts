@@ -25,105 +25,96 @@ const WHOLE = BROKEN.replace(',\n    { "name": "no-such-module" }', '').replace(
   'pointer',
 );
 
-test('a session is written as JSON; all that is wrong stands beside its line [SE-3]', async ({
-  room,
-}) => {
-  const { page } = await room.atDesk('Anna');
-  const session = new SessionPage({ page });
-  await page.goto('/sessions');
-  await new SessionsPage({ page }).newSession.click();
-  await page.getByRole('link', { name: 'JSON', exact: true }).click();
-
-  await test.step('no JSON', async () => {
-    await session.text.fill('{\n  "name": "x"\n  "tags": []\n}');
-    await expect(session.textProblems).toContainText('Expected a comma or }');
-    await expect(page.getByRole('button', { name: 'Show line 3' })).toBeVisible();
-  });
-  await test.step('what the master finds', async () => {
-    await session.write(BROKEN, 'Create');
-    await expect(session.textProblems).toContainText('"no-such-module"');
-    await expect(session.textProblems).toContainText('no input named "pointr"');
-    await page.getByRole('button', { name: 'Show line 11' }).first().click();
-    await expect(session.text).toBeFocused();
-  });
-  await test.step('put right', async () => {
-    await session.write(WHOLE, 'Create');
-    await expect(session.heading).toHaveText('Mirror');
-    await session.act('Start');
-    await session.expectState('Running');
-    await expect(session.module('mirror-pointer')).toContainText('Topic "/a" has no value');
-  });
-});
-
-test('a running session is edited as JSON; what others changed meanwhile is not overwritten [SE-15]', async ({
+test('sessions are written as JSON, changed by several people, and travel as files', async ({
   room,
 }) => {
   const anna = await room.atDesk('Anna');
-  const ben = await room.atDesk('Ben');
+  const { page } = anna;
   const session = new SessionPage(anna);
-  await anna.page.goto('/sessions/new/text');
-  await session.write(WHOLE, 'Create');
-  await session.act('Start');
-  await session.expectState('Running');
-  const theirs = new SessionPage(ben);
-  await ben.page.goto(`${new URL(anna.page.url()).pathname}/text`);
-
-  await session.choose('Edit as JSON');
-  const text = await session.text.inputValue();
-  await session.write(text.replace('"/a"', '"/b"'), 'Save');
-  await expect(session.heading).toHaveText('Mirror');
-  await expect(session.module('mirror-pointer').getByRole('link', { name: '/b' })).toBeVisible();
-  await session.expectState('Running');
-
-  await test.step('who has not begun gets the new text, who has is told', async () => {
-    await expect(theirs.text).toHaveValue(/"\/b"/);
-    await theirs.text.fill((await theirs.text.inputValue()).replace('"/b"', '"/c"'));
-    await session.choose('Edit as JSON');
-    await session.write((await session.text.inputValue()).replace('"/b"', '"/d"'), 'Save');
-    await expect(ben.page.getByRole('alert')).toContainText('Another client has changed');
-    await ben.page.getByRole('button', { name: 'Save', exact: true }).click();
-    await expect(theirs.textProblems).toBeVisible();
-    await ben.page.getByRole('button', { name: 'Load their version' }).click();
-    await expect(theirs.text).toHaveValue(/"\/d"/);
-  });
-});
-
-test('a session travels as one file, with the source of its modules', async ({ room }) => {
-  const anna = await room.atDesk('Anna');
   const sessions = new SessionsPage(anna);
-  const session = new SessionPage(anna);
-  await anna.page.goto('/sessions/new/text');
-  await session.write(WHOLE, 'Create');
-  await expect(session.heading).toHaveText('Mirror');
-  const [download] = await Promise.all([
-    anna.page.waitForEvent('download'),
-    session.choose('Export'),
-  ]);
-  expect(download.suggestedFilename()).toBe('Mirror.session');
-  const text = await readFile(await download.path(), 'utf8');
-  expect(JSON.parse(text)).toMatchObject({
-    name: 'Mirror',
-    processingModules: [{ name: 'mirror-pointer', onProcessingStringified: expect.any(String) }],
+  await test.step('a session is written as JSON; all that is wrong stands beside its line [SE-3]', async () => {
+    await page.goto('/sessions');
+    await sessions.newSession.click();
+    await page.getByRole('link', { name: 'JSON', exact: true }).click();
+
+    await test.step('no JSON', async () => {
+      await session.text.fill('{\n  "name": "x"\n  "tags": []\n}');
+      await expect(session.textProblems).toContainText('Expected a comma or }');
+      await expect(page.getByRole('button', { name: 'Show line 3' })).toBeVisible();
+    });
+    await test.step('what the master finds', async () => {
+      await session.write(BROKEN, 'Create');
+      await expect(session.textProblems).toContainText('"no-such-module"');
+      await expect(session.textProblems).toContainText('no input named "pointr"');
+      await page.getByRole('button', { name: 'Show line 11' }).first().click();
+      await expect(session.text).toBeFocused();
+    });
+    await test.step('put right', async () => {
+      await session.write(WHOLE, 'Create');
+      await expect(session.heading).toHaveText('Mirror');
+      await session.act('Start');
+      await session.expectState('Running');
+      await expect(session.module('mirror-pointer')).toContainText('Topic "/a" has no value');
+    });
   });
 
-  await new Shell(anna.page).go('Sessions');
-  await sessions.importFiles([{ name: 'Mirror.session', text }]);
-  await expect(session.heading).toHaveText('Mirror 2');
+  await test.step('a running session is edited as JSON; what others changed meanwhile is not overwritten [SE-15]', async () => {
+    const ben = await room.atDesk('Ben');
+    const theirs = new SessionPage(ben);
+    await ben.page.goto(`${new URL(anna.page.url()).pathname}/text`);
 
-  await test.step('a file is dropped on the page', async () => {
-    await new Shell(anna.page).go('Sessions');
-    await expect(sessions.row('Mirror 2')).toBeVisible();
-    await sessions.dropFile('Mirror.session', text);
-    await expect(session.heading).toHaveText('Mirror 3');
+    await session.choose('Edit as JSON');
+    const text = await session.text.inputValue();
+    await session.write(text.replace('"/a"', '"/b"'), 'Save');
+    await expect(session.heading).toHaveText('Mirror');
+    await expect(session.module('mirror-pointer').getByRole('link', { name: '/b' })).toBeVisible();
+    await session.expectState('Running');
+
+    await test.step('who has not begun gets the new text, who has is told', async () => {
+      await expect(theirs.text).toHaveValue(/"\/b"/);
+      await theirs.text.fill((await theirs.text.inputValue()).replace('"/b"', '"/c"'));
+      await session.choose('Edit as JSON');
+      await session.write((await session.text.inputValue()).replace('"/b"', '"/d"'), 'Save');
+      await expect(ben.page.getByRole('alert')).toContainText('Another client has changed');
+      await ben.page.getByRole('button', { name: 'Save', exact: true }).click();
+      await expect(theirs.textProblems).toBeVisible();
+      await ben.page.getByRole('button', { name: 'Load their version' }).click();
+      await expect(theirs.text).toHaveValue(/"\/d"/);
+    });
   });
 
-  await test.step('a file that is broken opens with what is wrong with it', async () => {
+  await test.step('a session travels as one file, with the source of its modules', async () => {
+    await expect(session.heading).toHaveText('Mirror');
+    const [download] = await Promise.all([
+      anna.page.waitForEvent('download'),
+      session.choose('Export'),
+    ]);
+    expect(download.suggestedFilename()).toBe('Mirror.session');
+    const text = await readFile(await download.path(), 'utf8');
+    expect(JSON.parse(text)).toMatchObject({
+      name: 'Mirror',
+      processingModules: [{ name: 'mirror-pointer', onProcessingStringified: expect.any(String) }],
+    });
+
     await new Shell(anna.page).go('Sessions');
-    await sessions.importFiles([{ name: 'broken.session', text: BROKEN }]);
-    const dialog = anna.page.getByRole('dialog', { name: 'Import a session' });
-    await expect(dialog).toContainText('The module no-such-module is unknown');
-    await dialog.getByRole('button', { name: 'New session' }).click();
-    await expect(anna.page).toHaveURL(/\/sessions\/new\/text/);
-    await expect(session.textProblems).toContainText('pointr');
+    await sessions.importFiles([{ name: 'Mirror.session', text }]);
+    await expect(session.heading).toHaveText('Mirror 2');
+
+    await test.step('a file is dropped on the page', async () => {
+      await new Shell(anna.page).go('Sessions');
+      await expect(sessions.row('Mirror 2')).toBeVisible();
+      await sessions.dropFile('Mirror.session', text);
+      await expect(session.heading).toHaveText('Mirror 3');
+    });
+
+    await test.step('a file that is broken opens with what is wrong with it', async () => {
+      await new Shell(anna.page).go('Sessions');
+      await sessions.importFiles([{ name: 'broken.session', text: BROKEN }]);
+      const dialog = anna.page.getByRole('dialog', { name: 'Import a session' });
+      await expect(dialog).toContainText('The module no-such-module is unknown');
+      await dialog.getByRole('button', { name: 'New session' }).click();
+      await expect(anna.page).toHaveURL(/\/sessions\/new\/text/);
+      await expect(session.textProblems).toContainText('pointr');
+    });
   });
 });

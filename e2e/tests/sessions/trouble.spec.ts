@@ -28,80 +28,71 @@ const NOISY = {
   ],
 };
 
-test('what goes wrong in a module is told with its line, and an endless loop stops nothing else [PM-13, PM-53]', async ({
-  room,
-}) => {
+test('modules fail, are moved to tabs, and are taken back', async ({ room }) => {
   const anna = await room.atDesk('Anna');
   const session = new SessionPage(anna);
-  await anna.page.goto('/sessions/new/text');
-  await session.write(JSON.stringify(NOISY, undefined, 2), 'Create');
-  await session.act('Start');
+  await test.step('what goes wrong in a module is told with its line, and an endless loop stops nothing else [PM-13, PM-53]', async () => {
+    await anna.page.goto('/sessions/new/text');
+    await session.write(JSON.stringify(NOISY, undefined, 2), 'Create');
+    await session.act('Start');
 
-  await expect(session.events).toContainText('run 2');
-  await expect(session.events).toContainText('every third run');
-  await expect(session.events).toContainText('onProcessing:4');
-  await expect(session.fact('counts', 'Errors')).toHaveText(/^[1-9]/);
-  await expect(session.events).toContainText('killed');
+    await expect(session.events).toContainText('run 2');
+    await expect(session.events).toContainText('every third run');
+    await expect(session.events).toContainText('onProcessing:4');
+    await expect(session.fact('counts', 'Errors')).toHaveText(/^[1-9]/);
+    await expect(session.events).toContainText('killed');
 
-  await test.step('the module that loops is given up, the other runs on', async () => {
+    await test.step('the module that loops is given up, the other runs on', async () => {
+      await session.expectState('Degraded');
+      await expect(session.problems).toContainText('loops');
+      await expect(session.module('loops')).toContainText('Failed');
+      await expect(session.fact('counts', 'Runs/s')).toHaveText(/^[1-9]/);
+    });
+
+    await test.step('the log is filtered', async () => {
+      await anna.page.getByRole('radio', { name: 'Problems' }).click();
+      await expect(session.events).not.toContainText('run 2');
+      await anna.page.getByRole('combobox', { name: 'Module', exact: true }).click();
+      await anna.page.getByRole('option', { name: 'loops' }).click();
+      await expect(session.events).not.toContainText('every third run');
+    });
+
+    await test.step('Home and the list say so', async () => {
+      await new Shell(anna.page).go('Home');
+      await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
+        'One module needs attention',
+      );
+      await expect(anna.page.getByRole('list', { name: 'Problems' })).toContainText('loops');
+      await new Shell(anna.page).go('Sessions');
+      await expect(new SessionsPage(anna).row('Noisy')).toContainText('Degraded');
+    });
+  });
+
+  await test.step('a module is moved to somebody’s tab, and back when the tab is gone [SE-30, SE-31]', async () => {
+    const ben = await room.atDesk('Ben');
+    await ben.page.goto('/settings');
+    await ben.page.getByRole('switch', { name: /^Run modules in this tab/ }).click();
+    await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
+
+    await anna.page.goto('/sessions/new/text');
+    await new SessionsPage(anna).startExample('Smoothing chain');
+    await session.expectState('Running');
+    await session.place('clock', /^Ben/);
+    await expect(ben.page.getByRole('status').filter({ hasText: 'Runs 1 module' })).toBeVisible();
+    await session.expectState('Running');
+    await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
+
+    await ben.page.getByRole('switch', { name: /^Run modules in this tab/ }).click();
     await session.expectState('Degraded');
-    await expect(session.problems).toContainText('loops');
-    await expect(session.module('loops')).toContainText('Failed');
-    await expect(session.fact('counts', 'Runs/s')).toHaveText(/^[1-9]/);
+    await expect(session.problems).toContainText('clock');
+    await session.place('clock', /^Master/);
+    await session.expectState('Running');
   });
 
-  await test.step('the log is filtered', async () => {
-    await anna.page.getByRole('radio', { name: 'Problems' }).click();
-    await expect(session.events).not.toContainText('run 2');
-    await anna.page.getByRole('combobox', { name: 'Module', exact: true }).click();
-    await anna.page.getByRole('option', { name: 'loops' }).click();
-    await expect(session.events).not.toContainText('every third run');
+  await test.step('“This tab” can be chosen at once: it is turned on by that', async () => {
+    await session.place('statistics', /^This tab/);
+    await expect(anna.page.getByRole('banner')).toContainText('1 here');
+    await session.expectState('Running');
+    await expect(session.fact('statistics', 'Runs/s')).toHaveText(/^[1-9]/);
   });
-
-  await test.step('Home and the list say so', async () => {
-    await new Shell(anna.page).go('Home');
-    await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
-      'One module needs attention',
-    );
-    await expect(anna.page.getByRole('list', { name: 'Problems' })).toContainText('loops');
-    await new Shell(anna.page).go('Sessions');
-    await expect(new SessionsPage(anna).row('Noisy')).toContainText('Degraded');
-  });
-});
-
-test('a module is moved to somebody’s tab, and back when the tab is gone [SE-30, SE-31]', async ({
-  room,
-}) => {
-  const anna = await room.atDesk('Anna');
-  const ben = await room.atDesk('Ben');
-  await ben.page.goto('/settings');
-  await ben.page.getByRole('switch', { name: /^Run modules in this tab/ }).click();
-  await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
-
-  const session = new SessionPage(anna);
-  await new SessionsPage(anna).open();
-  await new SessionsPage(anna).startExample('Smoothing chain');
-  await session.expectState('Running');
-  await session.place('clock', /^Ben/);
-  await expect(ben.page.getByRole('status').filter({ hasText: 'Runs 1 module' })).toBeVisible();
-  await session.expectState('Running');
-  await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
-
-  await ben.page.getByRole('switch', { name: /^Run modules in this tab/ }).click();
-  await session.expectState('Degraded');
-  await expect(session.problems).toContainText('clock');
-  await session.place('clock', /^Master/);
-  await session.expectState('Running');
-});
-
-test('“This tab” can be chosen at once: it is turned on by that', async ({ room }) => {
-  const anna = await room.atDesk('Anna');
-  const session = new SessionPage(anna);
-  await new SessionsPage(anna).open();
-  await new SessionsPage(anna).startExample('Smoothing chain');
-  await session.expectState('Running');
-  await session.place('statistics', /^This tab/);
-  await expect(anna.page.getByRole('banner')).toContainText('1 here');
-  await session.expectState('Running');
-  await expect(session.fact('statistics', 'Runs/s')).toHaveText(/^[1-9]/);
 });
