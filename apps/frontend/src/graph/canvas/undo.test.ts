@@ -43,7 +43,7 @@ function dragNode(desk: GraphDesk, id: string, ...ways: readonly (readonly [numb
   desk.drag((event) => desk.canvas.drag.press(event, id), middle, ...places);
 }
 
-async function typeNumber(field: DOMWrapper<Element>, text: string): Promise<void> {
+async function typeNumber(field: Omit<DOMWrapper<Element>, 'exists'>, text: string): Promise<void> {
   (field.element as HTMLInputElement).focus();
   await field.setValue(text);
   await field.trigger('keydown', { key: 'Enter' });
