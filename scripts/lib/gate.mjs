@@ -67,6 +67,10 @@ export async function runOtherGate(suites = []) {
     counted({ name: 'process tests', work: () => runTests('process', [HALF_OF_THE_CORES]) }),
     { name: 'guides followed', work: followGuides },
     ...suites.map(counted),
+    counted({
+      name: 'process tests of the sandbox',
+      work: () => runTests('sandbox', [HALF_OF_THE_CORES]),
+    }),
     { name: 'no import circles', work: checkImportOrder },
     ...quickTextSteps(),
     { name: 'tests of the scripts', work: testScripts },

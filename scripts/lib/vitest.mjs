@@ -6,10 +6,17 @@ import { readCounts, reportFile } from './test-results.mjs';
 /** Fails unit tests that start processes or threads, or listen on sockets; `--import` takes a URL. */
 const NO_PROCESSES = new URL('./no-processes.mjs', import.meta.url).href;
 
+/** Projects of vitest.config.ts. The sandbox has a fifth of the time of all process tests. */
+const PROJECTS = {
+  unit: ['!process*'],
+  process: ['process', 'process apps/*', 'process robustness'],
+  sandbox: ['process packages/pm-sandbox'],
+};
+
 /**
  * Runs unit tests or process tests: `*.process.test.ts`, which start processes or threads, or listen on sockets.
  *
- * @param {'unit' | 'process'} kind
+ * @param {keyof typeof PROJECTS} kind
  * @param {readonly string[]} [args] for Vitest
  * @returns {Promise<import('./test-results.mjs').Counts>}
  * @throws {StepFailed} with `counts` when a test fails
@@ -19,7 +26,7 @@ export async function runTests(kind, args = []) {
   const { code, output } = await runNode(
     programFile('', 'vitest'),
     [
-      ...['run', '--root', root, '--project', kind === 'process' ? 'process*' : '!process*'],
+      ...['run', '--root', root, ...PROJECTS[kind].flatMap((name) => ['--project', name])],
       ...['--reporter=dot', '--reporter=json', `--outputFile.json=${report}`],
       // Tests leave nothing behind and those with mocks reset modules, so sources are loaded once per worker instead of once per file
       '--no-isolate',
