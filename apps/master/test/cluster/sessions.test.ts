@@ -79,6 +79,26 @@ describe('sessions of a cluster', () => {
     expect(statistics.takeRecords().length).toBeGreaterThan(0);
   });
 
+  it('[CU-30] that became known with a new stream are announced, once', async () => {
+    const [world, a, b] = await clusterOf(2);
+    const client = await b!.extension('client');
+    await client.subscribe({ subscribeTopicRegexp: ['^/info/session/'] });
+    const words = () => client.takeRecords().map(({ topic }) => topic.split('/').at(-1));
+    world.hub.setReachable(a!.master.id, false);
+    const { id } = await ask(world, a!, TOPICS.add, doubling('/in', '/out'));
+    expect(words()).toEqual([]);
+    world.hub.setReachable(a!.master.id, true);
+    await world.pass(4_000);
+    expect(await stateAt(b!, id)).toBe(SessionState.SESSION_CREATED);
+    expect(words()).toEqual(['new']);
+    world.hub.setReachable(a!.master.id, false);
+    await ask(world, a!, TOPICS.start, { id });
+    world.hub.setReachable(a!.master.id, true);
+    await world.pass(4_000);
+    expect(await stateAt(b!, id)).toBe(SessionState.SESSION_RUNNING);
+    expect(words()).toEqual(['change']);
+  });
+
   it('[CU-31] are opened once, when two masters open the same stored one', async () => {
     const [world, a, b] = await clusterOf(2);
     await ask(world, a!, TOPICS.save, doubling('/in', '/out'));

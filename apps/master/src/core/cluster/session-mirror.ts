@@ -1,8 +1,9 @@
-import { INFO_TOPICS, type ClusterSessionNews, type Init } from '@ubii/proto';
+import { encode, INFO_TOPICS, type ClusterSessionNews, type Init, type Session } from '@ubii/proto';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { OwnerStore } from '../ports/owner-store.ts';
 import type { ForeignSessions } from '../sessions/foreign-sessions.ts';
 import type { SessionTable } from '../sessions/session-table.ts';
+import { areEqual } from '../topics/equal-bytes.ts';
 
 /** Dependencies of the sessions of other masters. */
 export interface MirrorContext {
@@ -15,6 +16,16 @@ export interface MirrorContext {
 }
 
 const NEWS_TOPICS = new Set<string>(Object.values(INFO_TOPICS));
+
+/** How clients are told of a session that a new stream tells as it is; undefined when they know it so. */
+function topicOfState(known: Session | undefined, session: Session): string | undefined {
+  if (known === undefined) return INFO_TOPICS.newSession;
+  const isSame = areEqual(
+    encode('ubii.sessions.Session', known),
+    encode('ubii.sessions.Session', session),
+  );
+  return isSame ? undefined : INFO_TOPICS.changeSession;
+}
 
 /** Sessions of other masters, for clients of this one. [CU-30] */
 export class SessionMirror {
@@ -39,11 +50,12 @@ export class SessionMirror {
     const { foreignSessions, sessionTable, publisher } = this.#context;
     if (session === undefined || session.id === '') return;
     if (!this.#mayBeOf(masterId, session.id)) return;
+    const told = topic === '' ? topicOfState(foreignSessions.get(session.id), session) : topic;
     if (topic === INFO_TOPICS.deleteSession) foreignSessions.delete(masterId, session.id);
     else foreignSessions.set(masterId, session);
     // Two run it after they were apart: who owns it decides. [CU-34]
     if (sessionTable.get(session.id) !== undefined) return;
-    if (NEWS_TOPICS.has(topic)) publisher.publish(topic, { session });
+    if (told !== undefined && NEWS_TOPICS.has(told)) publisher.publish(told, { session });
   }
 
   /** A master that was apart may tell of a session that another one has taken over. */
