@@ -18,7 +18,7 @@ async function moveUntilPassed(page: Page): Promise<void> {
     await expect(next(page)).not.toHaveAttribute('aria-disabled', 'true', { timeout: 700 });
   }).toPass();
   await next(page).click();
-  // Off the button: why it is disabled now is told over its neighbours.
+  // Away from the button: its tooltip covers the buttons beside it.
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.2);
 }
 

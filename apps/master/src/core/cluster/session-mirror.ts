@@ -17,7 +17,7 @@ export interface MirrorContext {
 
 const NEWS_TOPICS = new Set<string>(Object.values(INFO_TOPICS));
 
-/** How clients are told of a session that a new stream tells as it is; undefined when they know it so. */
+/** Topic that announces the state of a session in a new stream to clients; undefined when they have this state already. */
 function topicOfState(known: Session | undefined, session: Session): string | undefined {
   if (known === undefined) return INFO_TOPICS.newSession;
   const isSame = areEqual(
@@ -50,12 +50,14 @@ export class SessionMirror {
     const { foreignSessions, sessionTable, publisher } = this.#context;
     if (session === undefined || session.id === '') return;
     if (!this.#mayBeOf(masterId, session.id)) return;
-    const told = topic === '' ? topicOfState(foreignSessions.get(session.id), session) : topic;
+    const newsTopic = topic === '' ? topicOfState(foreignSessions.get(session.id), session) : topic;
     if (topic === INFO_TOPICS.deleteSession) foreignSessions.delete(masterId, session.id);
     else foreignSessions.set(masterId, session);
     // Two run it after they were apart: who owns it decides. [CU-34]
     if (sessionTable.get(session.id) !== undefined) return;
-    if (told !== undefined && NEWS_TOPICS.has(told)) publisher.publish(told, { session });
+    if (newsTopic !== undefined && NEWS_TOPICS.has(newsTopic)) {
+      publisher.publish(newsTopic, { session });
+    }
   }
 
   /** A master that was apart may tell of a session that another one has taken over. */

@@ -189,7 +189,7 @@ export class Sessions {
 
   /**
    * [SE-15]
-   * @param isBeingStored it counts as stored under its new name already: no client may take it for one without a file
+   * @param isBeingStored the session counts as stored under its new name already: otherwise clients would not delete its file
    */
   async update(
     session: Session,

@@ -54,7 +54,11 @@ function sessionOfDesk() {
     [LOOSE]: { kind: 'module', x: 320, y: 190 },
     [FRAME]: { kind: 'frame', title: 'Box', x: 0, y: 200, width: 240, height: 240 },
     [VALUE]: {
-      ...{ kind: 'constant', name: 'Limit', json: '{"double":1}', x: 20, y: 250 },
+      kind: 'constant',
+      name: 'Limit',
+      json: '{"double":1}',
+      x: 20,
+      y: 250,
       frame: FRAME,
     },
     [NOTE]: { kind: 'comment', text: 'Watch this', x: 660, y: 220 },
@@ -115,11 +119,20 @@ export async function aGraphDesk(): Promise<GraphDesk> {
   };
   const boxOf: GraphDesk['boxOf'] = (id) => stage.boxes([id])[0]!;
   const actions: CanvasActions = {
-    ...{ fit() {}, add() {}, find() {}, open() {}, connect() {}, tell() {} },
+    fit() {},
+    add() {},
+    find() {},
+    open() {},
+    connect() {},
+    tell() {},
     cancel: () => false,
   };
   const place: MenuPlace = {
-    ...{ at: { x: 0, y: 0 }, boxOf, spotOn: () => undefined, uuid, isTouch: false },
+    at: { x: 0, y: 0 },
+    boxOf,
+    spotOn: () => undefined,
+    uuid,
+    isTouch: false,
   };
   const scope = effectScope();
   scope.run(() => useGraphClipboard(ref(host), editor));
@@ -244,7 +257,11 @@ function keyEvent(keys: string): KeyboardEvent {
 
 function pointer(type: string, { x, y }: Point, timeStamp: number): PointerEvent {
   const event = new PointerEvent(type, {
-    ...{ pointerId: 1, pointerType: 'mouse', button: 0, clientX: x, clientY: y },
+    pointerId: 1,
+    pointerType: 'mouse',
+    button: 0,
+    clientX: x,
+    clientY: y,
   });
   // A shake has to take less than a second
   Object.defineProperty(event, 'timeStamp', { value: timeStamp });
