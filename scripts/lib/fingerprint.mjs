@@ -12,7 +12,7 @@ import { join } from 'node:path';
 
 import { cacheFolder, inRoot } from './repository.mjs';
 
-const notInputs = /^(node_modules|dist|\.cache(-lan)?|test|tests)$|\.test\.ts$|\.md$/;
+const notInputs = /^(node_modules|dist|\.cache(-[a-z-]+)?|test|tests)$|\.test\.ts$|\.md$/;
 
 /**
  * Hash of the names and contents of files, whatever their dates.

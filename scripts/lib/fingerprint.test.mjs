@@ -31,7 +31,7 @@ test('what does not end up in a build does not make it stale', (t) => {
   const { path, of } = folder(t);
   writeFileSync(join(path, 'a.ts'), 'one');
   const before = of();
-  for (const name of ['dist', 'node_modules', '.cache', 'test']) {
+  for (const name of ['dist', 'node_modules', '.cache', '.cache-lan-connections', 'test']) {
     mkdirSync(join(path, name));
     writeFileSync(join(path, name, 'x.ts'), name);
   }

@@ -19,12 +19,7 @@ import { inRoot, programFile, readJson, root } from './repository.mjs';
 import { StepFailed, expectSuccess } from './steps.mjs';
 
 /** Commands of guides that need no browser and end by themselves, in the order in which they are run. */
-const CHECKED = [
-  'npm run generate',
-  'npx prettier --write',
-  'npx eslint --max-warnings 0',
-  'npx vitest run',
-];
+const CHECKED = ['npm run generate', 'npx oxfmt', 'npx eslint --max-warnings 0', 'npx vitest run'];
 const NOT_COPIED = /^(\.git|\.cache.*|\.pnpm|\.vite.*|dist)$/;
 /** Folders of running programs, which may change while they are copied. */
 const IN_USE = ['data', 'benchmarks/results', 'robustness/results', 'e2e/test-results'].map(

@@ -24,7 +24,7 @@ const WITH_COMPONENTS = ['apps/frontend', 'demos/ubi-party'];
 export async function lintSources(files = ['.']) {
   expectSuccess(await runNode(programFile('', 'oxlint'), [...OXLINT_FLAGS, ...files]));
   const config = ['--config', 'scripts/lib/eslint-rest.config.mjs'];
-  const flags = ['--max-warnings', '0', '--no-warn-ignored', ...cacheFlags('eslint')];
+  const flags = ['--max-warnings', '0', '--no-warn-ignored', ...cacheFlags()];
   expectSuccess(await runNode(programFile('', 'eslint'), [...files, ...config, ...flags]));
 }
 
@@ -47,16 +47,15 @@ export async function lintTypesOfComponents() {
   }
 }
 
-/** Prettier. @param {readonly string[]} [files] default: all */
+/** @param {readonly string[]} [files] default: all */
 export async function checkFormat(files = ['.']) {
-  const args = ['--check', ...files, '--log-level', 'warn', '--ignore-unknown'];
-  expectSuccess(await runNode(programFile('', 'prettier'), [...args, ...cacheFlags('prettier')]));
+  const args = ['--list-different', '--no-error-on-unmatched-pattern', ...files];
+  expectSuccess(await runNode(programFile('', 'oxfmt'), args));
 }
 
-/** @param {string} name */
-function cacheFlags(name) {
+function cacheFlags() {
   if (process.env.CI) return [];
-  const place = ['--cache', '--cache-location', join(cacheFolder, name)];
+  const place = ['--cache', '--cache-location', join(cacheFolder, 'eslint')];
   // Dates of files say nothing after a change of branch.
   return [...place, '--cache-strategy', 'content'];
 }

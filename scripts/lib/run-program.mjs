@@ -1,7 +1,7 @@
 import { ensureBuilt } from './builds.mjs';
 import { launch } from './commands.mjs';
 import { ensureInstalled } from './installation.mjs';
-import { inRoot } from './repository.mjs';
+import { inRoot, readJson } from './repository.mjs';
 import { runScript } from './steps.mjs';
 import { onStop } from './stopping.mjs';
 
@@ -19,7 +19,11 @@ export async function runProgram(program, builds, cwd = process.cwd()) {
     await ensureBuilt(builds);
     const child = launch(
       process.execPath,
-      ['--enable-source-maps', inRoot(program), ...process.argv.slice(2)],
+      [
+        ...readJson(inRoot('apps/master/node-flags.json')),
+        inRoot(program),
+        ...process.argv.slice(2),
+      ],
       { cwd, show: true, ownedByUs: true },
     );
     onStop((signal) => child.end(signal));

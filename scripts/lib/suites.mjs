@@ -42,6 +42,19 @@ export async function runInteropTests() {
   return expectPassed(report, await runScriptOfE2e('interop', args));
 }
 
+/**
+ * Takes pictures of the documents again; the progress goes to the screen.
+ *
+ * @param {string} browser path of Chromium
+ * @param {readonly string[]} args for Playwright
+ * @returns {Promise<number>} exit code
+ */
+export async function takePictures(browser, args) {
+  const env = { UBII_CHROMIUM: browser };
+  const { code } = await runScriptOfE2e('pictures', args, { env, show: true });
+  return code;
+}
+
 /** @param {string} report @param {{ code: number, output: string }} result */
 function expectPassed(report, { code, output }) {
   const counts = readCounts(report, code);

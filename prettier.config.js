@@ -1,5 +1,0 @@
-/** @type {import('prettier').Config} */
-export default {
-  printWidth: 100,
-  singleQuote: true,
-};
