@@ -27,7 +27,8 @@ export interface RunOptions {
 }
 
 export type Options =
-  RunOptions | { readonly command: 'compare'; readonly before: string; readonly after: string };
+  | RunOptions
+  | { readonly command: 'compare'; readonly before: string; readonly after: string };
 
 const DEFAULTS = { rounds: 15, measureMs: 600, warmUpMs: 300 };
 const QUICK = { rounds: 3, measureMs: 500, warmUpMs: 200 };

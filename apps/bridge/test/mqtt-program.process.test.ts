@@ -1,13 +1,11 @@
 import { readFileSync } from 'node:fs';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { temporaryFolder } from '@ubii/program/testing';
-import { startNats } from '@ubii/harness';
+import { startMosquitto, startNats, type Mosquitto } from '@ubii/harness';
 import { connectAsync } from 'mqtt';
 import type { MqttClient } from 'mqtt';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { Inbox } from '../src/testing/inbox.ts';
-import { startBroker } from './mosquitto.ts';
-import type { Broker } from './mosquitto.ts';
 import { joinAs, mappingFile, startBridge, startMaster } from './programs.ts';
 import type { Printed } from './programs.ts';
 
@@ -15,9 +13,9 @@ import type { Printed } from './programs.ts';
 vi.setConfig({ testTimeout: 60_000 });
 const POLL = { timeout: 30_000 };
 
-let broker: Broker;
+let broker: Mosquitto;
 beforeAll(async () => {
-  broker = await startBroker();
+  broker = await startMosquitto();
 });
 afterAll(() => broker?.close());
 
@@ -273,7 +271,7 @@ describe('the bridge as a process, with Mosquitto', () => {
   });
 
   it('tells a broker again what it has lost: announcements, states and values [BR-15] [BR-52]', async () => {
-    const own = await startBroker();
+    const own = await startMosquitto();
     onTestFinished(() => own.close());
     const { url } = await startMaster();
     const client = await joinAs(url);

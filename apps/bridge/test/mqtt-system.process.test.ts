@@ -1,3 +1,4 @@
+import { startMosquitto, type Mosquitto } from '@ubii/harness';
 import { Socket } from 'node:net';
 import { connectAsync } from 'mqtt';
 import type { MqttClient } from 'mqtt';
@@ -7,16 +8,14 @@ import type { ForeignMessage, ForeignState } from '../src/core/ports/foreign-sys
 import { foreignSystemSuite } from '../src/testing/foreign-system-suite.ts';
 import { Inbox } from '../src/testing/inbox.ts';
 import { mappingOf } from '../src/testing/mapping-of.ts';
-import { startBroker } from './mosquitto.ts';
-import type { Broker } from './mosquitto.ts';
 
 vi.setConfig({ testTimeout: 60_000 });
 
-let broker: Broker;
+let broker: Mosquitto;
 let serial = 0;
 
 beforeAll(async () => {
-  broker = await startBroker();
+  broker = await startMosquitto();
 });
 afterAll(() => broker?.close());
 
@@ -155,7 +154,7 @@ describe('the broker and the bridge', () => {
   });
 
   it('says when the broker has forgotten what it kept [BR-15]', async () => {
-    const own = await startBroker();
+    const own = await startMosquitto();
     onTestFinished(() => own.close());
     const { states } = open(openSystem({ url: own.url }));
     expect(await states.next(isConnected)).toHaveProperty('hasForgotten', false);
@@ -227,7 +226,7 @@ describe('the broker and the bridge', () => {
 
   it('logs in with user and password, and says when they are refused [BR-43]', async () => {
     const { execFileSync } = await import('node:child_process');
-    const guarded = await startBroker((folder) => {
+    const guarded = await startMosquitto((folder) => {
       execFileSync('mosquitto_passwd', ['-b', '-c', `${folder}/passwords`, 'ada', 'secret']);
       return ['allow_anonymous false', `password_file ${folder}/passwords`];
     });
@@ -243,7 +242,7 @@ describe('the broker and the bridge', () => {
   it('trusts the authority that it is given over TLS, and no other [BR-43]', async () => {
     const { execFileSync } = await import('node:child_process');
     const { readFileSync } = await import('node:fs');
-    const safe = await startBroker((folder) => {
+    const safe = await startMosquitto((folder) => {
       const inFolder = { cwd: folder, stdio: 'ignore' } as const;
       const [ca, key] = [
         ['req', '-x509', '-newkey', 'ec', '-pkeyopt', 'ec_paramgen_curve:prime256v1', '-nodes'],

@@ -1,11 +1,10 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { createRecordRing } from '../load/record-ring.ts';
+import { measureSome } from '../measuring/some-deliveries.ts';
 import { measureFanOut } from '../workloads/fan-out.ts';
 import { measureLegs } from '../workloads/round-trip.ts';
 import { startNatsPart, type NatsPart } from './cluster.ts';
 import { startRelays } from './relays.ts';
-
-const OPTIONS = { warmUpMs: 10, measureMs: 50 };
 
 describe('NATS alone', () => {
   let nats: NatsPart;
@@ -19,7 +18,9 @@ describe('NATS alone', () => {
       access: nats,
       ring: createRecordRing(`leg-${index}`, 100),
     }));
-    const { faults, deliveries } = await measureLegs(legs, nats.pids, OPTIONS);
+    const { faults, deliveries } = await measureSome((options) =>
+      measureLegs(legs, nats.pids, options),
+    );
     expect(faults).toEqual([]);
     expect(deliveries).toBeGreaterThan(0);
   });
@@ -27,7 +28,9 @@ describe('NATS alone', () => {
   it('passes everything on in a fan-out', async () => {
     const ring = createRecordRing('fan-out', 100);
     const fan = { subscribers: 30, window: 64 };
-    const { faults, deliveries } = await measureFanOut(fan, nats, ring, OPTIONS);
+    const { faults, deliveries } = await measureSome((options) =>
+      measureFanOut(fan, nats, ring, options),
+    );
     expect(faults).toEqual([]);
     expect(deliveries).toBeGreaterThan(0);
   });
@@ -39,11 +42,9 @@ describe('NATS alone', () => {
         access,
         ring: createRecordRing(`relay-leg-${index}`, 100),
       }));
-      const { faults, deliveries } = await measureLegs(legs, relays.accesses[0]!.pids, {
-        ...OPTIONS,
-        // They have just started.
-        measureMs: 300,
-      });
+      const { faults, deliveries } = await measureSome((options) =>
+        measureLegs(legs, relays.accesses[0]!.pids, options),
+      );
       expect(faults).toEqual([]);
       expect(deliveries).toBeGreaterThan(0);
     } finally {

@@ -1,7 +1,7 @@
 import { MasterProcess, startNats, type NatsServer } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
-import { NatsConnection } from '../load/nats-connection.ts';
-import { NATS } from '../load/nats-wire.ts';
+import { greetNats, NATS } from '../load/nats-wire.ts';
+import { StreamConnection } from '../load/stream-connection.ts';
 import type { Access } from './target.ts';
 import { joinMaster } from './ubii.ts';
 
@@ -35,7 +35,7 @@ export async function startNatsPart(): Promise<NatsPart> {
     pids: [server.pid!],
     wire: NATS,
     async join({ topics }, receiver) {
-      const connection = await NatsConnection.open(server.port, topics[0], receiver);
+      const connection = await StreamConnection.open(greetNats(server.port, topics[0]), receiver);
       return { connection, leave: () => connection.close() };
     },
     stop: async () => {

@@ -14,6 +14,8 @@ export interface ClientRole {
   readonly topics: readonly string[];
   /** Regular expressions of topics that it subscribes to as well; raw-ws knows none. */
   readonly patterns?: readonly string[];
+  /** In place of topics and patterns for raw-ws. Default: one for all */
+  readonly rooms?: { readonly publish: string; readonly subscribe: string };
 }
 
 /** One client of a broker, connected and, if it wants to be, subscribed. */

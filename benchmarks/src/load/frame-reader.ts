@@ -1,3 +1,5 @@
+import { RestReader } from './rest-reader.ts';
+
 /** Opcodes of RFC 6455 §5.2 that a broker sends. */
 export const OPCODE = { text: 1, binary: 2, close: 8, ping: 9, pong: 10 } as const;
 
@@ -7,32 +9,20 @@ export type FrameSink = (opcode: number, bytes: Buffer, start: number, end: numb
 /** Thrown for what a server must not send: masked or fragmented frames, reserved bits. */
 export class FrameError extends Error {}
 
-const NOTHING = Buffer.alloc(0);
-
 /**
  * Cuts a byte stream from a WebSocket server into frames. The least that does it: a server does not
  * mask, and no broker measured here fragments.
  */
-export class FrameReader {
+export class FrameReader extends RestReader {
   readonly #sink: FrameSink;
-  #rest: Buffer = NOTHING;
 
   constructor(sink: FrameSink) {
+    super();
     this.#sink = sink;
   }
 
-  /** True when every byte pushed so far belonged to a whole frame. */
-  get isAtBoundary(): boolean {
-    return this.#rest.length === 0;
-  }
-
-  /**
-   * Takes the next bytes of the stream. They are borrowed; an incomplete frame at the end is copied.
-   *
-   * @throws {FrameError} when the stream cannot come from a server of RFC 6455.
-   */
-  push(chunk: Buffer): void {
-    const bytes = this.#rest.length === 0 ? chunk : Buffer.concat([this.#rest, chunk]);
+  /** @throws {FrameError} when the stream cannot come from a server of RFC 6455. */
+  protected override readMessages(bytes: Buffer): number {
     let at = 0;
     while (bytes.length - at >= 2) {
       const head = bytes[at]!;
@@ -56,6 +46,6 @@ export class FrameReader {
       at = start + length;
       this.#sink(head & 0x0f, bytes, start, at);
     }
-    this.#rest = at === bytes.length ? NOTHING : Buffer.from(bytes.subarray(at));
+    return at;
   }
 }

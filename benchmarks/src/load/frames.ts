@@ -17,9 +17,9 @@ export function clientFrame(opcode: number, payload: Uint8Array): Buffer {
   return frame;
 }
 
-/** One unmasked binary frame as a server sends it. */
-export function serverFrame(payload: Uint8Array): Buffer {
-  return Buffer.concat([headOf(OPCODE.binary, payload.length, 0), payload]);
+/** One unmasked frame as a server sends it. @param opcode default: binary */
+export function serverFrame(payload: Uint8Array, opcode: number = OPCODE.binary): Buffer {
+  return Buffer.concat([headOf(opcode, payload.length, 0), payload]);
 }
 
 /** Opcode and length of a frame, RFC 6455 section 5.2. @param masked the bit for masked frames, or 0 */

@@ -1,11 +1,14 @@
 import { Tape, type RecordRing } from './record-ring.ts';
-import type { StreamReader, StreamSink, Wire } from './wire.ts';
+import { RestReader } from './rest-reader.ts';
+import type { Greeting } from './stream-connection.ts';
+import type { StreamSink, Wire } from './wire.ts';
 
 /** The number a client gives to its only subscription. */
-export const SUBSCRIPTION = 1;
+const SUBSCRIPTION = 1;
+const HELLO = 'CONNECT {"verbose":false,"pedantic":false,"lang":"benchmark","version":"1"}\r\n';
+const PONG = 'PONG\r\n';
 
 const LINE_END = '\r\n';
-const NOTHING = Buffer.alloc(0);
 
 interface Tapes {
   readonly published: Tape;
@@ -20,6 +23,20 @@ export const NATS: Wire = {
   delivered: (ring) => tapesOf(ring).delivered,
   openReader: (sink) => new NatsReader(sink),
 };
+
+/** @param subject to subscribe to; undefined for none */
+export function greetNats(port: number, subject: string | undefined): Greeting {
+  const subscribe = subject === undefined ? '' : `SUB ${subject} ${SUBSCRIPTION}\r\n`;
+  return {
+    ...{ broker: 'NATS', port, pong: Buffer.from(PONG) },
+    hello: Buffer.from(`${HELLO}${subscribe}PING\r\n`),
+    // INFO, and PONG once the server has the subscription.
+    answerEnd: (bytes) => {
+      const at = bytes.indexOf(PONG);
+      return at < 0 ? undefined : at + PONG.length;
+    },
+  };
+}
 
 function tapesOf(ring: RecordRing): Tapes {
   let made = tapes.get(ring);
@@ -45,21 +62,15 @@ function framed(line: string): (content: Buffer) => Buffer {
 }
 
 /** Cuts a byte stream from a NATS server into messages. The least that does it: without headers. */
-export class NatsReader implements StreamReader {
+export class NatsReader extends RestReader {
   readonly #sink: StreamSink;
-  #rest: Buffer = NOTHING;
 
   constructor(sink: StreamSink) {
+    super();
     this.#sink = sink;
   }
 
-  get isAtBoundary(): boolean {
-    return this.#rest.length === 0;
-  }
-
-  /** Takes the next bytes of the stream. They are borrowed; an incomplete message at the end is copied. */
-  push(chunk: Buffer): void {
-    const bytes = this.#rest.length === 0 ? chunk : Buffer.concat([this.#rest, chunk]);
+  protected override readMessages(bytes: Buffer): number {
     let at = 0;
     for (;;) {
       const end = bytes.indexOf(LINE_END, at);
@@ -76,7 +87,7 @@ export class NatsReader implements StreamReader {
       this.#sink.handleTopicData(bytes, start, contentEnd);
       at = contentEnd + LINE_END.length;
     }
-    this.#rest = at === bytes.length ? NOTHING : Buffer.from(bytes.subarray(at));
+    return at;
   }
 
   #handleLine(words: readonly string[]): void {

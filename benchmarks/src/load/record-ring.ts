@@ -124,7 +124,7 @@ function ringOf(topic: string, records: readonly Uint8Array[]): RecordRing {
     recordBytes: records[0]!.length,
     messages: new Tape(messages),
     published: new Tape(messages.map((message) => clientFrame(OPCODE.binary, message))),
-    frames: new Tape(messages.map(serverFrame)),
+    frames: new Tape(messages.map((message) => serverFrame(message))),
     elements: new Tape(records.map((record) => delimited(LIST_ELEMENT_TAG, record))),
   };
 }

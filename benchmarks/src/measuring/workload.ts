@@ -29,6 +29,8 @@ export interface Measurement {
   readonly otherCpuShare: number;
   /** Everything that was not as it should be; empty is the only good value. */
   readonly faults: string[];
+  /** What else there is to say, a line each. Default: nothing */
+  readonly notes?: readonly string[];
 }
 
 /** One of the implementations that a workload measures and compares. */

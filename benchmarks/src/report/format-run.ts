@@ -1,3 +1,4 @@
+import { formatPeers } from './format-peers.ts';
 import { formatNumber, formatTable } from './format-table.ts';
 import {
   compareWithReference,
@@ -6,6 +7,7 @@ import {
   referenceOf,
   type Comparison,
   type RunResult,
+  type WorkloadResult,
 } from './results.ts';
 
 /** Above this, in cores, other processes are part of what was measured. */
@@ -18,8 +20,10 @@ export function formatRun(run: RunResult): string {
     const reference = referenceOf(workload);
     const rounds = workload.rounds[reference]?.length ?? 0;
     const header = ['', 'target', 'ratio', 'goal', '', 'rounds', 'median', reference, 'unit'];
-    return `${workload.title} (${rounds} rounds)\n${formatTable(header, compareWithReference(workload).map(row))}`;
+    const table = formatTable(header, compareWithReference(workload).map(row));
+    return [`${workload.title} (${rounds} rounds)`, table, ...notesOf(workload)].join('\n');
   });
+  const peers = [formatPeers(run.workloads)].filter((table) => table !== undefined);
   const faults = faultsOf(run);
   const otherCpu = otherCpuOf(run);
   return [
@@ -27,6 +31,7 @@ export function formatRun(run: RunResult): string {
       `${parameters.measureMs / 1000} s (commit ${commit.hash.slice(0, 9)}${commit.isDirty ? ' and changes' : ''}, ` +
       `Node ${machine.node}, ${machine.cores} cores, load ${machine.loadAverage.join(' -> ')})`,
     ...sections,
+    ...peers,
     `Other processes used ${otherCpu.median.toFixed(2)} cores (median), at most ${otherCpu.max.toFixed(2)}.` +
       (otherCpu.median > BUSY_SHARE
         ? ' THE MACHINE WAS BUSY: the figures are partly about that.'
@@ -35,6 +40,16 @@ export function formatRun(run: RunResult): string {
       ? 'Everything arrived that was to arrive: once, in order, unaltered.'
       : `NOT EVERYTHING ARRIVED AS SENT, the figures do not count:\n${faults.map((fault) => `  ${fault}`).join('\n')}`,
   ].join('\n\n');
+}
+
+/** What the last round of each subject says. */
+function notesOf({ rounds }: WorkloadResult): string[] {
+  return Object.entries(rounds).flatMap(([name, all]) => {
+    const notes = all.at(-1)?.notes ?? [];
+    return notes.length === 0
+      ? []
+      : [`\n${name}, last round:`, ...notes.map((note) => `  ${note}`)];
+  });
 }
 
 /** Empty where the reference has no such figure, or it is 0. */

@@ -1,7 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { brokerSubjects } from '../brokers/open-brokers.ts';
 import { startRawWs } from '../brokers/raw-ws.ts';
-import { REFERENCE, type Broker, type BrokerClient, type Target } from '../brokers/target.ts';
+import { REFERENCE, type Access, type Broker, type BrokerClient } from '../brokers/target.ts';
 import { startUbii } from '../brokers/ubii.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing } from '../load/record-ring.ts';
@@ -23,6 +23,8 @@ const FIRST_CONNECTIONS = 1000;
 const IDLE_CONNECTIONS = 1000;
 /** Clients that join or leave together. */
 const AT_ONCE = 10;
+/** Clients that come and leave before it is measured: the code of all that they ask for is compiled by then. */
+const WARM_UP_CLIENTS = 1500;
 /** Until what belongs to joining is over. */
 const SETTLE_MS = 2000;
 /** Nothing is published: the ring only says what would be expected. */
@@ -43,27 +45,30 @@ export const connecting: Workload = {
   placement: 'core-each',
   reference: REFERENCE,
   roundShare: 1 / 3,
-  open: (setting) => brokerSubjects(setting, measureConnecting),
+  open: (setting) =>
+    brokerSubjects(setting, (target, options) => measureConnecting(target, options)),
 };
 
-async function measureConnecting(
-  target: Target,
-  { warmUpMs, measureMs }: MeasureOptions,
+/** One measurement. */
+export async function measureConnecting(
+  target: Access,
+  { measureMs }: Pick<MeasureOptions, 'measureMs'>,
+  warmUpClients = WARM_UP_CLIENTS,
 ): Promise<Measurement> {
   const verifiers: DeliveryVerifier[] = [];
-  const joinAndLeaveFor = async (ms: number): Promise<number> => {
+  const joinAndLeave = async (ms: number, least: number): Promise<number> => {
     const endMs = performance.now() + ms;
     let clients = 0;
-    while (performance.now() < endMs) {
+    while (performance.now() < endMs || clients < least) {
       const joined = await joinMany(target, AT_ONCE, verifiers);
       await Promise.all(joined.map((client) => client.leave()));
       clients += joined.length;
     }
     return clients;
   };
-  await joinAndLeaveFor(warmUpMs);
-  const stopLap = startLap([target.pid]);
-  const clients = await joinAndLeaveFor(measureMs);
+  await joinAndLeave(0, warmUpClients);
+  const stopLap = startLap(target.pids);
+  const clients = await joinAndLeave(measureMs, 0);
   const lap = stopLap();
   return {
     figures: {
@@ -148,7 +153,7 @@ async function leaveAll(clients: readonly BrokerClient[]): Promise<void> {
 }
 
 async function joinMany(
-  target: Target,
+  target: Access,
   count: number,
   verifiers: DeliveryVerifier[],
 ): Promise<BrokerClient[]> {
@@ -156,7 +161,7 @@ async function joinMany(
   while (clients.length < count) {
     const next = Math.min(AT_ONCE, count - clients.length);
     const joined = Array.from({ length: next }, () => {
-      const verifier = new DeliveryVerifier(ring);
+      const verifier = new DeliveryVerifier(ring, target.wire);
       verifiers.push(verifier);
       return target.join({ publishes: false, topics: [ring.topic] }, verifier);
     });

@@ -25,7 +25,7 @@ const JOIN_AT_ONCE = 10;
 /** No record got to all subscribers for so long: what is missing is lost. */
 const STALL_MS = 2_000;
 
-interface FanOut {
+export interface FanOut {
   readonly name: string;
   readonly title: string;
   readonly subscribers: number;
@@ -35,34 +35,40 @@ interface FanOut {
 }
 
 /** One client publishes, 100 others receive small records. */
-export function fanOut(window: number, goals: FigureInfo['goals']): Workload {
-  const fan = {
+function fanOut(window: number): FanOut {
+  return {
     name: `fan-out-window-${window}`,
     title: `Fan-out 1 -> ${SUBSCRIBERS}, ${RECORD_BYTES} B record, window ${window}`,
     subscribers: SUBSCRIBERS,
     window,
     createRing: () => createRecordRing('fan-out', RECORD_BYTES),
   };
-  return workload(fan, goals);
 }
 
+export const FAN_OUT_64 = fanOut(64);
+export const FAN_OUT_1 = fanOut(1);
+
 /** One client publishes compressed pictures, 10 others receive them. */
-export const fanOutPictures: Workload = workload(
-  {
-    name: 'fan-out-pictures',
-    title: `Fan-out 1 -> ${PICTURE_SUBSCRIBERS}, picture of ${PICTURE_BYTES / 1000} kB, window ${PICTURES_UNDER_WAY}`,
-    subscribers: PICTURE_SUBSCRIBERS,
-    window: PICTURES_UNDER_WAY,
-    createRing: () => createPictureRing('pictures', PICTURE_BYTES, 4 * PICTURES_UNDER_WAY),
-  },
-  { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 },
-);
+export const FAN_OUT_PICTURES: FanOut = {
+  name: 'fan-out-pictures',
+  title: `Fan-out 1 -> ${PICTURE_SUBSCRIBERS}, picture of ${PICTURE_BYTES / 1000} kB, window ${PICTURES_UNDER_WAY}`,
+  subscribers: PICTURE_SUBSCRIBERS,
+  window: PICTURES_UNDER_WAY,
+  createRing: () => createPictureRing('pictures', PICTURE_BYTES, 4 * PICTURES_UNDER_WAY),
+};
+
+/** To our brokers and the bare one. */
+export const FAN_OUTS: readonly Workload[] = [
+  fanOutWorkload(FAN_OUT_64, { 'ubii-extension': 0.85, 'ubii-legacy': 0.7 }),
+  fanOutWorkload(FAN_OUT_1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
+  fanOutWorkload(FAN_OUT_PICTURES, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
+];
 
 /**
  * A record is done when all subscribers have it; at most `window` records are not done.
  * @param goals of the deliveries a second
  */
-function workload(fan: FanOut, goals: FigureInfo['goals']): Workload {
+export function fanOutWorkload(fan: FanOut, goals: FigureInfo['goals']): Workload {
   return {
     name: fan.name,
     group: 'fan-out',

@@ -19,7 +19,7 @@ import {
 const PATTERNS = 1000;
 const WITHOUT = 'without patterns';
 const WITH = `${PATTERNS} patterns`;
-/** Topics that are published before the master is waited for. */
+/** Records that are published before the master is waited for. */
 const BATCH = 100;
 /** Most batches before and in a measurement: together fewer topics than a client may have (limit `topicsPerClient`). */
 const WARM_UP_BATCHES = 300;
@@ -27,38 +27,55 @@ const MEASURED_BATCHES = 1_000;
 const STALL_MS = 2_000;
 const TOPIC_DATA_RECORD_TAG = 0x12;
 
-/** First records of new topics, while another client subscribes to patterns that match none of them. */
-export const firstPublish: Workload = {
-  name: 'first-publish',
-  group: 'connections',
-  title: `First record of a topic among ${PATTERNS} patterns that do not match`,
-  figures: [
-    {
-      ...{ key: 'cpuUs', label: 'CPU a topic, main thread', unit: 'µs', isHigherBetter: false },
-      goals: { [WITH]: 1.7 },
+/** Records of topics that are new, or that were published before, while another client subscribes to patterns that match none of them. */
+function amongPatterns(
+  name: string,
+  title: string,
+  { goal, nextTopic }: { goal: number; nextTopic: () => string },
+): Workload {
+  return {
+    name,
+    group: 'connections',
+    title: `${title} among ${PATTERNS} patterns that do not match`,
+    figures: [
+      {
+        key: 'cpuUs',
+        label: 'CPU a record, main thread',
+        unit: 'µs',
+        isHigherBetter: false,
+        goals: { [WITH]: goal },
+      },
+    ],
+    placement: 'core-each',
+    reference: WITHOUT,
+    roundShare: 1 / 3,
+    open: async ({ parts, master: file, profileDir }) => {
+      const master = await parts.get('master', () =>
+        MasterProcess.start({ program: file, profileDir }),
+      );
+      return [WITHOUT, WITH].map((subject) => ({
+        name: subject,
+        pids: [master.pid],
+        measure: (options) => measure(master, subject === WITH, nextTopic, options),
+      }));
     },
-  ],
-  placement: 'core-each',
-  reference: WITHOUT,
-  roundShare: 1 / 3,
-  open: async ({ parts, master: file, profileDir }) => {
-    const master = await parts.get('master', () =>
-      MasterProcess.start({ program: file, profileDir }),
-    );
-    return [WITHOUT, WITH].map((name) => ({
-      name,
-      pids: [master.pid],
-      measure: (options) => measure(master, name === WITH, options),
-    }));
-  },
-};
+  };
+}
 
 let topics = 0;
 
-/** The first record of the next topic that was not used yet. */
-function nextFrame(): Buffer {
-  topics += 1;
-  const record = encodeRecord({ topic: `/first/${topics}`, format: 'double', value: topics });
+export const firstPublish = amongPatterns('first-publish', 'First record of a topic', {
+  goal: 1.7,
+  nextTopic: () => `/first/${(topics += 1)}`,
+});
+
+export const laterPublish = amongPatterns('later-publish', 'Later records of a topic', {
+  goal: 1.05,
+  nextTopic: () => '/later',
+});
+
+function frameOf(topic: string): Buffer {
+  const record = encodeRecord({ topic, format: 'double', value: 1 });
   const message = [TOPIC_DATA_RECORD_TAG, record.length];
   return clientFrame(OPCODE.binary, Buffer.concat([Buffer.from(message), record]));
 }
@@ -66,6 +83,7 @@ function nextFrame(): Buffer {
 async function measure(
   master: MasterProcess,
   withPatterns: boolean,
+  nextTopic: () => string,
   { warmUpMs, measureMs }: MeasureOptions,
 ): Promise<Measurement> {
   // Its records follow each batch: when they come, the batch was handled.
@@ -84,7 +102,7 @@ async function measure(
     const endMs = performance.now() + ms;
     const before = batches;
     while (performance.now() < endMs && batches - before < mostBatches) {
-      const frames = Array.from({ length: BATCH }, nextFrame);
+      const frames = Array.from({ length: BATCH }, () => frameOf(nextTopic()));
       const came = new Promise<void>((resolve) => (verifier!.onProgress = resolve));
       publisher.connection.send(Buffer.concat([...frames, ring.published.slice(batches, 1)]));
       batches += 1;

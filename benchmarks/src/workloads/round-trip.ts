@@ -40,6 +40,13 @@ export const roundTrip: Workload = {
       goals: { 'ubii-extension': 1.2, 'ubii-legacy': 1.2 },
     },
     {
+      key: 'p999Us',
+      label: 'p99.9',
+      unit: 'µs',
+      isHigherBetter: false,
+      goals: { 'ubii-extension': 1.3, 'ubii-legacy': 1.3 },
+    },
+    {
       key: 'cpuUs',
       label: 'broker CPU a message',
       unit: 'µs',
@@ -150,6 +157,7 @@ export async function measureLegs(
     figures: {
       p50Us: percentile(sorted, 0.5),
       p99Us: percentile(sorted, 0.99),
+      p999Us: percentile(sorted, 0.999),
       cpuUs: lap.cpuUs / sampleCount,
       loadCpu: lap.loadCpuShare,
     },

@@ -3,6 +3,7 @@ export type { MasterStart } from './master/command-line.ts';
 export type { MasterEndpoints } from './master/endpoints.ts';
 export { MasterProcess } from './master/master-process.ts';
 export { readMetrics } from './master/service-call.ts';
+export * from './mqtt/start-mosquitto.ts';
 export * from './nats/start-nats.ts';
 export * from './network/cuttable-port.ts';
 export * from './network/dial-loopback.ts';

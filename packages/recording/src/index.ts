@@ -36,7 +36,6 @@ export {
 } from './reading/outline-reader.ts';
 export { changeRecording, type RecordingChange } from './repair/change-recording.ts';
 export { repairRecording, type Repair } from './repair/repair-recording.ts';
-export { FlightRing, type FlightRingContent, type FlightRingLimits } from './flight/flight-ring.ts';
 export {
   Playback,
   type PlaybackOptions,

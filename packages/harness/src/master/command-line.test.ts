@@ -7,7 +7,7 @@ const START = { program: 'main.js', dataDir: '/data' };
 describe('the command line of a master', () => {
   it('has defaults', () => {
     expect(masterCommand(START, false).join(' ')).toBe(
-      `${process.execPath} main.js --host 127.0.0.1 --port 0 --legacy-ports off --mdns off --log-format json --data-dir /data --print-endpoints json`,
+      `${process.execPath} --enable-source-maps --max-semi-space-size=8 main.js --host 127.0.0.1 --port 0 --legacy-ports off --mdns off --log-format json --data-dir /data --print-endpoints json`,
     );
   });
 
@@ -29,6 +29,6 @@ describe('the command line of a master', () => {
       false,
     ).join(' ');
     expect(command).toMatch(/^ip netns exec a bash -c ulimit -n 50; exec "\$@" limited /);
-    expect(command).toMatch(/--cpu-prof-name=ubii\.cpuprofile --expose-gc main\.js/);
+    expect(command).toMatch(/--cpu-prof-name=ubii\.cpuprofile .* --expose-gc main\.js/);
   });
 });

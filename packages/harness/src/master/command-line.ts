@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { cpuProfileFlags } from '../process/cpu-profile.ts';
 
 /** Flags with values that hold unless they are given. */
@@ -7,6 +8,11 @@ const DEFAULTS = [
   ['--mdns', 'off'],
   ['--log-format', 'json'],
 ] as const;
+
+/** Flags of Node that `npm start` gives. */
+const STARTED_WITH = JSON.parse(
+  readFileSync(new URL('../../../../apps/master/node-flags.json', import.meta.url), 'utf8'),
+) as readonly string[];
 
 /** How a master is started. */
 export interface MasterStart {
@@ -46,6 +52,7 @@ export function masterCommand(start: ResolvedStart, isTrusted: boolean): readonl
     ...limitDescriptors(start.maxDescriptors),
     process.execPath,
     ...cpuProfileFlags(start.profileDir, start.profileName ?? 'ubii'),
+    ...STARTED_WITH,
     ...nodeFlags,
     start.program,
     ...network,

@@ -1,20 +1,26 @@
-import type { FlightRecorder as FlightMessage } from '@ubii/proto';
+import type { FlightRecorder as FlightMessage, FlightRecorderSettings } from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
-import { FlightRing } from '../flight/flight-ring.ts';
-import type { RecordedRecord } from '../records/recorded-record.ts';
-import type { RecordingEvent } from '../records/recording-event.ts';
-import type { RecordingWriter } from '../writing/recording-writer.ts';
-import type { FlightJob, MarkerJob } from './recorder.ts';
+import type { NamedChannel } from '../arena/channels.ts';
+import type { RecordMemory } from '../arena/record-memory.ts';
+import type { RecordSpans } from '../arena/shared-records.ts';
 import { MarkerList } from './marker-list.ts';
 import { msOf, nsOf } from './nanoseconds.ts';
+import type { MarkerJob } from './recorder.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
+import { HeldEvents } from './held-events.ts';
 
 /** Bars of the chart of rates. */
 const SLOTS = 60;
 const MS_PER_MINUTE = 60_000;
 /** Between two drops of what is over while nothing comes. What is read is exact. */
 const MIN_DROP_MS = 1000;
-const NS_PER_S = 1_000_000_000n;
-const OFF = { isOn: false, minutes: 0, maxBytes: 0, withImages: false };
+/** Between two drops when there is more: other work comes first. */
+const NEXT_DROP_MS = 5;
+/** Clocks are read again when records are further apart. */
+const BASE_MS = 1000;
+/** Share of the memory for events: an eighth. */
+const SHARE = 8;
+const OFF: FlightRecorderSettings = { isOn: false, minutes: 0, maxBytes: 0, withImages: false };
 
 /** What a flight recorder works with. */
 export interface FlightContext {
@@ -24,17 +30,41 @@ export interface FlightContext {
   readonly onDrop: () => void;
 }
 
+/** What the flight recorder holds at a moment, to be written by another thread. */
+export interface FlightSnapshot {
+  /** Where the records are, in memory that both threads have. */
+  readonly spans: RecordSpans;
+  /** How many there are: fewer are read when some are overwritten meanwhile. */
+  readonly records: number;
+  /** When the time begins that is kept, epoch milliseconds. */
+  readonly startMs: number;
+  readonly channels: readonly NamedChannel[];
+  /** Values that stood before the first record of their channel. */
+  readonly standing: readonly FlightValue[];
+  readonly events: readonly RecordingEvent[];
+}
+
+/** A value that stood, with the number of its channel. */
+export interface FlightValue {
+  readonly channel: number;
+  readonly timeMs: number;
+  readonly record: Uint8Array<ArrayBuffer>;
+}
+
 /** The last minutes, in memory. [RC-30] */
 export class FlightRecorder {
   readonly #context: FlightContext;
-  #settings: Omit<FlightJob, 'present'> = OFF;
-  #ring: FlightRing | undefined = undefined;
+  #settings = OFF;
+  #memory: RecordMemory | undefined = undefined;
+  #events = new HeldEvents();
   #markers: MarkerList;
   /** Records of each slot of time, by the number of the slot since the epoch. */
-  readonly #slots = new Map<number, number>();
+  readonly #slots = new Map<number, { count: number }>();
+  #slot = { fromMs: 0, untilMs: 0, count: 0 };
   #lost = 0;
-  /** A log time, and what the clocks showed then. Differences of one clock are times that passed, whoever set it. */
-  #base = { logTimeNs: 0n, wallMs: 0, monotonicMs: 0 };
+  #newestMs = -Infinity;
+  /** Time of a record, and what the clocks showed then. Differences of one clock are times that passed, whoever set it. */
+  #base = { timeMs: 0, wallMs: 0, monotonicMs: 0 };
   #cancelDrop: Cancel | undefined = undefined;
 
   constructor(context: FlightContext) {
@@ -42,34 +72,41 @@ export class FlightRecorder {
     this.#markers = new MarkerList([], context.maxMarkers);
   }
 
-  get isOn(): boolean {
-    return this.#ring !== undefined;
+  get settings(): FlightRecorderSettings {
+    return this.#settings;
   }
 
-  get #slotMs(): number {
-    return (this.#settings.minutes * MS_PER_MINUTE) / SLOTS;
+  /** Records before this moment come of a clock that was set back: what is held would stand in the future for hours. */
+  get earliestMs(): number {
+    return this.#newestMs - this.#lengthMs;
   }
 
   /** [RC-31] */
-  set({ present, ...settings }: FlightJob): void {
-    if (settings.minutes !== this.#settings.minutes) this.#slots.clear();
+  set(settings: FlightRecorderSettings, present: readonly RecordingEvent[]): void {
+    const wasOn = this.#settings.isOn;
+    if (settings.minutes !== this.#settings.minutes) this.#forgetRates();
     this.#settings = settings;
-    const { isOn, minutes, maxBytes, withImages } = settings;
-    const limits = { maxMs: minutes * MS_PER_MINUTE, maxBytes, withImages };
-    if (!isOn) {
-      this.#ring = undefined;
-      this.#slots.clear();
-      this.#markers = new MarkerList([], this.#context.maxMarkers);
-      this.close();
-    } else if (this.#ring === undefined) {
-      this.#ring = new FlightRing(limits);
-      this.#setBase(nsOf(this.#context.clock.nowMs()));
-      for (const event of present) this.addEvent(event);
-    } else {
-      this.#ring.setLimits(limits);
-      this.close();
-      this.#waitForDrop();
-    }
+    this.close();
+    if (!settings.isOn) return this.clear();
+    if (wasOn) return this.#waitForDrop();
+    this.#setBase(this.#context.clock.nowMs());
+    for (const event of present) this.addEvent(event);
+  }
+
+  /** @param memory with its records; undefined before the first one */
+  use(memory: RecordMemory | undefined): void {
+    this.#memory = memory;
+    this.#reserve();
+  }
+
+  /** Forgets all but the memory. */
+  clear(): void {
+    this.#forgetRates();
+    this.#markers = new MarkerList([], this.#context.maxMarkers);
+    this.#events = new HeldEvents();
+    this.#newestMs = -Infinity;
+    this.#reserve();
+    this.close();
   }
 
   /** Ends the timer. */
@@ -78,116 +115,178 @@ export class FlightRecorder {
     this.#cancelDrop = undefined;
   }
 
-  addRecord(record: RecordedRecord, timeMs: number): void {
-    if (this.#ring === undefined) return;
-    this.#ring.addRecord(record);
-    const { logTimeNs } = record;
-    const aheadNs = logTimeNs - this.#base.logTimeNs;
+  /** A record came into the memory. */
+  count(timeMs: number): void {
+    if (timeMs > this.#newestMs) this.#newestMs = timeMs;
     // Reading clocks for each record would cost more than keeping it.
-    if (aheadNs >= NS_PER_S || aheadNs <= -NS_PER_S) this.#setBase(logTimeNs);
-    this.#waitForDrop();
-    const slot = Math.floor(timeMs / this.#slotMs);
-    const count = this.#slots.get(slot);
-    this.#slots.set(slot, (count ?? 0) + 1);
-    if (count === undefined && this.#slots.size > 2 * SLOTS) this.#forgetSlots(slot);
+    const aheadMs = timeMs - this.#base.timeMs;
+    if (aheadMs >= BASE_MS || aheadMs <= -BASE_MS) this.#setBase(timeMs);
+    if (timeMs < this.#slot.fromMs || timeMs >= this.#slot.untilMs) this.#openSlot(timeMs);
+    this.#slot.count++;
+    if (this.#cancelDrop === undefined) this.#waitForDrop();
   }
 
   /** Tells that a topic has no value any more. [RC-33] */
   forget(topic: string): void {
     this.#pass();
-    this.#ring?.forget(topic);
+    this.#memory?.endTopic(topic, this.#presentMs);
     this.#waitForDrop();
   }
 
   addEvent(event: RecordingEvent): void {
     if (event.kind === 'gap') this.#lost += event.value.records;
-    if (this.#ring === undefined) return;
+    if (!this.#settings.isOn) return;
     this.#pass();
-    this.#ring.addEvent(event);
+    // A marker may stand for a moment to come; it leaves as one of now.
+    const nowNs = nsOf(this.#presentMs);
+    this.#events.add(event, event.timeNs < nowNs ? event.timeNs : nowNs);
+    this.#events.limit(this.#settings.maxBytes / SHARE);
+    this.#reserve();
     this.#waitForDrop();
   }
 
   /** @throws ServiceError when the marker is refused */
   mark(job: MarkerJob): void {
-    if (this.#ring === undefined) return;
+    if (!this.#settings.isOn) return;
     this.#pass();
     // Changes of what is over do not count.
     this.#markers = new MarkerList(this.#markers.values(), this.#context.maxMarkers);
     this.addEvent(this.#markers.apply(job));
   }
 
-  /** Writes what is held. [RC-32] */
-  async writeTo(writer: RecordingWriter): Promise<void> {
+  /** What is held now, to be written. [RC-32] */
+  snapshot(): FlightSnapshot {
     this.#pass();
-    await this.#ring?.writeTo(writer);
+    const memory = this.#memory;
+    const standing = [...(memory?.standing ?? [])].map(([{ number }, value]) => ({
+      ...value,
+      channel: number,
+    }));
+    const none = { from: 0, to: 0 };
+    return {
+      spans: memory?.spans ?? { small: none, large: none },
+      records: memory?.records ?? 0,
+      startMs: this.#startMs(),
+      channels: memory?.channels.list() ?? [],
+      standing,
+      events: [...this.#events],
+    };
   }
 
   toMessage(): FlightMessage {
     this.#pass();
-    const { heldMs, heldBytes, records, topics } = this.#ring?.content ?? {
-      ...{ heldMs: 0, heldBytes: 0, records: 0, topics: 0 },
-    };
-    const last = Math.floor(this.#context.clock.nowMs() / this.#slotMs);
-    const recordsPerSecond = this.isOn
-      ? Array.from({ length: SLOTS }, (_, index) => {
-          const count = this.#slots.get(last - SLOTS + 1 + index) ?? 0;
-          return (count * 1000) / this.#slotMs;
-        })
-      : [];
+    const memory = this.#memory;
+    const isEmpty = memory?.oldestMs === undefined;
     return {
       ...this.#settings,
-      heldMs,
-      heldBytes,
-      recordCount: records,
-      topicCount: topics,
-      recordsPerSecond,
+      heldMs: isEmpty ? 0 : Math.max(0, this.#newestMs - this.#startMs()),
+      heldBytes: (memory?.heldBytes ?? 0) + this.#events.bytes,
+      recordCount: memory?.records ?? 0,
+      topicCount: memory?.channels.topicCount ?? 0,
+      recordsPerSecond: this.#rates(),
       lostCount: this.#lost,
     };
   }
 
-  /** Log time of now. A clock that was set back, and one that stands still while the machine sleeps, hold nothing up. */
-  #nowNs(): bigint {
-    const { clock } = this.#context;
-    const { logTimeNs, wallMs, monotonicMs } = this.#base;
-    const passedMs = Math.max(clock.nowMs() - wallMs, clock.monotonicMs() - monotonicMs, 0);
-    return logTimeNs + nsOf(passedMs);
+  get #lengthMs(): number {
+    return this.#settings.minutes * MS_PER_MINUTE;
   }
 
-  #setBase(logTimeNs: bigint): void {
-    const { clock } = this.#context;
-    this.#base = { logTimeNs, wallMs: clock.nowMs(), monotonicMs: clock.monotonicMs() };
+  get #slotMs(): number {
+    return this.#lengthMs / SLOTS;
   }
 
-  /** Lets what is over leave memory. [RC-35] */
-  #pass(): void {
-    if (this.#ring === undefined) return;
-    const nowNs = this.#nowNs();
-    this.#ring.advanceTo(nowNs);
-    const sinceMs = msOf(nowNs) - this.#settings.minutes * MS_PER_MINUTE;
+  /** Time of now. A clock that was set back, and one that stands still while the machine sleeps, hold nothing up. */
+  get #nowMs(): number {
+    const { clock } = this.#context;
+    const { timeMs, wallMs, monotonicMs } = this.#base;
+    return timeMs + Math.max(clock.nowMs() - wallMs, clock.monotonicMs() - monotonicMs, 0);
+  }
+
+  get #presentMs(): number {
+    return Math.max(this.#nowMs, this.#newestMs);
+  }
+
+  /** When the time begins that is held. */
+  #startMs(): number {
+    const oldestMs = this.#memory?.oldestMs ?? this.#newestMs;
+    return Math.max(oldestMs, this.#presentMs - this.#lengthMs);
+  }
+
+  #setBase(timeMs: number): void {
+    const { clock } = this.#context;
+    this.#base = { timeMs, wallMs: clock.nowMs(), monotonicMs: clock.monotonicMs() };
+  }
+
+  /** Lets what is over leave memory. @returns whether there is more [RC-35] */
+  #pass(): boolean {
+    if (!this.#settings.isOn) return false;
+    const sinceMs = this.#presentMs - this.#lengthMs;
+    const isMore = this.#memory?.expire(sinceMs) ?? false;
+    this.#events.expire(nsOf(sinceMs));
+    this.#reserve();
     const markers = this.#markers.values();
     const held = markers.filter(({ timeMs }) => timeMs >= sinceMs);
     if (held.length < markers.length)
       this.#markers = new MarkerList(held, this.#context.maxMarkers);
+    return isMore;
+  }
+
+  #reserve(): void {
+    this.#memory?.reserve(this.#events.bytes);
   }
 
   /** One timer, as long as something held will be over. */
-  #waitForDrop(): void {
+  #waitForDrop(isMore = false): void {
     if (this.#cancelDrop !== undefined) return;
-    const endNs = this.#ring?.nextEndNs;
-    if (endNs === undefined) return;
-    const delayMs = Math.max(MIN_DROP_MS, Math.ceil(msOf(endNs - this.#nowNs())) + 1);
+    const oldestMs = this.#oldestMs();
+    if (oldestMs === undefined) return;
+    const dueMs = Math.ceil(oldestMs + this.#lengthMs - this.#nowMs) + 1;
+    const delayMs = isMore ? NEXT_DROP_MS : Math.max(MIN_DROP_MS, dueMs);
     this.#cancelDrop = this.#context.clock.after(delayMs, () => {
       this.#cancelDrop = undefined;
-      const before = this.#ring?.content.heldBytes;
-      this.#pass();
-      this.#waitForDrop();
-      if (this.#ring?.content.heldBytes !== before) this.#context.onDrop();
+      const before = this.#heldBytes();
+      this.#waitForDrop(this.#pass());
+      if (this.#heldBytes() !== before) this.#context.onDrop();
     });
   }
 
-  #forgetSlots(newest: number): void {
-    for (const slot of this.#slots.keys()) {
-      if (slot <= newest - SLOTS) this.#slots.delete(slot);
-    }
+  #heldBytes(): number {
+    return (this.#memory?.heldBytes ?? 0) + this.#events.bytes;
+  }
+
+  /** Of records and events; undefined when only standing values and states are held. */
+  #oldestMs(): number | undefined {
+    const recordMs = this.#memory?.oldestMs;
+    const eventNs = this.#events.oldestNs;
+    if (eventNs === undefined) return recordMs;
+    return Math.min(recordMs ?? Infinity, msOf(eventNs));
+  }
+
+  #openSlot(timeMs: number): void {
+    const number = Math.floor(timeMs / this.#slotMs);
+    const known = this.#slots.get(number);
+    this.#slot = {
+      fromMs: number * this.#slotMs,
+      untilMs: (number + 1) * this.#slotMs,
+      count: known?.count ?? 0,
+    };
+    this.#slots.set(number, this.#slot);
+    if (this.#slots.size <= 2 * SLOTS) return;
+    for (const slot of this.#slots.keys()) if (slot <= number - SLOTS) this.#slots.delete(slot);
+  }
+
+  #forgetRates(): void {
+    this.#slots.clear();
+    this.#slot = { fromMs: 0, untilMs: 0, count: 0 };
+  }
+
+  #rates(): number[] {
+    if (!this.#settings.isOn) return [];
+    const last = Math.floor(this.#context.clock.nowMs() / this.#slotMs);
+    return Array.from({ length: SLOTS }, (_, index) => {
+      const count = this.#slots.get(last - SLOTS + 1 + index)?.count ?? 0;
+      return (count * 1000) / this.#slotMs;
+    });
   }
 }

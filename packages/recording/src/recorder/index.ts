@@ -1,23 +1,21 @@
+export { FLIGHT_TARGET } from '../arena/flight-target.ts';
 export {
-  FLIGHT_TARGET,
   type FlightJob,
   type KeptRecording,
   type MarkerJob,
   type Recorder,
-  type RecordingBatch,
   type RecorderList,
   type RecorderState,
   type RecordingJob,
   type RecordingPage,
   type RecordingTexts,
-  type RecordSource,
-  type RecordToKeep,
   type RunningJob,
 } from './recorder.ts';
 export { clientEvent, clockEvent, deviceEvent, eventOf, gapEvent, sessionEvent } from './facts.ts';
 export { MAX_TIME_MS } from '../records/event-schemas.ts';
 export { msOf, nsOf } from './nanoseconds.ts';
-export { RecorderEngine, type RecorderContext } from './recorder-engine.ts';
+export type { RecorderContext } from './recorder-engine.ts';
+export { recordHere } from './local-recorder.ts';
 export type { RecorderLimits } from './recorder-limits.ts';
 export { LocalChecker } from './check-file.ts';
 export type { CheckJob, FileChecker, Verdict } from './file-checker.ts';
@@ -31,4 +29,4 @@ export type { OpenFile, RecordingFolder } from './recording-folder.ts';
 export { AT_MASTER, WITHOUT_PAGE } from './file-facts.ts';
 export { elementsFrom } from './recording-page.ts';
 export { isInternalTopic } from './internal-topics.ts';
-export { OpenBatch, recordsOf, type BatchedSource } from './recording-batch.ts';
+export type { ChannelSource } from '../arena/channels.ts';

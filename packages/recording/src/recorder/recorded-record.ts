@@ -1,11 +1,10 @@
 import { describeRecord } from '../records/describe-record.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
-import type { RecordSource } from './recorder.ts';
 import { nsOf } from './nanoseconds.ts';
 
 /** A record as it stands in files, with the time of its publisher. */
 export function recordedOf(
-  { topic, clientId }: RecordSource,
+  { topic, clientId }: Pick<RecordedRecord, 'topic' | 'clientId'>,
   record: Uint8Array,
   timeMs: number,
 ): RecordedRecord {

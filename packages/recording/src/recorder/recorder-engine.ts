@@ -1,34 +1,30 @@
-import {
-  RecordingKind,
-  ServiceError,
-  type FlightRecorder as FlightMessage,
-  type Recording,
-  type RecordingMarker,
-} from '@ubii/proto';
+import { RecordingKind, ServiceError, type Recording, type RecordingMarker } from '@ubii/proto';
 import { RecordingWriter } from '../writing/recording-writer.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { Cancel, Clock } from '@ubii/timing';
+import type { NamedChannel } from '../arena/channels.ts';
 import {
-  FLIGHT_TARGET,
-  type FlightJob,
-  type KeptRecording,
-  type MarkerJob,
-  type Recorder,
-  type RecorderList,
-  type RecorderState,
-  type RecordingJob,
-  type RecordingTexts,
-  type RecordingBatch,
-  type RecordToKeep,
-  type RunningJob,
-  type RecordingPage,
+  erase,
+  SharedReader,
+  type RecordSpans,
+  type SharedRecords,
+} from '../arena/shared-records.ts';
+import type { FlightSnapshot } from './flight-recorder.ts';
+import { writeFlight } from './write-flight.ts';
+import type { FileRecorder, FileState } from './file-recorder.ts';
+import type {
+  KeptRecording,
+  MarkerJob,
+  RecorderList,
+  RecordingJob,
+  RecordingTexts,
+  RunningJob,
+  RecordingPage,
 } from './recorder.ts';
 import { factsOf, formatHeader } from './file-facts.ts';
 import { LocalChecker } from './check-file.ts';
 import type { FileChecker } from './file-checker.ts';
 import { FileList } from './file-list.ts';
-import { FlightRecorder } from './flight-recorder.ts';
-import { recordsOf } from './recording-batch.ts';
 import { recordedOf } from './recorded-record.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
 import type { RecordingFolder } from './recording-folder.ts';
@@ -46,31 +42,29 @@ export interface RecorderContext {
 /** Time between two looks at what runs, milliseconds: chunks end with it, so that a crash loses less than a second [RC-7]. */
 const TICK_MS = 500;
 
-/** Records into files and into memory. The master runs it on a thread of its own. */
-export class RecorderEngine implements Recorder {
+/** Records are read for files in pieces of this many: other calls come in between. */
+const RECORDS_A_TURN = 1000;
+
+/** Writes files of what it reads in shared memory. The master runs it on a thread of its own. */
+export class RecorderEngine implements FileRecorder {
   readonly #context: RecorderContext;
-  readonly #flight: FlightRecorder;
   readonly #files: FileList;
   readonly #checker: FileChecker;
   readonly #running: RunningRecordings;
-  #listener: (state: RecorderState) => void = () => undefined;
+  /** Names of channels, by number. */
+  readonly #channels = new Map<number, NamedChannel>();
+  #memory: SharedRecords | undefined = undefined;
+  #reader: SharedReader | undefined = undefined;
+  #listener: (state: FileState) => void = () => undefined;
   #queue: Promise<unknown> = Promise.resolve();
-  #waitingBytes = 0;
   #listRevision = 0;
   #ticks = 0;
-  /** Something was recorded since the last tick. */
-  #isActive = false;
   #cancelTick: Cancel | undefined = undefined;
 
   constructor(context: RecorderContext) {
-    const { folder, clock, limits } = context;
+    const { folder, limits } = context;
     this.#context = context;
     this.#checker = context.checker ?? new LocalChecker(folder, limits);
-    this.#flight = new FlightRecorder({
-      clock,
-      maxMarkers: limits.markersPerRecording,
-      onDrop: () => this.#emit(),
-    });
     this.#files = new FileList({
       folder,
       limits,
@@ -81,36 +75,41 @@ export class RecorderEngine implements Recorder {
     this.#running = new RunningRecordings({ ...context, files: this.#files });
   }
 
-  get waitingBytes(): number {
-    return this.#waitingBytes;
-  }
+  readonly generation = 0;
 
-  add(batch: RecordingBatch): void {
-    void this.take(batch);
-  }
-
-  /** Like `add`; resolves when the records are taken in. */
-  take(batch: RecordingBatch): Promise<void> {
-    const bytes = batch.byteLength;
-    this.#waitingBytes += bytes;
-    this.#startTicks();
-    return this.#inOrder(async () => {
-      for (const record of recordsOf(batch)) this.#addRecord(record);
-      await this.#running.taken();
-      this.#waitingBytes -= bytes;
+  open(memory: SharedRecords): void {
+    void this.#inOrder(() => {
+      this.#memory = memory;
+      this.#reader = new SharedReader(memory);
+      return Promise.resolve();
     });
   }
 
-  endTopics(topics: readonly string[]): void {
+  erase(memory: SharedRecords): void {
     void this.#inOrder(() => {
-      for (const topic of topics) this.#flight.forget(topic);
+      erase(memory);
       return Promise.resolve();
+    });
+  }
+
+  read(spans: RecordSpans, channels: readonly NamedChannel[]): Promise<void> {
+    return this.#inOrder(async () => {
+      for (const channel of channels) this.#channels.set(channel.number, channel);
+      if (this.#running.size === 0) return;
+      const wanted = this.#running.targets;
+      let count = 0;
+      for (const { channel, record, targets, timeMs } of this.#reader?.read(spans) ?? []) {
+        const source = this.#channels.get(channel);
+        if ((targets & wanted) === 0 || source === undefined) continue;
+        this.#running.addRecord(recordedOf(source, record, timeMs), targets);
+        if (++count % RECORDS_A_TURN === 0) await this.#running.taken();
+      }
+      await this.#running.taken();
     });
   }
 
   addEvent(event: RecordingEvent, targets: number): void {
     void this.#inOrder(() => {
-      if ((targets & FLIGHT_TARGET) !== 0) this.#flight.addEvent(event);
       this.#running.addEvent(event, targets);
       return Promise.resolve();
     });
@@ -167,12 +166,11 @@ export class RecorderEngine implements Recorder {
     this.#emit();
   }
 
-  async mark(job: MarkerJob): Promise<RecordingMarker> {
+  async mark(job: MarkerJob, isFlightOn: boolean): Promise<RecordingMarker> {
     const { marker, mayChangeAll } = job;
     const isMarked = await this.#inOrder(() => Promise.resolve(this.#running.mark(job)));
     if (marker.recordingId === '') {
-      if (!isMarked && !this.#flight.isOn) throw nothingToMark();
-      this.#flight.mark(job);
+      if (!isMarked && !isFlightOn) throw nothingToMark();
     } else if (!isMarked) {
       if (!mayChangeAll) throw isFinished();
       await this.#files.mark(job);
@@ -181,20 +179,8 @@ export class RecorderEngine implements Recorder {
     return marker;
   }
 
-  setFlight(job: FlightJob): Promise<FlightMessage> {
-    return this.#inOrder(() => {
-      this.#flight.set(job);
-      this.#emit();
-      return Promise.resolve(this.#flight.toMessage());
-    });
-  }
-
-  flight(): Promise<FlightMessage> {
-    return this.#inOrder(() => Promise.resolve(this.#flight.toMessage()));
-  }
-
-  async keep(job: RecordingJob): Promise<Recording> {
-    await this.#inOrder(() => this.#writeFlight(job));
+  async keep(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording> {
+    await this.#inOrder(() => this.#writeFlight(job, snapshot));
     const recording = await this.#files.read(job.id);
     await this.#makeRoom();
     this.#emit();
@@ -207,17 +193,14 @@ export class RecorderEngine implements Recorder {
     return recording;
   }
 
-  onState(listener: (state: RecorderState) => void): void {
+  onState(listener: (state: FileState) => void): void {
     this.#listener = listener;
   }
 
   async close(): Promise<void> {
     this.#cancelTick?.();
     await this.#checker.close();
-    await this.#inOrder(() => {
-      this.#flight.close();
-      return this.#running.stopAll();
-    });
+    await this.#inOrder(() => this.#running.stopAll());
   }
 
   /** Carries out one after the other. */
@@ -227,21 +210,16 @@ export class RecorderEngine implements Recorder {
     return done;
   }
 
-  #addRecord({ source, record, timeMs, targets }: RecordToKeep): void {
-    this.#isActive = true;
-    const recorded = recordedOf(source, record, timeMs);
-    if ((targets & FLIGHT_TARGET) !== 0) this.#flight.addRecord(recorded, timeMs);
-    this.#running.addRecord(recorded, targets);
-  }
-
-  async #writeFlight(job: RecordingJob): Promise<void> {
+  async #writeFlight(job: RecordingJob, snapshot: FlightSnapshot): Promise<void> {
     const { folder } = this.#context;
     try {
       const file = await this.#files.create(job.id);
       try {
         const facts = factsOf(job, RecordingKind.RECORDING_KIND_FLIGHT_RECORDER, this.#nowMs());
         const writer = await RecordingWriter.create(file, formatHeader(facts));
-        await this.#flight.writeTo(writer);
+        // All at once: what is not copied yet may be overwritten.
+        const reader = this.#memory && new SharedReader(this.#memory, Infinity);
+        await writeFlight(snapshot, reader, writer);
         await writer.end();
       } finally {
         await file.close();
@@ -270,23 +248,19 @@ export class RecorderEngine implements Recorder {
 
   async #tick(): Promise<void> {
     this.#cancelTick = undefined;
-    if (this.#running.size === 0 && !this.#isActive) return;
-    this.#isActive = false;
+    if (this.#running.size === 0) return;
     this.#ticks++;
-    if (this.#running.size > 0) {
-      await this.#running.flush();
-      void this.#makeRoom();
-      await this.#running.stopDue();
-    }
+    await this.#running.flush();
+    void this.#makeRoom();
+    await this.#running.stopDue();
     if (this.#ticks % 2 === 0) this.#emit();
     this.#startTicks();
   }
 
-  #state(): RecorderState {
+  #state(): FileState {
     const { targets } = this.#running;
     const running = this.#running.toMessages();
-    const flight = this.#flight.toMessage();
-    return { running, targets, flight, listRevision: this.#listRevision };
+    return { running, targets, listRevision: this.#listRevision };
   }
 
   #emit(): void {

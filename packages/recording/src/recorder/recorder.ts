@@ -7,45 +7,8 @@ import type {
   RecordingSelection,
   RecordingStudy,
 } from '@ubii/proto';
+import type { ChannelSource } from '../arena/channels.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
-
-/** Who publishes what. The same object for all records of one publisher on one topic. */
-export interface RecordSource {
-  readonly topic: string;
-  /** Id of the client that publishes; empty for the master. */
-  readonly clientId: string;
-}
-
-/** A record as it comes to the recorder. */
-export interface RecordToKeep {
-  readonly source: RecordSource;
-  /** Encoded `ubii.topicData.TopicDataRecord`; not modified any more. */
-  readonly record: Uint8Array;
-  /** When it came, epoch milliseconds. */
-  readonly timeMs: number;
-  /** Bits of what records it: `FLIGHT_TARGET`, and the targets of recordings. */
-  readonly targets: number;
-}
-
-/** Records on their way into recordings, in memory that the recorder takes over. */
-export interface RecordingBatch {
-  readonly count: number;
-  /** Bits of what records any of them. */
-  readonly targets: number;
-  /** Bytes of the records. */
-  readonly byteLength: number;
-  /** Each source once. */
-  readonly sources: readonly RecordSource[];
-  /** Four numbers for each record: place of its source, targets, bytes, time. There may be room for more. */
-  readonly heads: Float64Array<ArrayBuffer>;
-  /** The small records one after another. There may be room for more. */
-  readonly bytes: Uint8Array<ArrayBuffer>;
-  /** The records of more than `MAX_JOINED_BYTES`, in order, each in memory of its own. */
-  readonly large: readonly Uint8Array<ArrayBuffer>[];
-}
-
-/** Target of the flight recorder. */
-export const FLIGHT_TARGET = 1;
 
 /** A recording to start, or to keep of the flight recorder. */
 export interface RecordingJob {
@@ -71,7 +34,7 @@ export interface RecordingJob {
 
 /** A recording to start. */
 export interface RunningJob extends RecordingJob {
-  /** Its bit in `RecordToKeep.targets`, from 2 to 2^15. */
+  /** Its bit in the targets of records, from 2 to 2^15. */
   readonly target: number;
   readonly selection: RecordingSelection;
   /** All members are set. */
@@ -140,14 +103,20 @@ export interface RecordingPage {
  * a `ServiceError`.
  */
 export interface Recorder {
-  /** Bytes of records that were added and are not taken in yet. */
-  readonly waitingBytes: number;
-  /** Records a batch, whose memory now belongs to the recorder. Never throws, and never waits. */
-  add(batch: RecordingBatch): void;
-  /** Tells the flight recorder of topics that have no value any more, after the records before. Never throws. */
-  endTopics(topics: readonly string[]): void;
+  /**
+   * Copies a record. Never throws, and never waits.
+   *
+   * @param record encoded `ubii.topicData.TopicDataRecord`
+   * @param timeMs when it came, epoch milliseconds
+   * @param targets bits of what records it: `FLIGHT_TARGET`, and the targets of recordings
+   */
+  add(source: ChannelSource, record: Uint8Array, timeMs: number, targets: number): void;
+  /** Tells the flight recorder that a topic has no value any more, after the records before. Never throws. */
+  endTopic(topic: string): void;
   /** Records an event in these targets. Never throws. */
   addEvent(event: RecordingEvent, targets: number): void;
+  /** Has files take what came so far. */
+  flush(): void;
   /** Resolves when the file is open. */
   start(job: RunningJob): Promise<Recording>;
   /** Closes the file. A recording that is finished stays as it is. */

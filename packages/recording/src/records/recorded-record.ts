@@ -17,7 +17,8 @@ export interface RecordedRecord {
 export interface ForeignChannel {
   /** Undefined for messages without one. */
   readonly schema:
-    { readonly name: string; readonly encoding: string; readonly data: Uint8Array } | undefined;
+    | { readonly name: string; readonly encoding: string; readonly data: Uint8Array }
+    | undefined;
   /** Such as `cdr` or `json`. */
   readonly messageEncoding: string;
   readonly metadata: ReadonlyMap<string, string>;

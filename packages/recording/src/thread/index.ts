@@ -1,4 +1,4 @@
 export { openThread, type ThreadOptions } from './open-thread.ts';
 export type { CheckLimits } from './check-messages.ts';
 export { ProcessChecker, type ProcessCheckerOptions } from './process-checker.ts';
-export { WorkerRecorder, type WorkerRecorderOptions } from './worker-recorder.ts';
+export { recordOnThread, type ThreadRecorderOptions } from './thread-recorder.ts';

@@ -2,12 +2,9 @@ import type { ServiceErrorCode } from '@ubii/proto';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecorderLimits } from '../recorder/recorder-limits.ts';
 import type { CheckLimits } from './check-messages.ts';
-import type {
-  Recorder,
-  RecorderState,
-  RecordingBatch,
-  RecordSource,
-} from '../recorder/recorder.ts';
+import type { SharedRecords } from '../arena/shared-records.ts';
+import type { FlightSnapshot } from '../recorder/flight-recorder.ts';
+import type { FileRecorder, FileState } from '../recorder/file-recorder.ts';
 
 /** What the thread starts with. */
 export interface RecorderThreadData {
@@ -19,22 +16,21 @@ export interface RecorderThreadData {
 }
 
 /** What is called of the recorder, and answered. */
-export type RecorderCalls = Omit<Recorder, 'waitingBytes' | 'add' | 'addEvent' | 'onState'>;
+export type RecorderCalls = Omit<
+  FileRecorder,
+  'generation' | 'open' | 'erase' | 'addEvent' | 'onState'
+>;
 export type RecorderMethod = keyof RecorderCalls;
+
+/** Lists of what the flight recorder held, some elements at a time. */
+export type SnapshotPart = Pick<FlightSnapshot, 'channels' | 'standing' | 'events'>;
 
 /** To the thread. */
 export type ToThread =
-  | {
-      readonly kind: 'batch';
-      readonly batch: Omit<RecordingBatch, 'sources'>;
-      /** Its sources, by their numbers among all. */
-      readonly numbers: readonly number[];
-      /** Those that are new, in the order of their numbers. */
-      readonly added: readonly RecordSource[];
-      /** True: earlier sources are forgotten, and numbers begin again. */
-      readonly isFresh: boolean;
-    }
-  | { readonly kind: 'ended'; readonly topics: readonly string[] }
+  | { readonly kind: 'open'; readonly memory: SharedRecords }
+  | { readonly kind: 'erase'; readonly memory: SharedRecords }
+  /** Of the snapshot that is kept next. */
+  | { readonly kind: 'part'; readonly part: SnapshotPart }
   | { readonly kind: 'event'; readonly event: RecordingEvent; readonly targets: number }
   | {
       readonly kind: 'call';
@@ -45,8 +41,7 @@ export type ToThread =
 
 /** From the thread. */
 export type FromThread =
-  | { readonly kind: 'taken'; readonly bytes: number }
-  | { readonly kind: 'state'; readonly state: RecorderState }
+  | { readonly kind: 'state'; readonly state: FileState }
   | { readonly kind: 'reply'; readonly id: number; readonly value: unknown }
   | {
       readonly kind: 'refusal';

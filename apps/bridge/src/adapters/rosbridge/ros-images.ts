@@ -35,12 +35,14 @@ export function fromRosImage({ width, height, encoding, step, data }: RosMessage
   const [columns, rows, rowBytes] = [Number(width), Number(height), Number(step)];
   const bytes = rosBytes(data);
   const length = columns * known.channels;
-  if (!(
-    columns > 0 &&
-    rows > 0 &&
-    rowBytes >= length &&
-    bytes.length >= rowBytes * (rows - 1) + length
-  )) {
+  if (
+    !(
+      columns > 0 &&
+      rows > 0 &&
+      rowBytes >= length &&
+      bytes.length >= rowBytes * (rows - 1) + length
+    )
+  ) {
     throw new Error(
       `The picture has ${bytes.length} bytes, too few for ${String(width)} by ${String(height)}.`,
     );

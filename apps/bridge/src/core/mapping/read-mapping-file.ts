@@ -47,7 +47,8 @@ interface WrittenFile {
   readonly system?: string | undefined;
   readonly availability?: string | undefined;
   readonly homeAssistant?:
-    { readonly prefix?: string | undefined; readonly topics?: string | undefined } | undefined;
+    | { readonly prefix?: string | undefined; readonly topics?: string | undefined }
+    | undefined;
   readonly mappings: readonly unknown[];
 }
 

@@ -3,10 +3,12 @@ import type { ChildProcess } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { endProgram, findProgram, freePort } from '@ubii/harness';
+import { freePort } from '../network/free-port.ts';
+import { endProgram } from '../process/when-ended.ts';
+import { findProgram } from '../process/find-program.ts';
 
-const MISSING = `Tests of the bridge need the broker Mosquitto (command \`mosquitto\`), and it was not found. Install it:
-  Debian, Ubuntu   apt-get install mosquitto   (as root, \`npm test\` does that by itself)
+const MISSING = `This needs the broker Mosquitto (command \`mosquitto\`), and it was not found. Install it:
+  Debian, Ubuntu   apt-get install mosquitto   (as root, \`npm test\` installs it)
   macOS            brew install mosquitto`;
 
 function findMosquitto(): string {
@@ -16,10 +18,12 @@ function findMosquitto(): string {
 }
 
 /** A broker of its own on a free port of the loopback. */
-export interface Broker {
+export interface Mosquitto {
   readonly url: string;
   readonly port: number;
   readonly folder: string;
+  /** Undefined while it does not run. */
+  readonly pid: number | undefined;
   stop(): Promise<void>;
   start(): Promise<void>;
   /** Stops it, and removes its files. */
@@ -27,9 +31,9 @@ export interface Broker {
 }
 
 /** @param lines of its configuration besides */
-export async function startBroker(
+export async function startMosquitto(
   lines: (folder: string) => readonly string[] = () => ['allow_anonymous true'],
-): Promise<Broker> {
+): Promise<Mosquitto> {
   const program = findMosquitto();
   const folder = mkdtempSync(join(tmpdir(), 'ubii-mosquitto-'));
   const port = await freePort();
@@ -44,8 +48,11 @@ export async function startBroker(
     ...lines(folder),
   ];
   writeFileSync(config, text.join('\n'));
-  const broker: Broker = {
+  const broker: Mosquitto = {
     ...{ url: `mqtt://127.0.0.1:${port}`, port, folder },
+    get pid() {
+      return child?.pid;
+    },
     async start() {
       child = spawn(program, ['-c', config], { stdio: ['ignore', 'ignore', 'pipe'] });
       await untilRunning(child);

@@ -1,27 +1,23 @@
 import type { Worker } from 'node:worker_threads';
-import {
-  ServiceError,
-  type FlightRecorder,
-  type Recording,
-  type RecordingMarker,
-} from '@ubii/proto';
+import { ServiceError, type Recording, type RecordingMarker } from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
-import type { RecordingEvent } from '../records/recording-event.ts';
+import type { NamedChannel } from '../arena/channels.ts';
+import type { RecordSpans, SharedRecords } from '../arena/shared-records.ts';
+import type { FlightSnapshot } from '../recorder/flight-recorder.ts';
+import type { FileRecorder, FileState } from '../recorder/file-recorder.ts';
 import type {
-  FlightJob,
   KeptRecording,
   MarkerJob,
-  Recorder,
   RecorderList,
-  RecorderState,
   RecordingJob,
   RecordingTexts,
-  RecordSource,
-  RecordingBatch,
   RunningJob,
   RecordingPage,
 } from '../recorder/recorder.ts';
+import { SharedRecorder, type MemoryLimits } from '../recorder/shared-recorder.ts';
+import type { RecordingEvent } from '../records/recording-event.ts';
 import { openThread } from './open-thread.ts';
+import { partsOf } from './snapshot-parts.ts';
 import type {
   FromThread,
   RecorderCalls,
@@ -30,7 +26,7 @@ import type {
   ToThread,
 } from './thread-messages.ts';
 
-export interface WorkerRecorderOptions extends Omit<RecorderThreadData, 'checkProcessFile'> {
+export interface ThreadRecorderOptions extends Omit<RecorderThreadData, 'checkProcessFile'> {
   /** The built thread. */
   readonly workerFile: URL;
   /** The built process that checks files. [RC-44] */
@@ -45,59 +41,51 @@ interface Call {
   readonly reject: (error: ServiceError) => void;
 }
 
-/** Heap of the thread: twice what the longest index takes. The flight recorder has its memory besides. */
+/** Heap of the thread: twice what the longest index takes. */
 const HEAP_MIB = 1024;
 /** Time after a failure until the thread may start again. */
 const PAUSE_MS = 5_000;
-/** From so many sources on, the thread forgets all that it knows. */
-const MAX_SOURCES = 100_000;
-const OFF: FlightRecorder = {
-  ...{ isOn: false, minutes: 0, maxBytes: 0, withImages: false, heldMs: 0, heldBytes: 0 },
-  ...{ topicCount: 0, recordCount: 0, recordsPerSecond: [], lostCount: 0 },
-};
+/** A recorder whose files are written by a thread of its own. [RC-50] */
+export function recordOnThread(
+  options: ThreadRecorderOptions & { readonly limits: MemoryLimits },
+): SharedRecorder {
+  const { clock, limits } = options;
+  return new SharedRecorder({ clock, limits, files: new ThreadRecorder(options) });
+}
 
-/** A recorder on a thread of its own, which starts when it is first needed. [RC-50] */
-export class WorkerRecorder implements Recorder {
-  readonly #options: WorkerRecorderOptions;
+/** Writes files on a thread of its own, which starts when it is first needed. */
+export class ThreadRecorder implements FileRecorder {
+  readonly #options: ThreadRecorderOptions;
   readonly #calls = new Map<number, Call>();
   #worker: Worker | undefined = undefined;
-  #numbers = new Map<RecordSource, number>();
-  #isFresh = true;
+  #generation = 0;
   #nextCall = 0;
-  #waitingBytes = 0;
   /** Until then, the thread is not started again, monotonic milliseconds. */
   #pausedUntilMs = 0;
   #cancelPauseEnd: Cancel = () => undefined;
-  /** What the flight recorder keeps, for the next thread. */
-  #flightJob: FlightJob | undefined = undefined;
+  /** One snapshot after the other is sent, in parts. */
+  #kept: Promise<unknown> = Promise.resolve();
   #listRevision = 0;
-  #listener: (state: RecorderState) => void = () => undefined;
+  #listener: (state: FileState) => void = () => undefined;
 
-  constructor(options: WorkerRecorderOptions) {
+  constructor(options: ThreadRecorderOptions) {
     this.#options = options;
   }
 
-  get waitingBytes(): number {
-    return this.#waitingBytes;
+  get generation(): number {
+    return this.#generation;
   }
 
-  add({ sources, ...batch }: RecordingBatch): void {
-    if (this.#isPaused) return;
-    if (this.#numbers.size > MAX_SOURCES) {
-      this.#numbers = new Map();
-      this.#isFresh = true;
-    }
-    const added: RecordSource[] = [];
-    const numbers = sources.map((source) => this.#numberOf(source, added));
-    this.#waitingBytes += batch.byteLength;
-    const message: ToThread = { kind: 'batch', batch, numbers, added, isFresh: this.#isFresh };
-    const large = batch.large.map(({ buffer }) => buffer);
-    this.#send(message, [batch.heads.buffer, batch.bytes.buffer, ...large]);
-    this.#isFresh = false;
+  open(memory: SharedRecords): void {
+    if (!this.#isPaused) this.#send({ kind: 'open', memory });
   }
 
-  endTopics(topics: readonly string[]): void {
-    if (!this.#isPaused) this.#send({ kind: 'ended', topics });
+  erase(memory: SharedRecords): void {
+    if (!this.#isPaused) this.#send({ kind: 'erase', memory });
+  }
+
+  read(spans: RecordSpans, channels: readonly NamedChannel[]): Promise<void> {
+    return this.#call('read', spans, channels);
   }
 
   addEvent(event: RecordingEvent, targets: number): void {
@@ -132,28 +120,21 @@ export class WorkerRecorder implements Recorder {
     return this.#call('delete', id);
   }
 
-  mark(job: MarkerJob): Promise<RecordingMarker> {
-    return this.#call('mark', job);
+  mark(job: MarkerJob, isFlightOn: boolean): Promise<RecordingMarker> {
+    return this.#call('mark', job, isFlightOn);
   }
 
-  setFlight(job: FlightJob): Promise<FlightRecorder> {
-    this.#flightJob = job;
-    return this.#call('setFlight', job);
-  }
-
-  flight(): Promise<FlightRecorder> {
-    return this.#call('flight');
-  }
-
-  keep(job: RecordingJob): Promise<Recording> {
-    return this.#call('keep', job);
+  keep(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording> {
+    const kept = this.#kept.then(() => this.#sendSnapshot(job, snapshot));
+    this.#kept = kept.catch(() => undefined);
+    return kept;
   }
 
   adopt(job: RecordingJob): Promise<Recording> {
     return this.#call('adopt', job);
   }
 
-  onState(listener: (state: RecorderState) => void): void {
+  onState(listener: (state: FileState) => void): void {
     this.#listener = listener;
   }
 
@@ -183,21 +164,20 @@ export class WorkerRecorder implements Recorder {
     }) as ReturnType<RecorderCalls[M]>;
   }
 
-  /** The number that the thread knows a source by; new sources go into `added`. */
-  #numberOf(source: RecordSource, added: RecordSource[]): number {
-    let number = this.#numbers.get(source);
-    if (number === undefined) {
-      number = this.#numbers.size;
-      this.#numbers.set(source, number);
-      added.push({ topic: source.topic, clientId: source.clientId });
+  async #sendSnapshot(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording> {
+    const generation = this.#generation;
+    for (const part of partsOf(snapshot)) {
+      if (this.#isPaused || generation !== this.#generation) throw unavailable();
+      this.#send({ kind: 'part', part });
+      await new Promise<void>((resolve) => this.#options.clock.after(0, resolve));
     }
-    return number;
+    return this.#call('keep', job, { ...snapshot, channels: [], standing: [], events: [] });
   }
 
-  #send(message: ToThread, transfer: ArrayBuffer[] = []): void {
+  #send(message: ToThread): void {
     try {
       this.#worker ??= this.#startThread();
-      this.#worker.postMessage(message, transfer);
+      this.#worker.postMessage(message);
     } catch (error) {
       this.#fail(String(error));
     }
@@ -222,9 +202,6 @@ export class WorkerRecorder implements Recorder {
 
   #handle(message: FromThread): void {
     switch (message.kind) {
-      case 'taken':
-        this.#waitingBytes -= message.bytes;
-        return;
       case 'state':
         this.#listRevision = message.state.listRevision;
         return this.#listener(message.state);
@@ -253,9 +230,7 @@ export class WorkerRecorder implements Recorder {
     void worker?.terminate();
     this.#options.onFailure('recording stopped, because its thread failed', reason);
     this.#pausedUntilMs = this.#options.clock.monotonicMs() + PAUSE_MS;
-    this.#numbers = new Map();
-    this.#isFresh = true;
-    this.#waitingBytes = 0;
+    this.#generation++;
     for (const { reject } of this.#calls.values()) reject(unavailable());
     this.#calls.clear();
     this.#tellIdle();
@@ -266,13 +241,11 @@ export class WorkerRecorder implements Recorder {
   #handlePauseEnd(): void {
     // What was recorded can be listed again.
     if (this.#worker === undefined) this.#tellIdle();
-    const job = this.#flightJob;
-    if (job !== undefined) void this.setFlight(job).catch(() => undefined);
   }
 
   #tellIdle(): void {
     const listRevision = ++this.#listRevision;
-    this.#listener({ running: [], targets: 0, flight: OFF, listRevision });
+    this.#listener({ running: [], targets: 0, listRevision });
   }
 }
 

@@ -1,0 +1,104 @@
+/** Who publishes on which topic, with the value that stood before the oldest record. */
+export interface Channel {
+  readonly number: number;
+  readonly topic: string;
+  /** Id of the client that publishes; empty for the master. */
+  readonly clientId: string;
+  /** Entries of it that are held. */
+  held: number;
+  /** Its last record that left, of those that leave now; where it begins in memory, and its bytes. */
+  leavingOffset: number;
+  leavingLength: number;
+  leavingMs: number;
+  isLeaving: boolean;
+  /** Nothing of it is held any more; its number may be of another one. */
+  isGone: boolean;
+}
+
+/** A channel as threads are told of it. */
+export type NamedChannel = Pick<Channel, 'number' | 'topic' | 'clientId'>;
+
+/** Somebody who publishes on a topic; remembers the channel. */
+export interface ChannelSource {
+  readonly topic: string;
+  readonly clientId: string;
+  channel: Channel | undefined;
+}
+
+/** Channels that have entries or a standing value, by number. */
+export class Channels {
+  readonly #byTopic = new Map<string, Map<string, Channel>>();
+  readonly #byNumber: (Channel | undefined)[] = [];
+  readonly #free: number[] = [];
+  /** Channels that were taken since they were told last. */
+  #untold = new Set<Channel>();
+
+  get topicCount(): number {
+    return this.#byTopic.size;
+  }
+
+  get(number: number): Channel {
+    return this.#byNumber[number]!;
+  }
+
+  hasTopic(topic: string): boolean {
+    return this.#byTopic.has(topic);
+  }
+
+  ofTopic(topic: string): Iterable<Channel> {
+    return this.#byTopic.get(topic)?.values() ?? [];
+  }
+
+  /** The channel of a source that gets a record. */
+  take(source: ChannelSource): Channel {
+    const known = source.channel;
+    if (known?.isGone === false) return known;
+    return (source.channel = this.#find(source));
+  }
+
+  /** Ends a channel of which nothing is held. */
+  drop(channel: Channel): void {
+    const { topic, clientId, number } = channel;
+    channel.isGone = true;
+    const byClient = this.#byTopic.get(topic)!;
+    byClient.delete(clientId);
+    if (byClient.size === 0) this.#byTopic.delete(topic);
+    this.#byNumber[number] = undefined;
+    this.#free.push(number);
+    this.#untold.delete(channel);
+  }
+
+  /** Channels that were taken since the last call: a number may be of another one than before. */
+  takeUntold(): NamedChannel[] {
+    if (this.#untold.size === 0) return [];
+    const named = [...this.#untold].map(nameOf);
+    this.#untold = new Set();
+    return named;
+  }
+
+  /** All of them. */
+  list(): NamedChannel[] {
+    return this.#byNumber.filter((channel) => channel !== undefined).map(nameOf);
+  }
+
+  #find({ topic, clientId }: ChannelSource): Channel {
+    let byClient = this.#byTopic.get(topic);
+    if (byClient === undefined) this.#byTopic.set(topic, (byClient = new Map<string, Channel>()));
+    let channel = byClient.get(clientId);
+    if (channel === undefined) {
+      const number = this.#free.pop() ?? this.#byNumber.length;
+      channel = {
+        ...{ number, topic, clientId, held: 0, isGone: false },
+        ...{ leavingOffset: 0, leavingLength: 0, leavingMs: 0, isLeaving: false },
+      };
+      byClient.set(clientId, channel);
+      this.#byNumber[number] = channel;
+      this.#untold.add(channel);
+    }
+    return channel;
+  }
+}
+
+function nameOf({ number, topic, clientId }: Channel): NamedChannel {
+  return { number, topic, clientId };
+}
