@@ -18,7 +18,7 @@ export function withRights(page: string): string {
   return `${page.slice(0, begin)}${BEGIN}\n\n${rightsText()}\n\n${page.slice(end)}`;
 }
 
-/** Every row of the table of rights, in Markdown as Prettier writes it. */
+/** Every row of the table of rights, in Markdown as the formatter writes it. */
 function rightsText(): string {
   const roles = ROLES_BY_RIGHTS.map(nameOf);
   const services = ALL_SERVICES.map((service) => [

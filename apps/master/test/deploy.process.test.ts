@@ -99,6 +99,9 @@ describe('compose.yaml', () => {
     for (const { build } of Object.values(masters)) {
       expect(existsSync(join(root, 'deploy', build!.context, build!.dockerfile))).toBe(true);
     }
+    const flags = JSON.parse(read('apps/master/node-flags.json')) as readonly string[];
+    const command = ['node', ...flags, 'apps/master/dist/main.js'];
+    expect(dockerfile).toContain(`ENTRYPOINT ${JSON.stringify(command).replaceAll(',', ', ')}`);
     const copied = [...dockerfile.matchAll(/^COPY --from=build \/source\/(\S+)/gm)];
     expect(copied.length).toBeGreaterThan(4);
     for (const [, path] of copied) {

@@ -46,6 +46,17 @@ describe('the flight recorder', () => {
     expect(summary.topics.map(({ topic }) => topic).sort()).toEqual(['/pose', '/stays']);
   });
 
+  it('[RC-31] leaves out images when they are not wanted', async () => {
+    const master = new TestMaster({ flightRecorder: { ...FLIGHT, withImages: false } });
+    const ada = await master.legacy('ada');
+    ada.publish('/camera', 'image2D', {
+      ...{ width: 1, height: 1, dataFormat: 0, data: Uint8Array.of(1) },
+    });
+    ada.publish('/pose', 'double', 1);
+    const { flightRecorder } = await master.call({ topic: `${SERVICES}flight_recorder_get` });
+    expect(flightRecorder).toMatchObject({ recordCount: 1, topicCount: 1 });
+  });
+
   it('[RC-31] is turned off and on by admins, within limits', async () => {
     const master = new TestMaster({ flightRecorder: FLIGHT });
     const ada = await master.legacy('ada');

@@ -1,12 +1,20 @@
 import { StatusEventKind, StatusProblemSeverity, type MasterStatus } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { START_MS } from '../src/core/checks/overload-checks.ts';
 import { TestMaster, type TestClient } from '../src/testing/index.ts';
 import type { TestMasterOptions } from '../src/testing/test-master.ts';
 
 const BUSY = { cpuPercent: 95, busyPercent: 90, delayMs: 34 };
 const CALM = { cpuPercent: 12, busyPercent: 5, delayMs: 1 };
 
+/** A master with two clients, whose start is over. */
 async function createRoom(options: TestMasterOptions = {}) {
+  const room = await openRoom(options);
+  room.pass(START_MS / 1_000, room.ben, 0);
+  return room;
+}
+
+async function openRoom(options: TestMasterOptions) {
   const master = new TestMaster(options);
   const mara = await master.extension('Mara');
   const ben = await master.extension('Ben');
@@ -34,6 +42,15 @@ async function createRoom(options: TestMasterOptions = {}) {
 }
 
 describe('a busy master', () => {
+  it('blames nobody for its own start [EX-45]', async () => {
+    const { master, ben, codes, pass } = await openRoom({});
+    master.usage.measured = BUSY;
+    pass(START_MS / 1_000, ben, 10);
+    expect(await codes()).toEqual([]);
+    pass(2, ben, 10);
+    expect(await codes()).toEqual(['master_busy', 'publisher_noisy']);
+  });
+
   it('says so after three looks in a row, with the cause and what to do [EX-45] [EX-46]', async () => {
     const { master, ben, status, codes, pass } = await createRoom();
     master.usage.measured = BUSY;

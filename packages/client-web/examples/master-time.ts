@@ -9,8 +9,9 @@ const client = createClient({
 await client.connect(); // with the connection comes the first measurement
 
 const { estimate } = client.masterTime; // undefined with masters that do not tell their time
-if (estimate !== undefined && estimate.errorMs < 50) {
-  console.log(`the clock of the master is ${estimate.offsetMs > 0 ? 'ahead' : 'behind'}`);
+if (estimate !== undefined) {
+  const side = estimate.offsetMs > 0 ? 'ahead' : 'behind';
+  console.log(`the clock of the master is ${side}, within ${Math.ceil(estimate.errorMs)} ms`);
 }
 
 const bends = client.subscribe('/glove/bend', { format: 'double' });

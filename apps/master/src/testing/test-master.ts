@@ -23,7 +23,7 @@ import { FakeAssetSets } from './fake-asset-sets.ts';
 import { FakeLan } from './fake-lan.ts';
 import { FixedUsage } from './fixed-usage.ts';
 import { MemoryAudit } from './memory-audit.ts';
-import { RecorderEngine } from '@ubii/recording/recorder';
+import { recordHere } from '@ubii/recording/recorder';
 import { FolderReplays } from '../core/replayer/folder-replays.ts';
 import { DEFAULT_LIMITS } from '../core/limits/index.ts';
 import { MemoryFolder } from './memory-folder.ts';
@@ -117,7 +117,7 @@ export class TestMaster {
         ...(options.assets && { assets: options.assets }),
         ...(options.cluster && { cluster: options.cluster }),
         storage: this.storage,
-        recorder: new RecorderEngine({
+        recorder: recordHere({
           folder: this.recordings,
           clock: this.clock,
           limits: { ...DEFAULT_LIMITS, ...limits },

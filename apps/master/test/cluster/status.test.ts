@@ -157,7 +157,7 @@ describe('the master', () => {
   it('[CU-70] of a client is not told by a master that is alone', async () => {
     const alone = new TestMaster();
     await alone.extension('page');
-    expect(await mastersOfClients(alone)).toEqual({ page: undefined });
+    expect(await mastersOfClients(alone)).toEqual({ page: '' });
   });
 
   it('[CU-71] of a session is told everywhere, and from where the session came', async () => {

@@ -20,10 +20,10 @@ import { build } from 'esbuild';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest';
 
 import { DiskFolder, recordingPath } from '@ubii/recording/node';
-import { WorkerRecorder } from '@ubii/recording/thread';
+import { recordOnThread } from '@ubii/recording/thread';
 import { DEFAULT_LIMITS } from '../../src/index.ts';
 import {
-  batchOf,
+  addAll,
   recorderSuite,
   recordsToKeep,
   runningJob,
@@ -53,7 +53,7 @@ beforeAll(async () => {
 
 function openWorker(folder: string, file = workerFile, clock: Clock = new SystemClock()) {
   const log = new RecordingLog();
-  const recorder = new WorkerRecorder({
+  const recorder = recordOnThread({
     ...{ folder, limits: DEFAULT_LIMITS, clock, workerFile: file, checkProcessFile },
     onFailure: (what, reason) => log.error(what, { reason }),
   });
@@ -77,8 +77,7 @@ describe('WorkerRecorder', () => {
   it('[RC-19] goes on without recording when its thread cannot be had', async () => {
     const { recorder, log } = openWorker(temporaryFolder(), new URL('file:///not/there.mjs'));
     await expect(recorder.list()).rejects.toMatchObject({ code: 'unavailable' });
-    recorder.add(batchOf(recordsToKeep('/x', 3)));
-    expect(recorder.waitingBytes).toBe(0);
+    addAll(recorder, recordsToKeep('/x', 3));
     expect(log.lines.filter(({ level }) => level === 'error')).toHaveLength(1);
     await recorder.close();
   });
@@ -100,9 +99,8 @@ describe('WorkerRecorder', () => {
     const folder = temporaryFolder();
     const { recorder } = openWorker(folder);
     await recorder.start(runningJob('a'));
-    for (let i = 0; i < 50; i++) recorder.add(batchOf(recordsToKeep(`/x/${i % 20}`, 100)));
+    for (let i = 0; i < 50; i++) addAll(recorder, recordsToKeep(`/x/${i % 20}`, 100));
     expect(await recorder.stop('a')).toMatchObject({ recordCount: 5_000, topicCount: 20 });
-    await expect.poll(() => recorder.waitingBytes).toBe(0);
     await recorder.close();
   });
 });

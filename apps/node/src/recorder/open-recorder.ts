@@ -4,18 +4,19 @@ import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { ConfigError } from '@ubii/program';
 import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
 import { keepToOwner, OWNER_FOLDER_MODE, recordingPath } from '@ubii/recording/node';
-import { WorkerRecorder } from '@ubii/recording/thread';
+import { recordOnThread } from '@ubii/recording/thread';
 import { systemClock } from '@ubii/timing/system';
 import type { Log } from '@ubii/client-program';
 import { keptFile } from './kept-file.ts';
 import { NodeRecorder } from './node-recorder.ts';
 import { sendFile } from './send-file.ts';
 
-/** As on the master. [RC-23] [RC-44] */
+/** As on the master. [RC-19] [RC-23] [RC-44] */
 const LIMITS = {
   markersPerRecording: 10_000,
   recordingCheckMs: 20_000,
   recordingCheckBytes: 640 * 1024 * 1024,
+  recorderQueueBytes: 32 * 1024 * 1024,
 };
 
 /** What a recorder of a node is opened with. */
@@ -51,7 +52,7 @@ export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> 
     const { message } = error as Error;
     throw new ConfigError(`The folder ${setup.folder} (--record-dir) cannot be used: ${message}.`);
   }
-  const recorder = new WorkerRecorder({
+  const recorder = recordOnThread({
     ...{ folder, workerFile, checkProcessFile, clock: systemClock },
     limits: { ...DEFAULT_TEXT_LIMITS, ...LIMITS, recordingsBytes: maxBytes },
     onFailure: (what, reason) => log('error', `${what}: ${reason}`),

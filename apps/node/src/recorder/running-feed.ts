@@ -1,15 +1,8 @@
 import type { EncodedRecord, UbiiClient } from '@ubii/client-web/node';
 import type { NodeRecorderSource, RecordingSelection } from '@ubii/proto';
-import { gapEvent, OpenBatch, type BatchedSource, type Recorder } from '@ubii/recording/recorder';
+import { gapEvent, type ChannelSource, type Recorder } from '@ubii/recording/recorder';
 import { RecordedTopics } from './recorded-topics.ts';
 
-/** Bytes of records that wait for the file; beyond, records are lost and counted, as on the master. [RC-19] */
-const MAX_WAITING_BYTES = 32 * 1024 * 1024;
-/** Longest time that records wait to be handed over, milliseconds. */
-const BATCH_MS = 50;
-/** Bytes from which on they are handed over before. */
-const BATCH_BYTES = 4 * 1024 * 1024;
-const TOO_SLOW = 'The node could not write records as fast as they came.';
 const NO_CONNECTION =
   'The node had no connection to the master. How many records are missing is not known.';
 
@@ -25,10 +18,7 @@ export interface FeedContext {
 export class RunningFeed {
   readonly #context: FeedContext;
   readonly #topics: RecordedTopics;
-  readonly #sources = new Map<string, BatchedSource>();
-  readonly #batch = new OpenBatch();
-  #timer: NodeJS.Timeout | undefined;
-  #lost: { readonly fromMs: number; untilMs: number; records: number } | undefined;
+  readonly #sources = new Map<string, ChannelSource>();
   #awaySinceMs: number | undefined;
 
   constructor(context: FeedContext, selection: RecordingSelection) {
@@ -62,9 +52,7 @@ export class RunningFeed {
 
   /** Hands over what waits: what follows comes later. */
   flush(): void {
-    clearTimeout(this.#timer);
-    this.#timer = undefined;
-    if (this.#batch.count > 0) this.#context.recorder.add(this.#batch.take());
+    this.#context.recorder.flush();
   }
 
   close(): void {
@@ -75,34 +63,19 @@ export class RunningFeed {
   #take({ topic, publisherId, bytes }: EncodedRecord): void {
     const { client, recorder, target } = this.#context;
     const timeMs = client.masterTime.nowMs();
-    if (recorder.waitingBytes > MAX_WAITING_BYTES) {
-      this.#lost ??= { fromMs: timeMs, untilMs: timeMs, records: 0 };
-      this.#lost.untilMs = timeMs;
-      this.#lost.records++;
-      return;
-    }
-    if (this.#lost !== undefined) {
-      const { fromMs, untilMs, records } = this.#lost;
-      this.#lost = undefined;
-      this.#addGap(fromMs, untilMs, records, TOO_SLOW);
-    }
-    const source = this.#sourceOf(topic, publisherId);
-    this.#batch.add(source, bytes, timeMs, target);
-    if (this.#batch.byteLength > BATCH_BYTES) this.flush();
-    else this.#timer ??= setTimeout(() => this.flush(), BATCH_MS);
+    recorder.add(this.#sourceOf(topic, publisherId), bytes, timeMs, target);
   }
 
   #addGap(fromMs: number, untilMs: number, records: number, reason: string): void {
     const { recorder, target } = this.#context;
-    this.flush();
     recorder.addEvent(gapEvent(fromMs, untilMs, records, reason), target);
   }
 
-  #sourceOf(topic: string, clientId: string): BatchedSource {
+  #sourceOf(topic: string, clientId: string): ChannelSource {
     const key = `${clientId} ${topic}`;
     let source = this.#sources.get(key);
     if (source === undefined)
-      this.#sources.set(key, (source = { topic, clientId, batchNumber: -1, place: 0 }));
+      this.#sources.set(key, (source = { topic, clientId, channel: undefined }));
     return source;
   }
 }

@@ -108,8 +108,7 @@ export function createMemoryTopicData(master: MemoryMaster): TopicDataTransport 
       void Promise.resolve().then(() => {
         if (inbox.isClosed) return;
         connection = master.openConnection(query, peer);
-        if (connection === undefined)
-          inbox.close(1006, ''); // unless it was closed with a code
+        if (connection === undefined) inbox.close(1006, ''); // unless it was closed with a code
         else handleOpenOnce();
       });
 

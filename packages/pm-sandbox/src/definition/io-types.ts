@@ -7,7 +7,7 @@ export type IoInit =
       readonly format: DataFormat;
       /** A list of records. */
       readonly list?: boolean;
-      /** Of an input: the value the callbacks use while nothing is connected, for people. [PM-5] */
+      /** Of an input: its value while it has no record. [PM-5] */
       readonly default?: unknown;
       /** Meaning of the values with unit and range, for people: one sentence. [PM-6] */
       readonly description?: string;

@@ -19,6 +19,8 @@ export interface ParsedIo {
   /** Data format as the module wrote it. */
   readonly formatText: string;
   readonly isList: boolean;
+  /** Of an input: its value while it has no record, as JSON of one record member; empty: none. [PM-5] */
+  readonly defaultJson: string;
 }
 
 /** When a module runs, numbers within their limits. [PM-20] */
@@ -87,6 +89,7 @@ function parseIo(io: ModuleIO): ParsedIo {
     format: parseDataFormat(io.messageFormat),
     formatText: io.messageFormat,
     isList: io.isRecordList,
+    defaultJson: io.defaultJson,
   };
 }
 

@@ -17,7 +17,15 @@ export type InstanceStatus =
 
 /** Events that change the status of an instance. */
 export type InstanceMove =
-  'created' | 'start' | 'halt' | 'halted' | 'kill' | 'recreate' | 'fail' | 'destroy' | 'destroyed';
+  | 'created'
+  | 'start'
+  | 'halt'
+  | 'halted'
+  | 'kill'
+  | 'recreate'
+  | 'fail'
+  | 'destroy'
+  | 'destroyed';
 
 const MOVES: {
   readonly [S in InstanceStatus]: { readonly [M in InstanceMove]?: InstanceStatus };

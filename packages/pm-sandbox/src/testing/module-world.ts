@@ -30,6 +30,8 @@ export interface ModuleSketch {
   /** Data formats by name. */
   readonly inputs?: Readonly<Record<string, string>>;
   readonly outputs?: Readonly<Record<string, string>>;
+  /** A record member as JSON, by input. */
+  readonly defaults?: Readonly<Record<string, string>>;
   /** A topic, a muxer, or `{ constant }`, by input. */
   readonly from?: Readonly<Record<string, string | { constant: unknown } | object>>;
   /** A topic or a demuxer, by output. */
@@ -96,16 +98,20 @@ export function createModuleWorld(
 export function instanceSpec(sketch: ModuleSketch = {}): InstanceSpec {
   const { id = 'pm-1', name = 'module', inputs = {}, outputs = {} } = sketch;
   const { libraries = [], assets = [], optionalAssets = [], isTrusted = false } = sketch;
-  const ios = (formats: Readonly<Record<string, string>>) =>
+  const ios = (
+    formats: Readonly<Record<string, string>>,
+    defaults: Readonly<Record<string, string>> = {},
+  ) =>
     Object.entries(formats).map(([internalName, messageFormat]) => ({
       internalName,
       messageFormat,
+      defaultJson: defaults[internalName] ?? '',
     }));
   const module: ProcessingModule = fromJson('ubii.processing.ProcessingModule', {
     id,
     name,
     sessionId: 'session-1',
-    inputs: ios(inputs),
+    inputs: ios(inputs, sketch.defaults),
     outputs: ios(outputs),
     onProcessingStringified: '() => {}',
     extension: { libraries, assets, optionalAssets },

@@ -46,7 +46,8 @@ export type HostMessage =
       readonly kind: 'assetsAnswer';
       readonly request: number;
       readonly result:
-        { readonly key: string } | { readonly code: AssetErrorCode; readonly message: string };
+        | { readonly key: string }
+        | { readonly code: AssetErrorCode; readonly message: string };
     }
   /** Answer to a `libraryCall`. */
   | {

@@ -5,7 +5,15 @@ import { validateValue } from './validate-value.ts';
 
 /** Families of data formats that look and combine alike; each has a colour and a socket shape. */
 export type DataFormatFamily =
-  'number' | 'vector' | 'rotation' | 'event' | 'text' | 'image' | 'objects' | 'pose' | 'system';
+  | 'number'
+  | 'vector'
+  | 'rotation'
+  | 'event'
+  | 'text'
+  | 'image'
+  | 'objects'
+  | 'pose'
+  | 'system';
 
 /** Facts about one data format. */
 export interface DataFormatInfo<F extends DataFormat = DataFormat> {

@@ -252,6 +252,76 @@ export const LogLevel = {
 export type LogLevel = (typeof LogLevel)[keyof typeof LogLevel];
 
 /**
+ * Colour of a mark.
+ *
+ * `ubii.extension.MarkColour`
+ */
+export const MarkColour = {
+  /** Not chosen. */
+  MARK_COLOUR_NONE: 0,
+  /** Coral. */
+  MARK_COLOUR_CORAL: 1,
+  /** Blue. */
+  MARK_COLOUR_BLUE: 2,
+  /** Yellow. */
+  MARK_COLOUR_YELLOW: 3,
+  /** Green. */
+  MARK_COLOUR_GREEN: 4,
+  /** Pink. */
+  MARK_COLOUR_PINK: 5,
+  /** Petrol. */
+  MARK_COLOUR_PETROL: 6,
+  /** Plum. */
+  MARK_COLOUR_PLUM: 7,
+  /** Sky. */
+  MARK_COLOUR_SKY: 8,
+  /** Lime. */
+  MARK_COLOUR_LIME: 9,
+  /** Chalk. */
+  MARK_COLOUR_CHALK: 10,
+  /** Brown. */
+  MARK_COLOUR_BROWN: 11,
+  /** Ink. */
+  MARK_COLOUR_INK: 12,
+} as const;
+export type MarkColour = (typeof MarkColour)[keyof typeof MarkColour];
+
+/**
+ * Outline of a mark.
+ *
+ * `ubii.extension.MarkShape`
+ */
+export const MarkShape = {
+  /** Not chosen. */
+  MARK_SHAPE_NONE: 0,
+  /** Circle. */
+  MARK_SHAPE_CIRCLE: 1,
+  /** Triangle. */
+  MARK_SHAPE_TRIANGLE: 2,
+  /** Square. */
+  MARK_SHAPE_SQUARE: 3,
+  /** Star. */
+  MARK_SHAPE_STAR: 4,
+  /** Diamond. */
+  MARK_SHAPE_DIAMOND: 5,
+  /** Cross. */
+  MARK_SHAPE_CROSS: 6,
+  /** Hexagon. */
+  MARK_SHAPE_HEXAGON: 7,
+  /** Drop. */
+  MARK_SHAPE_DROP: 8,
+  /** Ring. */
+  MARK_SHAPE_RING: 9,
+  /** Moon. */
+  MARK_SHAPE_MOON: 10,
+  /** Flower. */
+  MARK_SHAPE_FLOWER: 11,
+  /** Heart. */
+  MARK_SHAPE_HEART: 12,
+} as const;
+export type MarkShape = (typeof MarkShape)[keyof typeof MarkShape];
+
+/**
  * Which kind of network it leads through.
  *
  * `ubii.extension.MasterAddress.Kind`
@@ -1898,6 +1968,11 @@ export interface ClientExtension {
   abridged: boolean;
   /** Master to all, in an abridged announcement: grows when what was left out changes. Rule EX-74. */
   registrationRevision: number;
+  /**
+   * Client to master: the mark it would have; absent when any will do. Master to all, in lists, announcements and the reply
+   * to a registration: the mark it has. Rule EX-100.
+   */
+  mark: Mark | undefined;
 }
 
 /**
@@ -2371,6 +2446,10 @@ export interface JoinCheck {
   masterName: string;
   /** The caller has joined with it: joining once more changes nothing. */
   isJoined: boolean;
+  /** A mark that no client here has. Rule EX-100. */
+  freeMark: Mark | undefined;
+  /** Marks of those who are here, but of the caller: one client for each mark. */
+  takenMarks: TakenMark[];
 }
 
 /**
@@ -2500,6 +2579,20 @@ export interface LogTail {
   missed: number;
   /** Oldest first. */
   lines: LogLine[];
+}
+
+/**
+ * Shape and colour by which people tell clients apart. Rule EX-100.
+ *
+ * `ubii.extension.Mark`
+ */
+export interface Mark {
+  /** Its outline. */
+  shape: MarkShape;
+  /** Its colour. */
+  colour: MarkColour;
+  /** Client to master: a person chose it, and it is taken also when another client has it. */
+  chosen: boolean;
 }
 
 /**
@@ -4190,6 +4283,18 @@ export interface SubscribedModule {
 }
 
 /**
+ * The mark of a client that is here.
+ *
+ * `ubii.extension.TakenMark`
+ */
+export interface TakenMark {
+  /** Name of the client. */
+  name: string;
+  /** Its mark. */
+  mark: Mark | undefined;
+}
+
+/**
  * Counters of one topic. All counts are totals since the topic appeared; a rate is the difference of
  * two replies over the difference of their master_time_ms.
  *
@@ -4380,10 +4485,7 @@ export interface ModuleIO {
   messageFormat: string;
   /** True when it is a list of records, as multiplexers yield and demultiplexers take. */
   isRecordList: boolean;
-  /**
-   * Of an input: the value the callbacks use while nothing is connected, as JSON such as {"double":1}; empty where there
-   * is none. Rule PM-5.
-   */
+  /** Of an input: its value while it has no record, as JSON such as {"double":1}; empty where there is none. Rule PM-5. */
   defaultJson: string;
   /** For people: what the values mean, with unit and range, one sentence. Rule PM-6. */
   description: string;
@@ -5213,6 +5315,7 @@ export interface MessageTypes {
   'ubii.extension.LogLine': LogLine;
   'ubii.extension.LogRequest': LogRequest;
   'ubii.extension.LogTail': LogTail;
+  'ubii.extension.Mark': Mark;
   'ubii.extension.MasterAddress': MasterAddress;
   'ubii.extension.MasterProof': MasterProof;
   'ubii.extension.MasterProofRequest': MasterProofRequest;
@@ -5299,6 +5402,7 @@ export interface MessageTypes {
   'ubii.extension.StudyStatus': StudyStatus;
   'ubii.extension.StudyTake': StudyTake;
   'ubii.extension.SubscribedModule': SubscribedModule;
+  'ubii.extension.TakenMark': TakenMark;
   'ubii.extension.TopicStatistic': TopicStatistic;
   'ubii.extension.TopicStatistics': TopicStatistics;
   'ubii.extension.TopicStatisticsRequest': TopicStatisticsRequest;

@@ -79,6 +79,34 @@ enum ubii.extension.LogLevel
 1 LOG_WARN
 2 LOG_INFO
 3 LOG_DEBUG
+enum ubii.extension.MarkColour
+0 MARK_COLOUR_NONE
+1 MARK_COLOUR_CORAL
+2 MARK_COLOUR_BLUE
+3 MARK_COLOUR_YELLOW
+4 MARK_COLOUR_GREEN
+5 MARK_COLOUR_PINK
+6 MARK_COLOUR_PETROL
+7 MARK_COLOUR_PLUM
+8 MARK_COLOUR_SKY
+9 MARK_COLOUR_LIME
+10 MARK_COLOUR_CHALK
+11 MARK_COLOUR_BROWN
+12 MARK_COLOUR_INK
+enum ubii.extension.MarkShape
+0 MARK_SHAPE_NONE
+1 MARK_SHAPE_CIRCLE
+2 MARK_SHAPE_TRIANGLE
+3 MARK_SHAPE_SQUARE
+4 MARK_SHAPE_STAR
+5 MARK_SHAPE_DIAMOND
+6 MARK_SHAPE_CROSS
+7 MARK_SHAPE_HEXAGON
+8 MARK_SHAPE_DROP
+9 MARK_SHAPE_RING
+10 MARK_SHAPE_MOON
+11 MARK_SHAPE_FLOWER
+12 MARK_SHAPE_HEART
 enum ubii.extension.MasterAddress.Kind
 0 LOOPBACK
 1 WIFI
@@ -602,6 +630,7 @@ message ubii.extension.ClientExtension
 26 master_id string
 30 abridged bool
 31 registration_revision int32
+40 mark ubii.extension.Mark
 message ubii.extension.ClientRenameRequest
 1 client_id string
 2 target_id string
@@ -759,6 +788,8 @@ message ubii.extension.JoinCheck
 5 expires_ms double
 6 master_name string
 7 is_joined bool
+8 free_mark ubii.extension.Mark
+9 taken_marks ubii.extension.TakenMark *
 message ubii.extension.JoinCheckRequest
 1 token string
 message ubii.extension.JoinRefusal
@@ -795,6 +826,10 @@ message ubii.extension.LogTail
 2 reset bool
 3 missed double
 4 lines ubii.extension.LogLine *
+message ubii.extension.Mark
+1 shape ubii.extension.MarkShape
+2 colour ubii.extension.MarkColour
+3 chosen bool
 message ubii.extension.MasterAddress
 1 kind ubii.extension.MasterAddress.Kind
 2 interface_name string
@@ -1360,6 +1395,9 @@ message ubii.extension.SubscribedModule
 2 session_id string
 3 session_name string
 4 node_id string
+message ubii.extension.TakenMark
+1 name string
+2 mark ubii.extension.Mark
 message ubii.extension.TopicStatistic
 1 topic string
 2 data_format string

@@ -2,7 +2,12 @@ import { messageDescriptor, type FieldDescriptor, type MessageDescriptor } from 
 
 /** How the bytes of a field are checked. */
 export type Check =
-  typeof VARINT | typeof FIXED64 | typeof FIXED32 | typeof STRING | typeof BYTES | typeof MESSAGE;
+  | typeof VARINT
+  | typeof FIXED64
+  | typeof FIXED32
+  | typeof STRING
+  | typeof BYTES
+  | typeof MESSAGE;
 export const VARINT = 0;
 export const FIXED64 = 1;
 export const STRING = 2;

@@ -28,7 +28,8 @@ export interface TimedPong {
 
 /** What a text of the heartbeat says to the master. */
 export type Heartbeat =
-  { readonly kind: 'ping'; readonly timed: TimedPing | undefined } | { readonly kind: 'pong' };
+  | { readonly kind: 'ping'; readonly timed: TimedPing | undefined }
+  | { readonly kind: 'pong' };
 
 export const PING_TEXT = 'PING';
 export const PONG_TEXT = 'PONG';

@@ -8,7 +8,8 @@ export interface ClusterAddress {
   readonly isEncrypted: boolean;
   /** From the address. A user without a password is a token, as NATS has it. */
   readonly login?:
-    { readonly user: string; readonly password: string } | { readonly token: string };
+    | { readonly user: string; readonly password: string }
+    | { readonly token: string };
 }
 
 const EXPECTED = 'addresses of NATS servers, such as nats://10.0.0.7:4222,nats://10.0.0.8:4222';

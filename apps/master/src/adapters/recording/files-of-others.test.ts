@@ -1,6 +1,6 @@
 import { DEFAULT_TEXT_LIMITS, RecordingKind, RecordingState } from '@ubii/proto';
 import { RecordingWriter, type RecordingEvent } from '@ubii/recording';
-import { RecorderEngine, type RecordingJob } from '@ubii/recording/recorder';
+import { recordHere, type RecordingJob } from '@ubii/recording/recorder';
 import { SAMPLE_HEADER, SAMPLE_START_NS, sampleRecord } from '@ubii/recording/testing';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
@@ -9,7 +9,7 @@ import { MemoryFolder, MemoryRecording } from '../../testing/memory-folder.ts';
 
 const LIMITS = {
   ...DEFAULT_TEXT_LIMITS,
-  ...{ recordingsBytes: 1e9, markersPerRecording: 3_000 },
+  ...{ recordingsBytes: 1e9, markersPerRecording: 3_000, recorderQueueBytes: 1e6 },
 };
 const STUDY = {
   ...{ studyId: 's', studyName: 'Reach', runId: 'r', participantCode: 'P01', visit: '1' },
@@ -45,7 +45,7 @@ function markerOf(id: string, text = 'Go', more: object = {}): RecordingEvent {
 
 function openEngine() {
   const folder = new MemoryFolder();
-  const recorder = new RecorderEngine({ folder, clock: new FakeClock(), limits: LIMITS });
+  const recorder = recordHere({ folder, clock: new FakeClock(), limits: LIMITS });
   const upload = async (content: Content, more: Partial<RecordingJob> = {}) => {
     folder.uploads.set('up', await fileOf(content));
     return recorder.adopt({ ...runningJob('up'), name: '', ...more });

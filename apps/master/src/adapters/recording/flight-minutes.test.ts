@@ -1,12 +1,17 @@
 import { DEFAULT_TEXT_LIMITS, encodeRecord } from '@ubii/proto';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { batchOf, recordsToKeep, runningJob } from '../../testing/acceptance/index.ts';
+import { addAll, recordsToKeep, runningJob } from '../../testing/acceptance/index.ts';
 import { MemoryFolder } from '../../testing/index.ts';
 import { readRecording } from '../../testing/read-recording.ts';
-import { RecorderEngine } from '@ubii/recording/recorder';
+import { recordHere } from '@ubii/recording/recorder';
 
-const LIMITS = { ...DEFAULT_TEXT_LIMITS, recordingsBytes: 1e9, markersPerRecording: 100 };
+const LIMITS = {
+  ...DEFAULT_TEXT_LIMITS,
+  recordingsBytes: 1e9,
+  markersPerRecording: 100,
+  recorderQueueBytes: 1e6,
+};
 
 describe('minutes of the flight recorder that are over while nothing comes', () => {
   const FLIGHT = { isOn: true, minutes: 1, maxBytes: 1e6, withImages: true, present: [] };
@@ -16,14 +21,14 @@ describe('minutes of the flight recorder that are over while nothing comes', () 
   async function openFlight() {
     const folder = new MemoryFolder();
     const clock = new FakeClock();
-    const recorder = new RecorderEngine({ folder, clock, limits: LIMITS });
+    const recorder = recordHere({ folder, clock, limits: LIMITS });
     await recorder.setFlight(FLIGHT);
     const timeMs = clock.nowMs();
     const small = recordsToKeep('/x', 3, 1).map((record) => ({ ...record, timeMs }));
-    const source = { topic: '/camera', clientId: '', batchNumber: -1, place: 0 };
+    const source = { topic: '/camera', clientId: '', channel: undefined };
     const value = 'x'.repeat(LARGE_BYTES);
     const record = encodeRecord({ topic: '/camera', format: 'string', value });
-    recorder.add(batchOf([...small, { source, record, timeMs, targets: 1 }]));
+    addAll(recorder, [...small, { source, record, timeMs, targets: 1 }]);
     await clock.advance(2_000);
     return { recorder, folder, clock };
   }
@@ -66,9 +71,12 @@ describe('minutes of the flight recorder that are over while nothing comes', () 
     const { recorder, clock } = world;
     await clock.advance(28_000);
     const timeMs = clock.nowMs();
-    recorder.add(batchOf(recordsToKeep('/y', 3, 1).map((record) => ({ ...record, timeMs }))));
+    addAll(
+      recorder,
+      recordsToKeep('/y', 3, 1).map((record) => ({ ...record, timeMs })),
+    );
     await clock.advance(31_500);
-    expect(await recorder.flight()).toMatchObject({ recordCount: 6, topicCount: 2 });
+    expect(await recorder.flight()).toMatchObject({ recordCount: 3, topicCount: 2 });
     const later = [0, 1, 2].map((value) => ['/y', value]);
     expect((await kept(world)).values).toEqual([['/x', 2], ...later]);
     await clock.advance(31_000);
@@ -92,7 +100,10 @@ describe('minutes of the flight recorder that are over while nothing comes', () 
     await clock.advance(600_000);
     clock.setWall(-480_000);
     const timeMs = clock.nowMs();
-    recorder.add(batchOf(recordsToKeep('/y', 2, 1).map((record) => ({ ...record, timeMs }))));
+    addAll(
+      recorder,
+      recordsToKeep('/y', 2, 1).map((record) => ({ ...record, timeMs })),
+    );
     await clock.advance(30_000);
     const later = [0, 1].map((value) => ['/y', value]);
     expect((await kept(world)).values).toEqual([['/x', 2], ...later]);

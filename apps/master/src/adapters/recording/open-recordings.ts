@@ -1,15 +1,15 @@
 import type { Clock } from '@ubii/timing';
 import type { Log, Recorder, ReplayFiles } from '../../core/ports/index.ts';
 import { DiskFolder } from '@ubii/recording/node';
-import { RecorderEngine, type RecorderLimits } from '@ubii/recording/recorder';
-import { WorkerRecorder, type CheckLimits } from '@ubii/recording/thread';
+import { recordHere, type RecorderLimits } from '@ubii/recording/recorder';
+import { recordOnThread, type CheckLimits } from '@ubii/recording/thread';
 import { FolderReplays } from '../../core/replayer/folder-replays.ts';
 import { WorkerReplayFiles } from './worker-replay-files.ts';
 
 export interface RecordingOptions {
   /** Path of the folder of the recordings. */
   readonly folder: string;
-  readonly limits: RecorderLimits & CheckLimits;
+  readonly limits: RecorderLimits & CheckLimits & { readonly recorderQueueBytes: number };
   readonly clock: Clock;
   readonly log: Log;
   /** The built threads, and the process of the first; undefined: this thread does their work. */
@@ -30,9 +30,10 @@ export function openRecordings(options: RecordingOptions): {
   return {
     recorder:
       recorderWorkerFile === undefined || checkProcessFile === undefined
-        ? new RecorderEngine({ ...here, limits })
-        : new WorkerRecorder({
-            ...{ folder, clock, limits, checkProcessFile, workerFile: recorderWorkerFile },
+        ? recordHere({ ...here, limits })
+        : recordOnThread({
+            ...{ folder, clock, limits, checkProcessFile },
+            workerFile: recorderWorkerFile,
             onFailure: (what, reason) => log.error(what, { reason }),
           }),
     replayFiles:

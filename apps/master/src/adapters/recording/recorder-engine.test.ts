@@ -2,7 +2,7 @@ import { DEFAULT_TEXT_LIMITS, RecordingState } from '@ubii/proto';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import {
-  batchOf,
+  addAll,
   recorderSuite,
   recordsToKeep,
   runningJob,
@@ -12,26 +12,25 @@ import { MemoryRecording } from '../../testing/memory-folder.ts';
 import { readRecording } from '../../testing/read-recording.ts';
 import {
   LocalChecker,
-  RecorderEngine,
+  recordHere,
   type FileChecker,
   type Recorder,
-  type RecorderLimits,
 } from '@ubii/recording/recorder';
 import { manyMarkers, metadataIndexOf3Gib, recordChunkIndexOf3Gib } from '@ubii/recording/testing';
 
-const LIMITS: RecorderLimits = {
+const LIMITS = {
   ...DEFAULT_TEXT_LIMITS,
-  ...{ recordingsBytes: 1e9, markersPerRecording: 100 },
+  ...{ recordingsBytes: 1e9, markersPerRecording: 100, recorderQueueBytes: 1e6 },
 };
 
 function openEngine({
   folder = new MemoryFolder(),
   limits = LIMITS,
   checker,
-}: { folder?: MemoryFolder; limits?: RecorderLimits; checker?: FileChecker } = {}) {
+}: { folder?: MemoryFolder; limits?: typeof LIMITS; checker?: FileChecker } = {}) {
   const clock = new FakeClock();
   const parts = { folder, clock, limits, ...(checker && { checker }) };
-  return { folder, clock, recorder: new RecorderEngine(parts) };
+  return { folder, clock, recorder: recordHere(parts) };
 }
 
 recorderSuite('RecorderEngine in memory', () => {
@@ -60,7 +59,7 @@ describe('RecorderEngine', () => {
       runningJob('large', { target: 4, budget: { ...budget, maxBytes: 2_000 } }),
     );
     await recorder.start(runningJob('full', { target: 8, budget: { ...budget, minFreeBytes: 5 } }));
-    recorder.add(batchOf(recordsToKeep('/x', 500, 4)));
+    addAll(recorder, recordsToKeep('/x', 500, 4));
     folder.free = 4;
     await pass(clock, 2_000);
     const { recordings } = await recorder.list();
@@ -76,7 +75,7 @@ describe('RecorderEngine', () => {
   it('[RC-5] has a recording in its list, and to read, while its file is being closed', async () => {
     const { recorder } = openEngine();
     await recorder.start(runningJob('a'));
-    recorder.add(batchOf(recordsToKeep('/x', 10)));
+    addAll(recorder, recordsToKeep('/x', 10));
     const stopped = recorder.stop('a');
     for (let turn = 0; turn < 100; turn++) {
       await Promise.resolve();
@@ -96,10 +95,10 @@ describe('RecorderEngine', () => {
     await recorder.start(runningJob('full'));
     folder.maxBytes = Infinity;
     await recorder.start(runningJob('other', { target: 4 }));
-    recorder.add(batchOf(recordsToKeep('/first', 10, 2 | 4)));
+    addAll(recorder, recordsToKeep('/first', 10, 2 | 4));
     await pass(clock, 500);
     for (let i = 0; i < 20; i++) {
-      recorder.add(batchOf(recordsToKeep(`/lab/${i}/${'x'.repeat(i)}`, 100, 2 | 4)));
+      addAll(recorder, recordsToKeep(`/lab/${i}/${'x'.repeat(i)}`, 100, 2 | 4));
       await pass(clock, 500);
     }
     const { recordings } = await recorder.list();
@@ -117,9 +116,9 @@ describe('RecorderEngine', () => {
   it('[RC-7] repairs what an earlier run left open, and says what is missing', async () => {
     const { recorder, folder, clock } = openEngine();
     await recorder.start(runningJob('cut'));
-    recorder.add(batchOf(recordsToKeep('/x', 10)));
+    addAll(recorder, recordsToKeep('/x', 10));
     await pass(clock, 500);
-    recorder.add(batchOf(recordsToKeep('/lost', 10)));
+    addAll(recorder, recordsToKeep('/lost', 10));
     const { recorder: next } = openEngine({ folder });
     const [cut] = (await next.list()).recordings;
     expect(cut).toMatchObject({ id: 'cut', recordCount: 10, topicCount: 1 });
@@ -203,13 +202,13 @@ describe('RecorderEngine', () => {
   it('[RC-18] deletes the oldest keepings of the flight recorder, and nothing else', async () => {
     const { recorder: first, folder } = openEngine();
     await first.start(runningJob('wanted'));
-    first.add(batchOf(recordsToKeep('/x', 20)));
+    addAll(first, recordsToKeep('/x', 20));
     const { sizeBytes: bytesOfOne } = await first.stop('wanted');
     const recordingsBytes = 4 * bytesOfOne;
     const { recorder, clock } = openEngine({ folder, limits: { ...LIMITS, recordingsBytes } });
     const flight = { isOn: true, minutes: 5, maxBytes: 1e6, withImages: true, present: [] };
     await recorder.setFlight(flight);
-    recorder.add(batchOf(recordsToKeep('/x', 20, 1)));
+    addAll(recorder, recordsToKeep('/x', 20, 1));
     for (const id of ['k1', 'k2', 'k3', 'k4', 'k5', 'k6']) {
       await recorder.keep(runningJob(id));
       await pass(clock, 500);
@@ -243,7 +242,10 @@ describe('RecorderEngine', () => {
     const flight = { isOn: true, minutes: 1, maxBytes: 1e6, withImages: true, present: [] };
     await recorder.setFlight(flight);
     const timeMs = clock.nowMs();
-    recorder.add(batchOf(recordsToKeep('/x', 30, 1).map((record) => ({ ...record, timeMs }))));
+    addAll(
+      recorder,
+      recordsToKeep('/x', 30, 1).map((record) => ({ ...record, timeMs })),
+    );
     const { recordsPerSecond } = await recorder.flight();
     expect(recordsPerSecond).toHaveLength(60);
     expect(recordsPerSecond.at(-1)).toBe(30);

@@ -2,7 +2,11 @@ import { hkdfSync } from 'node:crypto';
 
 /** Purpose of a key; each purpose has its own key. */
 export type KeyPurpose =
-  'resume tokens' | 'credentials' | 'join secrets' | 'installation' | 'cluster messages';
+  | 'resume tokens'
+  | 'credentials'
+  | 'join secrets'
+  | 'installation'
+  | 'cluster messages';
 
 const KEY_BYTES = 32;
 /** Tells keys of this program, made in this way, from all others. */

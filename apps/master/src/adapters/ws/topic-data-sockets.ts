@@ -151,8 +151,7 @@ export class TopicDataSockets {
       try {
         // The library copies messages into new memory and keeps no reference.
         if (!isBinary) handleText(opened, data.toString());
-        else if (isBinaryPong(data))
-          opened.handlePong(); // [TD-2]
+        else if (isBinaryPong(data)) opened.handlePong(); // [TD-2]
         else opened.handleTopicData(data);
       } catch (error) {
         log.error('a message could not be handled', { reason: String(error) });

@@ -15,6 +15,9 @@ const MIN_RECORDS_PER_SECOND = 10;
 /** Looks in a row in which all of a throttled client has fitted before it is let go [EX-48]. */
 const LOOKS_TO_LIFT = 10;
 
+/** Time after its start in which a master is not judged, milliseconds: it loads, and its clients come back [EX-45]. */
+export const START_MS = 10_000;
+
 /** Dependencies of the checks. */
 export interface OverloadContext extends ThrottlingContext {
   readonly settings: CheckSettings;
@@ -27,6 +30,7 @@ export interface OverloadContext extends ThrottlingContext {
 export class OverloadChecks {
   readonly #context: OverloadContext;
   readonly #findings: Findings;
+  readonly #judgedFromMs: number;
   /** Overruns of each module at the last look. */
   #overruns: ReadonlyMap<string, number> = new Map();
   /** Of each client the policy throttled: looks in a row in which it has fitted. */
@@ -35,6 +39,7 @@ export class OverloadChecks {
   constructor(context: OverloadContext) {
     this.#context = context;
     this.#findings = new Findings(context.clock, context.events);
+    this.#judgedFromMs = context.clock.monotonicMs() + START_MS;
   }
 
   problems(): Problem[] {
@@ -43,8 +48,8 @@ export class OverloadChecks {
 
   /** To be called after each measurement of load and clients. */
   look({ latest: usage, processors }: Load): void {
-    const { settings, clients, nodes, sessions } = this.#context;
-    if (settings.checks === 'off') return;
+    const { settings, clients, nodes, sessions, clock } = this.#context;
+    if (settings.checks === 'off' || clock.monotonicMs() < this.#judgedFromMs) return;
     // A master that waits for a processor used by other programs is busy, but no client causes the load.
     const workPercent = Math.min(usage.busyPercent, usage.cpuPercent);
     const modules = loadsOf(sessions());

@@ -1,4 +1,10 @@
-import { encode, ServiceError, StatusEventKind, type Client as ClientMessage } from '@ubii/proto';
+import {
+  encode,
+  ServiceError,
+  StatusEventKind,
+  type Client as ClientMessage,
+  type Mark,
+} from '@ubii/proto';
 import type { PatternCompiler } from '@ubii/patterns';
 import type { Clock } from '@ubii/timing';
 import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
@@ -24,6 +30,7 @@ import type { TopicTable } from '../topics/topic-table.ts';
 import { Client, specOf, type ClientHome, type ClientSpec } from './client.ts';
 import type { Dismissal, Dismissals } from './dismissals.ts';
 import { leastMissed } from './least-missed.ts';
+import { isMark, Marks } from './marks.ts';
 import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
 
 /** Dependencies of a client registry. */
@@ -61,6 +68,7 @@ export class ClientRegistry {
   readonly #context: ClientContext;
   readonly #clients = new Map<string, Client>();
   readonly #publishLimits: PublishLimitTable;
+  readonly #marks = new Marks();
 
   constructor(context: ClientContext) {
     this.#context = context;
@@ -105,6 +113,11 @@ export class ClientRegistry {
     else this.sendForeign(client, frame);
   }
 
+  /** A mark that no client has. [EX-100] */
+  freeMark(): Mark {
+    return this.#marks.free();
+  }
+
   countByStatus(): Record<Exclude<ClientStatus, 'removed'>, number> {
     const counts = { active: 0, inactive: 0, unavailable: 0, removed: 0 };
     for (const { status, home } of this.#clients.values()) if (home === undefined) counts[status]++;
@@ -134,6 +147,7 @@ export class ClientRegistry {
     if (known?.home !== undefined) this.#takeOver(known, access);
     client.hereSinceMs = hereSinceMs;
     this.#admit(client, access);
+    this.#setMark(client, this.#marks.decide(message.extension?.mark, client.mark));
     if (known !== undefined) this.handleSign(known);
     else {
       this.#clients.set(client.id, client);
@@ -191,10 +205,14 @@ export class ClientRegistry {
   }
 
   /** What its master says of a client of another master is so. */
-  setForeign(client: Client, { spec, status }: { spec: ClientSpec; status: ClientStatus }): void {
+  setForeign(
+    client: Client,
+    { spec, status, mark }: { spec: ClientSpec; status: ClientStatus; mark: Mark | undefined },
+  ): void {
     client.account.add(RESOURCE.registrationBytes, sizeOf(spec) - sizeOf(client.spec));
     client.spec = spec;
     client.ownName = spec.name;
+    this.#setMark(client, isMark(mark) ? mark : undefined);
     client.registrationRevision++;
     if (client.status !== status) client.statusSinceMs = this.#context.clock.monotonicMs();
     client.status = status;
@@ -370,6 +388,12 @@ export class ClientRegistry {
     account.add(resource, growthBytes);
   }
 
+  #setMark(client: Client, mark: Mark | undefined): void {
+    this.#marks.count(client.mark, -1);
+    this.#marks.count(mark, 1);
+    client.mark = mark;
+  }
+
   #remove(client: Client, event: ClientEvent): void {
     const { events, devices, subscriptions, info, accounts } = this.#context;
     client.socket?.close('deregistered'); // [CL-16]
@@ -379,6 +403,7 @@ export class ClientRegistry {
     client.subscriber.outbox.discard();
     client.subscriber.sampler.discard();
     this.#clients.delete(client.id);
+    this.#marks.count(client.mark, -1);
     const { account } = client;
     account.add(RESOURCE.registrationBytes, -account.used(RESOURCE.registrationBytes));
     account.add(RESOURCE.clients, -1);

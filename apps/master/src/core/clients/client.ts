@@ -1,4 +1,4 @@
-import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
+import type { Client as ClientMessage, Device, Mark, NodeExtension } from '@ubii/proto';
 import type { ToldClock } from '@ubii/proto/wire';
 import { TokenBucket } from '@ubii/timing';
 import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
@@ -85,6 +85,8 @@ export class Client implements PublishingClient {
   /** Kind of access and role. [AC-20] */
   access: ClientAccess = TRUSTED_ACCESS;
   publishRights: PublishRights | undefined = undefined;
+  /** Shape and colour that people know it by; `undefined` until it has one. [EX-100] */
+  mark: Mark | undefined = undefined;
   /** Its capabilities as a node; undefined when it is not a node [PM-60]. */
   node: NodeExtension | undefined = undefined;
   /** Takes lists of records [EX-2]. */

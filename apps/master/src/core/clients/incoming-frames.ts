@@ -184,8 +184,7 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
     try {
       if (!scan.run(this, SLICE_FIELDS)) return this.#scan === undefined;
     } catch (error) {
-      if (error instanceof DecodeError)
-        this.#owner.handleProtocolError(`${error.message}.`); // [TD-12]
+      if (error instanceof DecodeError) this.#owner.handleProtocolError(`${error.message}.`); // [TD-12]
       else this.#context.log.error('a record could not be published', { reason: String(error) });
     }
     // A protocol error may have closed the socket.

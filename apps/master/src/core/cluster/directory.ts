@@ -62,7 +62,11 @@ export class Directory {
     client.publishRights = undefined;
     this.#setDevices(client, message);
     clients.admitForeign(client, this.#accessOf(told));
-    clients.setForeign(client, { spec: specOf(message), status: statusOf(message.state) });
+    clients.setForeign(client, {
+      spec: specOf(message),
+      status: statusOf(message.state),
+      mark: message.extension?.mark,
+    });
   }
 
   /** The client left that master. */
@@ -135,9 +139,9 @@ export class Directory {
 
 /** Describes a client of this master for other masters. */
 export function describeClient(client: Client): Init<ClusterClient> {
-  const { access, isExtension, node, library, hereSinceMs } = client;
+  const { access, isExtension, node, library, hereSinceMs, mark } = client;
   return {
-    client: client.toMessage(),
+    client: { ...client.toMessage(), extension: { mark } }, // [EX-100]
     isExtension,
     node,
     library,

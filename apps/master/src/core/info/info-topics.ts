@@ -5,6 +5,7 @@ import {
   type Client as ClientMessage,
   type Device,
   type Init,
+  type Mark,
 } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
@@ -24,14 +25,15 @@ export interface AnnouncedClient {
   readonly id: string;
   readonly account: Account;
   readonly registrationRevision: number;
+  readonly mark: Mark | undefined;
   /** The master that it is at; undefined: this one. */
   readonly home: { readonly masterId: string } | undefined;
   toMessage(): Omit<ClientMessage, 'extension'>;
 }
 
-/** A client as others see it; with an extension in a cluster. */
+/** A client as others see it: with its mark, and in a cluster with its master. */
 export type DescribedClient = ReturnType<AnnouncedClient['toMessage']> & {
-  readonly extension?: { readonly masterId: string };
+  readonly extension?: { readonly masterId: string; readonly mark: Mark | undefined };
 };
 
 /** Announces who comes, changes and goes. */
@@ -83,11 +85,9 @@ export class InfoTopics {
     this.#publisher.deleteValue(topic);
   }
 
-  /** The client as others see it, in a cluster with its master. [CU-70] */
+  /** The client as others see it, with its mark, and in a cluster with its master. [EX-100] [CU-70] */
   describe(client: AnnouncedClient): DescribedClient {
-    const message = client.toMessage();
-    const masterId = this.#masterOf(client);
-    return masterId === '' ? message : { ...message, extension: { masterId } };
+    return this.#withExtension(client.toMessage(), client);
   }
 
   /** Ends every timer. */
@@ -105,13 +105,20 @@ export class InfoTopics {
     const message = client.toMessage();
     const isAway = isKept && message.state === ClientState.UNAVAILABLE;
     const maxBytes = isAway ? ABSENT_ANNOUNCEMENT_BYTES : this.#limits.announcementBytes;
-    if (bytes <= maxBytes) return this.describe(client);
+    if (bytes <= maxBytes) return this.#withExtension(message, client);
     const { id, name, state, latency, isDedicatedProcessingNode } = message;
-    const { registrationRevision } = client;
+    const { registrationRevision, mark } = client;
     return {
       ...{ id, name, state, latency, isDedicatedProcessingNode },
-      extension: { abridged: true, registrationRevision, masterId: this.#masterOf(client) },
+      extension: { abridged: true, registrationRevision, masterId: this.#masterOf(client), mark },
     };
+  }
+
+  #withExtension(message: DescribedClient, client: AnnouncedClient): DescribedClient {
+    const masterId = this.#masterOf(client);
+    const { mark } = client;
+    if (masterId === '' && mark === undefined) return message;
+    return { ...message, extension: { masterId, mark } };
   }
 
   #masterOf({ home }: AnnouncedClient): string {

@@ -71,7 +71,7 @@ export const RECORDING_LIMITS = {
     32 * MIB,
     'bytes',
     'queues',
-    'Records that wait for the recorder. Records beyond are counted as lost. Enough for a second of raw camera images.',
+    'Records that wait for their files, those over 16 KiB in half of it, or in the memory of the flight recorder if that is larger. Records beyond are counted as lost.',
   ),
   markersPerRecording: limit(
     10_000,

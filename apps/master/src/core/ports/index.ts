@@ -19,9 +19,6 @@ export type {
   RecorderState,
   RecordingJob,
   RecordingTexts,
-  RecordSource,
-  RecordingBatch,
-  RecordToKeep,
   RunningJob,
 } from '@ubii/recording/recorder';
 export type {

@@ -1,18 +1,7 @@
 import { INFO_TOPICS } from '@ubii/proto';
-import type { RecordingEvent } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
-import type { Limits } from '../limits/index.ts';
-import {
-  eventOf,
-  FLIGHT_TARGET,
-  gapEvent,
-  isInternalTopic,
-  OpenBatch,
-  recordsOf,
-  type Recorder,
-  type RecordingBatch,
-} from '@ubii/recording/recorder';
+import { eventOf, FLIGHT_TARGET, isInternalTopic, type Recorder } from '@ubii/recording/recorder';
 import type { RecordTaker, RecordTap } from '../topics/record-tap.ts';
 import { isEventField, type TappedSource, type TopicEntry } from '../topics/topic-entry.ts';
 import { MARKER_TOPIC_END, type Marking } from './marker-topics.ts';
@@ -22,7 +11,6 @@ import { isImageField, type CompiledSelection } from './selection.ts';
 /** What a collector works with. */
 export interface CollectorContext {
   readonly clock: Clock;
-  readonly limits: Limits;
   readonly recorder: Recorder;
   readonly tap: RecordTap;
   /** Asks the other masters for what is recorded here; undefined without a cluster. [CU-17] */
@@ -48,26 +36,17 @@ interface Target {
   readonly endInterest: (() => void) | undefined;
 }
 
-interface Loss {
-  readonly fromMs: number;
-  untilMs: number;
-  records: number;
-}
-
 /** From so many publishers on, they are all looked up again: those that are gone are forgotten. */
 const MAX_SOURCES = 100_000;
-/** Longest time that records wait, milliseconds. */
-const BATCH_MS = 50;
-/** Bytes of records from which on they are handed over before their time: what they keep in memory is bounded. */
-const MAX_WAITING_BYTES = 4 * 1024 * 1024;
+/** Longest time that markers wait, milliseconds. */
+const MARKING_MS = 50;
 /** Markers that wait: more at once are too many for any recording. [RC-24] */
 const MAX_MARKINGS = 100;
-const TOO_SLOW = 'The recorder could not take records as fast as they came.';
 const SESSION_NEWS = '/info/session/';
 const CLIENT_NEWS = '/ubii/client/';
 const DEVICE_NEWS: ReadonlySet<string> = new Set([INFO_TOPICS.newDevice, INFO_TOPICS.deleteDevice]);
 
-/** Hands records to the recorder, some at a time, with what records them. [RC-50] */
+/** Hands records to the recorder, with what records them. [RC-50] */
 export class RecordCollector implements RecordTaker {
   readonly #context: CollectorContext;
   readonly #targets = new Map<number, Target>();
@@ -76,22 +55,14 @@ export class RecordCollector implements RecordTaker {
   #sources = new WeakMap<TopicEntry, Map<string, TappedSource>>();
   #sourceCount = 0;
   #generation = 0;
-  /** Records that the recorder could not take, by what should have recorded them. [RC-19] */
-  readonly #losses = new Map<number, Loss>();
   /** Called before the first record of the flight recorder: until then, no recorder is needed. */
   readonly onFirstOfFlight = new Hook<[]>();
   /** Called with each record whose text is a marker, [RC-24] */
   readonly onMarker = new Hook<[marking: Marking]>();
   #isFlightUsed = false;
   #cancel: Cancel | undefined = undefined;
-  readonly #batch = new OpenBatch();
-  /** What waits, in order, before the batch that is open. */
-  #waiting: (RecordingBatch | RecordingEvent)[] = [];
-  #waitingBytes = 0;
   #markings: Marking[] = [];
   #areSelectionsStale = false;
-  /** Topics that lost their value before the records that wait. */
-  #ended: string[] = [];
 
   constructor(context: CollectorContext) {
     this.#context = context;
@@ -150,7 +121,7 @@ export class RecordCollector implements RecordTaker {
     const { publisherId, publishedMs } = entry;
     const source = this.#sourceOf(entry, publisherId);
     const targets = isImageField(entry.valueField) ? source.targetsOfImages : source.targets;
-    if (targets !== 0) this.#addToBatch(source, record, publishedMs, targets);
+    if (targets !== 0) this.#record(source, record, publishedMs, targets);
     if (source.isOfMarkers) this.#addMarking({ record, publisherId, timeMs: publishedMs });
   }
 
@@ -161,23 +132,14 @@ export class RecordCollector implements RecordTaker {
     for (const [target, { startedMs, mayBeginWith }] of this.#targets) {
       if (entry.stamp < startedMs && !mayBeginWith(entry)) targets &= ~target;
     }
-    if (targets !== 0) this.#addToBatch(source, record, entry.publishedMs, targets);
+    if (targets !== 0) this.#record(source, record, entry.publishedMs, targets);
   }
 
   /** Hands over what waits. */
   flush(): void {
     this.#cancel?.();
     this.#cancel = undefined;
-    if (this.#ended.length > 0) this.#context.recorder.endTopics(this.#ended);
-    this.#ended = [];
-    this.#closeBatch();
-    const waiting = this.#waiting;
-    this.#waiting = [];
-    this.#waitingBytes = 0;
-    for (const each of waiting) {
-      if ('heads' in each) this.#send(each);
-      else if (!this.#isUnused) this.#context.recorder.addEvent(each, this.targets);
-    }
+    this.#context.recorder.flush();
     const markings = this.#markings;
     this.#markings = [];
     for (const marking of markings) this.onMarker.emit(marking);
@@ -185,11 +147,7 @@ export class RecordCollector implements RecordTaker {
 
   /** A topic has no value any more. [RC-33] */
   handleEnd({ topic, isMasters }: TopicEntry): void {
-    if (isMasters || this.#flight === 'off') return;
-    if (this.#waitingBytes > 0) this.flush(); // What waits came before.
-    if (!this.#isFlightUsed) return;
-    this.#ended.push(topic);
-    this.#startTimer();
+    if (!isMasters && this.#isFlightUsed) this.#context.recorder.endTopic(topic);
   }
 
   /** Ends the timer. */
@@ -198,29 +156,23 @@ export class RecordCollector implements RecordTaker {
     this.#context.tap.taker = undefined;
   }
 
-  #startTimer(): void {
-    this.#cancel ??= this.#context.clock.after(BATCH_MS, () => this.flush());
-  }
-
   /** What a recording that starts now takes of a topic. An event is over. [RC-9] */
   #addValue(entry: TopicEntry, target: number, timeMs: number): void {
     const { record, valueField, publisherId, isMasters } = entry;
     if (record === undefined || isMasters || isEventField(valueField)) return;
     const source = this.#sourceOf(entry, publisherId);
     const targets = isImageField(valueField) ? source.targetsOfImages : source.targets;
-    if ((targets & target) !== 0) this.#addToBatch(source, record, timeMs, target);
+    if ((targets & target) !== 0) this.#record(source, record, timeMs, target);
   }
 
-  #addToBatch(source: TappedSource, record: Uint8Array, timeMs: number, targets: number): void {
-    this.#batch.add(source, record, timeMs, targets);
-    this.#waitingBytes += record.byteLength;
-    if (this.#waitingBytes > MAX_WAITING_BYTES) this.flush();
-    else if (this.#cancel === undefined) this.#startTimer();
+  #record(source: TappedSource, record: Uint8Array, timeMs: number, targets: number): void {
+    if (!this.#isFlightUsed && (targets & FLIGHT_TARGET) !== 0) this.#useFlight();
+    this.#context.recorder.add(source, record, timeMs, targets);
   }
 
   #addMarking(marking: Marking): void {
     if (this.#markings.length < MAX_MARKINGS) this.#markings.push(marking);
-    this.#startTimer();
+    this.#cancel ??= this.#context.clock.after(MARKING_MS, () => this.flush());
   }
 
   /** What came before belongs to what recorded then. */
@@ -242,19 +194,11 @@ export class RecordCollector implements RecordTaker {
       this.#forgetSources();
     }
     const event = eventOf(topic, record, publishedMs);
-    if (event === undefined) return;
-    this.#closeBatch();
-    this.#waiting.push(event);
-    this.#startTimer();
-  }
-
-  /** The records so far come before what follows. */
-  #closeBatch(): void {
-    if (this.#batch.count > 0) this.#waiting.push(this.#batch.take());
+    if (event !== undefined && !this.#isUnused)
+      this.#context.recorder.addEvent(event, this.targets);
   }
 
   #useFlight(): void {
-    if (this.#isFlightUsed) return;
     this.#isFlightUsed = true;
     this.onFirstOfFlight.emit();
   }
@@ -304,31 +248,7 @@ export class RecordCollector implements RecordTaker {
     const isOfMarkers = topic.endsWith(MARKER_TOPIC_END);
     return {
       ...{ topic, clientId, targets, targetsOfImages, isOfMarkers },
-      ...{ generation: this.#generation, batchNumber: -1, place: 0 },
+      ...{ generation: this.#generation, channel: undefined },
     };
-  }
-
-  #send(batch: RecordingBatch): void {
-    const { recorder, limits } = this.#context;
-    if ((batch.targets & FLIGHT_TARGET) !== 0) this.#useFlight();
-    if (recorder.waitingBytes > limits.recorderQueueBytes) return this.#lose(batch);
-    for (const [targets, { fromMs, untilMs, records }] of this.#losses) {
-      recorder.addEvent(gapEvent(fromMs, untilMs, records, TOO_SLOW), targets);
-    }
-    this.#losses.clear();
-    recorder.add(batch);
-  }
-
-  /** [RC-19] */
-  #lose(batch: RecordingBatch): void {
-    for (const { targets, timeMs } of recordsOf(batch)) {
-      const loss = this.#losses.get(targets);
-      if (loss === undefined) {
-        this.#losses.set(targets, { fromMs: timeMs, untilMs: timeMs, records: 1 });
-      } else {
-        loss.untilMs = timeMs;
-        loss.records++;
-      }
-    }
   }
 }

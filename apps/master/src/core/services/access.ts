@@ -7,6 +7,7 @@ import {
   type AccessGrantCreateRequest,
   type AccessRole,
   type Init,
+  type TakenMark,
 } from '@ubii/proto';
 import { isLongerThan, oneLine } from '@ubii/words';
 import { isUsedUp } from '../access/access.ts';
@@ -17,6 +18,7 @@ import { joinRefusal } from '../access/join-refusals.ts';
 import { ADMINS, givenRole, wireRole } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import type { Dismissal } from '../clients/dismissals.ts';
+import { placeOf } from '../clients/marks.ts';
 import { nameOf } from '../areas/settings.ts';
 import { quote } from '../texts/quote.ts';
 import { byCaller } from './by-caller.ts';
@@ -50,7 +52,15 @@ export const ACCESS_SERVICES = [
         return { problem: why, message: joinRefusal(why).message, masterName };
       }
       const isJoined = grant !== undefined && isOfGrant(call, grant);
-      return { role: role!, target: grant?.target ?? '', expiresMs, masterName, isJoined };
+      const marks = marksFor(core, call);
+      return {
+        role: role!,
+        target: grant?.target ?? '',
+        expiresMs,
+        masterName,
+        isJoined,
+        ...marks,
+      };
     },
   }),
   // [AC-10]
@@ -111,6 +121,17 @@ export const ACCESS_SERVICES = [
 
 function messageOf(core: Parts, grant: Grant): Init<AccessGrant> {
   return grantMessage(grant, clientIdsOf(core, grant), workOf(core, grant));
+}
+
+/** What a person who joins can choose from. [EX-100] */
+function marksFor({ clients }: Parts, { caller }: ServiceCall) {
+  const ownId = caller.kind === 'client' ? caller.clientId : undefined;
+  const taken = new Map<number, Init<TakenMark>>();
+  for (const { id, status, spec, mark } of clients.values()) {
+    if (id === ownId || status === 'unavailable' || mark === undefined) continue;
+    taken.set(placeOf(mark), { name: spec.name, mark });
+  }
+  return { freeMark: clients.freeMark(), takenMarks: [...taken.values()] };
 }
 
 interface Checked {

@@ -110,6 +110,7 @@ function replyOf(
       masters: masters?.addresses() ?? [], // [CU-26]
       masterId: masters === undefined ? '' : id, // [CU-80]
       role: wireRole(role), // [AC-20]
+      mark: client.mark, // [EX-100]
       ...access.credentialOf(client.id, client.access), // [AC-13]
     },
   };

@@ -2,7 +2,13 @@ import { SessionState, SessionStatus } from '@ubii/proto';
 
 /** Life cycle state of a session. [SE-10] */
 export type SessionLife =
-  'created' | 'starting' | 'running' | 'degraded' | 'paused' | 'stopping' | 'stopped';
+  | 'created'
+  | 'starting'
+  | 'running'
+  | 'degraded'
+  | 'paused'
+  | 'stopping'
+  | 'stopped';
 
 /** Events of a session. */
 export type SessionEvent =

@@ -184,8 +184,7 @@ function createTopic({ topics }: PublishContext, publication: Publication): void
 }
 
 function takeOwnership({ topics, kept }: PublishContext, { entry, client }: Publication): void {
-  if (entry!.record === undefined)
-    topics.own(entry!, client!); // [TD-19]
+  if (entry!.record === undefined) topics.own(entry!, client!); // [TD-19]
   else if (entry!.isAdoptable) kept.handleAdopted(entry!, client!);
 }
 

@@ -6,7 +6,7 @@ import {
   type Component,
 } from '@ubii/proto';
 import type { TokenBucket } from '@ubii/timing';
-import type { RecordSource } from '@ubii/recording/recorder';
+import type { ChannelSource } from '@ubii/recording/recorder';
 import type { Account } from '../shares/account.ts';
 import type { ReadRights } from './rights.ts';
 
@@ -21,7 +21,7 @@ export interface TopicOwner {
 }
 
 /** A publisher on a topic, and what records it. */
-export interface TappedSource extends RecordSource {
+export interface TappedSource extends ChannelSource {
   /** Bits of what records it, and what records images of it. */
   readonly targets: number;
   readonly targetsOfImages: number;
@@ -29,9 +29,6 @@ export interface TappedSource extends RecordSource {
   readonly isOfMarkers: boolean;
   /** Selections have changed since then when it is not the current one. */
   readonly generation: number;
-  /** The batch that it was in last, and its place there. */
-  batchNumber: number;
-  place: number;
 }
 
 /** Everything the master knows of one topic. Plain fields: this is what the record path touches. */

@@ -7,7 +7,7 @@ export { auditStoreSuite } from './audit-store-suite.ts';
 export { idSourceSuite } from './id-source-suite.ts';
 export { logSuite, type WrittenLine } from './log-suite.ts';
 export {
-  batchOf,
+  addAll,
   recorderSuite,
   recordsToKeep,
   runningJob,

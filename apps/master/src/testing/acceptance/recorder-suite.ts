@@ -7,14 +7,8 @@ import {
 } from '@ubii/proto';
 import type { RecordingSource } from '@ubii/recording';
 import { describe, expect, it } from 'vitest';
-import type {
-  RecordingBatch,
-  Recorder,
-  RecorderState,
-  RecordToKeep,
-  RunningJob,
-} from '../../core/ports/index.ts';
-import { OpenBatch, type BatchedSource } from '@ubii/recording/recorder';
+import type { Recorder, RecorderState, RunningJob } from '../../core/ports/index.ts';
+import type { ChannelSource } from '@ubii/recording/recorder';
 import { readRecording } from '../read-recording.ts';
 
 /** A recorder with its files. */
@@ -43,12 +37,17 @@ export function runningJob(id: string, more: Partial<RunningJob> = {}): RunningJ
   };
 }
 
-/** A record that can be put into batches. */
-type SampleRecord = RecordToKeep & { readonly source: BatchedSource };
+/** A record for a recorder. */
+export interface SampleRecord {
+  readonly source: ChannelSource;
+  readonly record: Uint8Array;
+  readonly timeMs: number;
+  readonly targets: number;
+}
 
 /** Records of one topic with the values 0, 1, 2 … */
 export function recordsToKeep(topic: string, count: number, targets = TARGET): SampleRecord[] {
-  const source = { topic, clientId: 'ada-id', batchNumber: -1, place: 0 };
+  const source = { topic, clientId: 'ada-id', channel: undefined };
   return Array.from({ length: count }, (_, index) => ({
     source,
     record: encodeRecord({ topic, format: 'double', value: index }),
@@ -57,13 +56,11 @@ export function recordsToKeep(topic: string, count: number, targets = TARGET): S
   }));
 }
 
-/** A batch of records. */
-export function batchOf(records: readonly SampleRecord[]): RecordingBatch {
-  const batch = new OpenBatch();
+/** Gives records to a recorder. */
+export function addAll(recorder: Recorder, records: readonly SampleRecord[]): void {
   for (const { source, record, timeMs, targets } of records) {
-    batch.add(source, record, timeMs, targets);
+    recorder.add(source, record, timeMs, targets);
   }
-  return batch.take();
 }
 
 function marker(id: string, more: Partial<RecordingMarker> = {}): RecordingMarker {
@@ -82,7 +79,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const started = await recorder.start(runningJob('a'));
       expect(started).toMatchObject({ id: 'a', name: 'Recording a', author: 'Ada' });
       expect(started.state).toBe(RecordingState.RECORDING_STATE_RECORDING);
-      recorder.add(batchOf([...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]));
+      addAll(recorder, [...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]);
       const stopped = await recorder.stop('a');
       expect(stopped).toMatchObject({ recordCount: 4, topicCount: 2, lostCount: 0, problem: '' });
       expect(stopped.state).toBe(RecordingState.RECORDING_STATE_COMPLETE);
@@ -96,7 +93,6 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
         ['/lab/x', 2],
         ['/lab/y', 0],
       ]);
-      expect(recorder.waitingBytes).toBe(0);
       await recorder.close();
     });
 
@@ -105,9 +101,9 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       await recorder.start(runningJob('a'));
       await recorder.start(runningJob('b', { target: OTHER_TARGET }));
       const both = recordsToKeep('/both', 1, TARGET | OTHER_TARGET);
-      recorder.add(batchOf([...both, ...recordsToKeep('/b', 1, OTHER_TARGET)]));
+      addAll(recorder, [...both, ...recordsToKeep('/b', 1, OTHER_TARGET)]);
       await recorder.stop('a');
-      recorder.add(batchOf(recordsToKeep('/late', 1, TARGET | OTHER_TARGET)));
+      addAll(recorder, recordsToKeep('/late', 1, TARGET | OTHER_TARGET));
       await recorder.close();
       expect((await readRecording(await file('a'))).values).toEqual([['/both', 0]]);
       const { values } = await readRecording(await file('b'));
@@ -117,7 +113,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
     it('[RC-2] [RC-3] lists recordings, those of earlier runs as well', async () => {
       const { recorder, reopen } = open();
       await recorder.start(runningJob('a'));
-      recorder.add(batchOf(recordsToKeep('/x', 2)));
+      addAll(recorder, recordsToKeep('/x', 2));
       await recorder.close();
       const next = reopen();
       await next.start(runningJob('b'));
@@ -151,7 +147,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
     it('[RC-3] tells what is recorded of each topic while it runs', async () => {
       const { recorder } = open();
       await recorder.start(runningJob('a'));
-      recorder.add(batchOf([...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]));
+      addAll(recorder, [...recordsToKeep('/lab/x', 3), ...recordsToKeep('/lab/y', 1)]);
       const counts = async (): Promise<(string | number)[][]> => {
         const { topics } = (await recorder.get('a', FIRST_PAGE)).recording;
         return topics.map(({ topic, clientId, recordCount }) => [topic, clientId, recordCount]);
@@ -188,7 +184,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
     it('[RC-20] [RC-22] adds, changes and removes markers while it records and later', async () => {
       const { recorder } = open();
       await recorder.start(runningJob('a'));
-      recorder.add(batchOf(recordsToKeep('/x', 1)));
+      addAll(recorder, recordsToKeep('/x', 1));
       await recorder.mark({ marker: marker('m'), mayChangeAll: false });
       await recorder.mark({ marker: marker('n', { text: 'gone' }), mayChangeAll: false });
       await recorder.mark({ marker: marker('n', { isRemoved: true }), mayChangeAll: false });
@@ -226,7 +222,7 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const { recorder, file } = open();
       const settings = { isOn: true, minutes: 5, maxBytes: 1e6, withImages: true };
       await recorder.setFlight({ ...settings, present: [] });
-      recorder.add(batchOf(recordsToKeep('/x', 3, 1)));
+      addAll(recorder, recordsToKeep('/x', 3, 1));
       await recorder.mark({ marker: marker('m'), mayChangeAll: false });
       const kept = await recorder.keep(runningJob('k', { name: 'Kept' }));
       expect(kept).toMatchObject({ name: 'Kept', recordCount: 3, markerCount: 1 });
@@ -242,9 +238,9 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       const { recorder, file } = open();
       const settings = { isOn: true, minutes: 5, maxBytes: 50_000, withImages: true };
       await recorder.setFlight({ ...settings, present: [] });
-      for (const topic of ['/ended', '/stays']) recorder.add(batchOf(recordsToKeep(topic, 1, 1)));
-      recorder.endTopics(['/ended']);
-      recorder.add(batchOf(recordsToKeep('/x', 3_000, 1)));
+      for (const topic of ['/ended', '/stays']) addAll(recorder, recordsToKeep(topic, 1, 1));
+      recorder.endTopic('/ended');
+      addAll(recorder, recordsToKeep('/x', 3_000, 1));
       await recorder.keep(runningJob('k'));
       const { summary } = await readRecording(await file('k'));
       expect(summary.topics.map(({ topic }) => topic).sort()).toEqual(['/stays', '/x']);

@@ -1,4 +1,4 @@
-import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
+import type { Init, Mark, NodeExtension, ProcessingModule } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import type { ErrorHandler } from '../ports/error-handler.ts';
 import type { IdentityStorage } from '../ports/identity-storage.ts';
@@ -26,6 +26,8 @@ export interface ClientOptions {
   readonly processingModules?: readonly Init<ProcessingModule>[];
   /** True when it exists to run modules for others. @default false */
   readonly isDedicatedNode?: boolean;
+  /** Shape and colour that people know it by. @default the master gives it one that is free [EX-100] */
+  readonly mark?: Init<Mark>;
   /**
    * Token or code to join with, if the master requires one. Used for the first registration;
    * then the credential shows who it is, which is kept with the identity. [AC-13]

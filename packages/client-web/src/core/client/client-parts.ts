@@ -132,6 +132,7 @@ export class ClientParts {
         node,
         processingModules: more.processingModules ?? [],
         isDedicatedNode: more.isDedicatedNode ?? false,
+        mark: more.mark,
       },
       this.#sendTimes,
       joinToken,

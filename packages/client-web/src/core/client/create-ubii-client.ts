@@ -3,6 +3,7 @@ import type {
   DataFormat,
   DataFormatValues,
   Init,
+  Mark,
   ServiceName,
   ServiceReplyOf,
   ServiceRequestOf,
@@ -64,6 +65,10 @@ class Client implements UbiiClient {
 
   get name(): string {
     return this.#parts.registration.profile.name;
+  }
+
+  get mark(): Init<Mark> | undefined {
+    return this.#parts.registration.profile.mark;
   }
 
   get authorization(): string | undefined {

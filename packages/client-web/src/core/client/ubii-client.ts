@@ -3,6 +3,7 @@ import type {
   DataFormatValues,
   DecodeError,
   Init,
+  Mark,
   ServiceError,
   ServiceName,
   ServiceReplyOf,
@@ -80,13 +81,15 @@ export interface UbiiClient {
   readonly id: string;
   /** Name for people. */
   readonly name: string;
+  /** Its mark; `undefined` before the first connection unless one was given, and with original masters. [EX-100] */
+  readonly mark: Init<Mark> | undefined;
   /**
    * Changes the name. The master learns it now, or as soon as it can be reached; an original master
    * when the client registers again. Rejects with the `ServiceError` when the master refuses it.
    */
   rename(name: string): Promise<void>;
   /**
-   * Changes what the master knows of the client: name, description, tags, and what it is as a node.
+   * Changes what the master knows of the client: name, description, tags, mark, and what it is as a node.
    * The master learns it as with `rename`.
    */
   updateProfile(change: Partial<ClientProfile>): Promise<void>;

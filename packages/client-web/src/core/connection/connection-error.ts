@@ -7,7 +7,13 @@ import type { JoinProblem } from './join.ts';
  * · `join`: the client has to join first, or again; `joinProblem` says why.
  */
 export type ConnectionErrorReason =
-  'closed' | 'refused' | 'timeout' | 'protocol' | 'superseded' | 'disconnected' | 'join';
+  | 'closed'
+  | 'refused'
+  | 'timeout'
+  | 'protocol'
+  | 'superseded'
+  | 'disconnected'
+  | 'join';
 
 /** The link to the master failed. */
 export class ConnectionError extends Error {

@@ -6,7 +6,13 @@ import { AccessRole, JoinProblem as WireProblem, ServiceError } from '@ubii/prot
  * · `role`: it is admitted, but not to what it asked for. [AC-12]
  */
 export type JoinProblem =
-  'missing' | 'wrong' | 'expired' | 'revoked' | 'used' | 'guessing' | 'role';
+  | 'missing'
+  | 'wrong'
+  | 'expired'
+  | 'revoked'
+  | 'used'
+  | 'guessing'
+  | 'role';
 
 /** Rights of a client at its master. [AC-20] */
 export type ClientRole = 'admin' | 'participant' | 'player' | 'viewer';

@@ -1,4 +1,4 @@
-import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
+import type { Init, Mark, NodeExtension, ProcessingModule } from '@ubii/proto';
 import type { Identity } from './identity.ts';
 import type { ClientRole } from './join.ts';
 
@@ -11,6 +11,8 @@ export interface ClientProfile {
   readonly node: Init<NodeExtension> | undefined;
   readonly processingModules: readonly Init<ProcessingModule>[];
   readonly isDedicatedNode: boolean;
+  /** The mark that it would have, or that the master gave it; `undefined` when any will do. [EX-100] */
+  readonly mark: Init<Mark> | undefined;
 }
 
 /** Result of a registration. */

@@ -10,7 +10,7 @@ export function registrationOf(
   identity: Identity | undefined,
   sentMs: number,
 ): Init<ServiceRequestOf<'clientRegistration'>> {
-  const { name, description, tags, node, processingModules, isDedicatedNode } = profile;
+  const { name, description, tags, node, processingModules, isDedicatedNode, mark } = profile;
   const resumeToken = identity?.resumeToken;
   return {
     name,
@@ -26,6 +26,7 @@ export function registrationOf(
       sentMs, // [EX-51]
       ...(resumeToken === undefined ? {} : { resumeToken }), // [EX-3]
       ...(node === undefined ? {} : { node }), // [PM-60]
+      ...(mark === undefined ? {} : { mark }), // [EX-100]
     },
   };
 }

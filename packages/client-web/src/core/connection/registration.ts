@@ -1,5 +1,12 @@
 import { ClientState, ServiceError } from '@ubii/proto';
-import type { Client, Init, ServiceName, ServiceReplyOf, ServiceRequestOf } from '@ubii/proto';
+import type {
+  Client,
+  Init,
+  Mark,
+  ServiceName,
+  ServiceReplyOf,
+  ServiceRequestOf,
+} from '@ubii/proto';
 import { Admission } from './admission.ts';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
@@ -295,8 +302,15 @@ export class Registration {
     this.#identity = membership.identity;
     this.#membership = membership;
     this.#isProfileNew = this.#profile !== profile;
+    this.#keepMark(profile, client.extension?.mark);
     if (this.#parked === undefined) this.#storage.save(this.#identity);
     return membership;
+  }
+
+  /** After a restart of the master, the client asks for the mark that it has. [EX-100] */
+  #keepMark(told: ClientProfile, mark: Mark | undefined): void {
+    if (mark !== undefined && this.#profile.mark === told.mark)
+      this.#profile = { ...this.#profile, mark };
   }
 
   /** As the same client or not at all: the address may belong to another installation by now. [CU-83] */

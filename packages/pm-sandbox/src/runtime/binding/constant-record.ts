@@ -10,7 +10,8 @@ import { formatsFit } from './formats-fit.ts';
 
 /** A constant as an input gets it, or why it is none. */
 export type ConstantRecord =
-  { readonly bytes: Uint8Array; readonly valueField: number } | { readonly problem: string };
+  | { readonly bytes: Uint8Array; readonly valueField: number }
+  | { readonly problem: string };
 
 const RECORD_TYPE = 'ubii.topicData.TopicDataRecord';
 

@@ -3,6 +3,7 @@ import type { ParsedIo } from '../../definition/parse-module.ts';
 import type { SandboxInput } from '../../ports/sandbox.ts';
 import type { EncodedRecord } from '../../ports/topic-port.ts';
 import type { InputMarks } from '../drivers/trigger-driver.ts';
+import { constantRecord } from './constant-record.ts';
 import { ConstantSlot } from './constant-slot.ts';
 import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
 import { MuxSlot } from './mux-slot.ts';
@@ -22,6 +23,9 @@ export class InputBinding implements InputMarks {
   #isClosed = false;
   #bound: readonly BoundSlot[] = [];
   #slots: readonly InputSlot[] = [];
+  /** By the name of the input. [PM-5] */
+  readonly #defaults: ReadonlyMap<string, SandboxInput>;
+  #unmapped: readonly SandboxInput[] = [];
 
   /** @param isListening false: it subscribes to nothing that a snapshot can bring */
   constructor(
@@ -33,6 +37,7 @@ export class InputBinding implements InputMarks {
     this.#inputs = inputs;
     this.#context = context;
     this.#isListening = isListening;
+    this.#defaults = defaultInputs(inputs, context);
     this.rebind(mapping);
   }
 
@@ -50,6 +55,8 @@ export class InputBinding implements InputMarks {
     }
     this.#bound = bound;
     this.#slots = bound.map(({ slot }) => slot);
+    const mapped = new Set(this.#slots.map(({ name }) => name));
+    this.#unmapped = [...this.#defaults.values()].filter(({ name }) => !mapped.has(name));
     // After the new ones are open, so that a topic used by both is not given up in between.
     for (const { slot } of before.values()) slot.close();
   }
@@ -61,14 +68,14 @@ export class InputBinding implements InputMarks {
     for (const slot of this.#slots) this.#listen(slot);
   }
 
-  /** Values of all mapped inputs for a run that starts now. */
+  /** Values of all inputs that are mapped or have a default, for a run that starts now. */
   read(): SandboxInput[] {
-    return this.#slots.map((slot) => slot.read());
+    return this.#withDefaults(this.#slots.map((slot) => slot.read()));
   }
 
-  /** Values of all mapped inputs for a run of a pass. */
+  /** Values of all inputs that are mapped or have a default, for a run of a pass. */
   readFrom(snapshot: Snapshot): SandboxInput[] {
-    return this.#slots.map((slot) => slot.readFrom(snapshot));
+    return this.#withDefaults(this.#slots.map((slot) => slot.readFrom(snapshot)));
   }
 
   /** The newest records of all topics that are mapped. */
@@ -107,6 +114,16 @@ export class InputBinding implements InputMarks {
     this.#slots = [];
   }
 
+  #withDefaults(inputs: SandboxInput[]): SandboxInput[] {
+    if (this.#defaults.size === 0) return inputs;
+    const filled = inputs.map((input) =>
+      'record' in input && input.record === undefined
+        ? (this.#defaults.get(input.name) ?? input)
+        : input,
+    );
+    return [...filled, ...this.#unmapped];
+  }
+
   #open(spec: SlotSpec): InputSlot | undefined {
     try {
       const slot = createSlot(spec, this.#context);
@@ -130,6 +147,22 @@ export class InputBinding implements InputMarks {
   #handleRefused(inputName: string, error: unknown): void {
     this.#context.onProblem(inputName, error instanceof Error ? error.message : String(error));
   }
+}
+
+/** Encodes the defaults, once. Reports those that do not fit their input. */
+function defaultInputs(
+  inputs: readonly ParsedIo[],
+  context: SlotContext,
+): ReadonlyMap<string, SandboxInput> {
+  const found = new Map<string, SandboxInput>();
+  for (const { name, format, isList, defaultJson } of inputs) {
+    if (isList || defaultJson === '') continue;
+    const record = constantRecord(defaultJson, format);
+    if ('problem' in record) {
+      context.onProblem(name, record.problem.replace('the constant', 'the default'));
+    } else found.set(name, { name, record: { bytes: record.bytes } });
+  }
+  return found;
 }
 
 /** @throws Error with a sentence when the mapping cannot be followed */

@@ -110,6 +110,49 @@ describe('an input mapped to a topic', () => {
   });
 });
 
+describe('an input with a default', () => {
+  const sketch: ModuleSketch = {
+    mode: { frequency: { hertz: 10 } },
+    inputs: { x: 'double', gain: 'double' },
+    from: { x: '/x' },
+    defaults: { x: '{"double":1}', gain: '{"double":2}' },
+  };
+
+  it('[PM-5] has it while nothing is connected, and until the first record', async () => {
+    const world = createWorld();
+    await world.begin(sketch);
+    expect(world.values()).toEqual({ x: 1, gain: 2 });
+    world.topics.put('/x', 'double', 5);
+    await world.clock.advance(100);
+    expect(world.values()).toEqual({ x: 5, gain: 2 });
+    world.runtime.remap(
+      'pm-1',
+      ioMapping({ ...sketch, from: { gain: { constant: { double: 7 } } } }),
+    );
+    await world.clock.advance(100);
+    expect(world.values()).toEqual({ x: 1, gain: 7 });
+  });
+
+  it('[PM-5] is triggered by records only', async () => {
+    const world = createWorld();
+    await world.begin({ ...sketch, mode: ON_INPUT });
+    await world.clock.advance(100);
+    expect(world.sandboxes.last.calls).toHaveLength(0);
+    world.topics.put('/x', 'double', 5);
+    await world.clock.endTurn();
+    expect(world.values()).toEqual({ x: 5, gain: 2 });
+  });
+
+  it('[PM-5] has none when it is none of its format, which is reported', async () => {
+    const world = createWorld();
+    await world.begin({ ...sketch, defaults: { gain: '{"string":"much"}' } });
+    expect(world.values()).toEqual({ x: undefined });
+    expect(world.events).toMatchObject([
+      { message: 'Input "gain": the default is string, but the input expects double.' },
+    ]);
+  });
+});
+
 describe('an input mapped to a constant', () => {
   it('[PM-34] has it from the start', async () => {
     const world = createWorld();

@@ -66,7 +66,8 @@ export function prelude(
   const pendingCalls = new Map<number, { settle: (isGood: boolean, value: unknown) => void }>();
   const takePending = (id: number) => {
     const pending = apply(Map.prototype.get, pendingCalls, [id]) as
-      { settle: (isGood: boolean, value: unknown) => void } | undefined;
+      | { settle: (isGood: boolean, value: unknown) => void }
+      | undefined;
     pendingCalls.delete(id);
     return pending;
   };
