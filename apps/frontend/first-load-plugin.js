@@ -6,7 +6,7 @@ import { brotliCompressSync, constants } from 'node:zlib';
  */
 export const MAX_FIRST_LOAD_BYTES = 200_000;
 
-const HOME = /\/home\/(HomePage|ProductIntro)\.vue$/;
+const HOME = /\/home\/HomePage\.vue$/;
 /** What the headers of one file take, bytes. */
 const HEADER_BYTES = 1500;
 /** As in scripts/lib/precompress.mjs. */

@@ -52,13 +52,20 @@ export default defineConfig({
       output: {
         codeSplitting: {
           groups: [
-            // Home and Examples show all of them; each file has headers of 1.4 kB.
+            // Examples shows all of them; each file has headers of 1.4 kB.
             {
               name: 'examples',
-              test: /\/src\/(examples\/([^/]+\/\w+Thumbnail|ExampleRow)\.vue|graph\/editor\/templates\/own-pointer)/,
+              test: /\/src\/examples\/([^/]+\/\w+Thumbnail|ExampleRow)\.vue/,
               includeDependenciesRecursively: false,
             },
-            // Home offers to connect a phone: two small files of it would have headers twice.
+            // The living session of Home, in one file in place of seven; other pages use parts of it.
+            {
+              name: 'living',
+              test: /\/src\/(devices\/(useDevice|useFrontTab|front-tab|device-refusal)|sessions\/own\/|tab-node\/useTabNode|pad\/|topics\/names\/(useShortTopic|useFindPublisher|topic-path))/,
+              minShareCount: 2,
+              includeDependenciesRecursively: false,
+            },
+            // Two small files that connect a phone would have headers twice.
             {
               name: 'connect-phone',
               test: /\/src\/joining\/connect-phone\/(use(Grants|ConnectPhone|Lan)|grant-(choices|secrets)|open-phone|NoNetworkHelp)/,
@@ -75,7 +82,7 @@ export default defineConfig({
             },
             {
               name: 'shared',
-              test: /@lucide|\/src\/(formats(?!\/picture-bitmap)|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/shell|shell\/(pages|shortcuts)|joining\/(join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses)|ui\/keys\/single-key|ui\/toasts\/toasts|graph\/editor\/templates\/while-used|ui\/charts\/line-path|clients\/client-facts|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(list\/session-rows|live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
+              test: /@lucide|\/src\/(formats(?!\/picture-bitmap)|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/(shell|recent)|home\/in-words|shell\/(pages|shortcuts)|joining\/(join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses)|ui\/keys\/single-key|ui\/toasts\/toasts|graph\/editor\/templates\/(while-used|own-pointer)|ui\/charts\/line-path|clients\/client-facts|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(list\/session-rows|live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
               minShareCount: 2,
               includeDependenciesRecursively: false,
             },

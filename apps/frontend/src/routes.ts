@@ -7,6 +7,7 @@ import { certificateRoutes } from './joining/certificate/routes.ts';
 import { connectPhoneRoutes } from './joining/connect-phone/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
+import { homeRoutes } from './home/routes.ts';
 import { installRoutes } from './install/routes.ts';
 import { joinRoutes } from './joining/join/routes.ts';
 import { learnRoutes } from './learn/routes.ts';
@@ -33,6 +34,8 @@ declare module 'vue-router' {
     ownKeys?: string;
     /** On phones it says itself who this is and how it stands with the master: no top bar. */
     hasOwnHeader?: boolean;
+    /** Goes from edge to edge, with panels of its own: no `PageFrame`, and a rail without labels. */
+    isFullBleed?: boolean;
     /** Stands alone, without rail and top bar, and also for those who have not joined. */
     isBare?: boolean;
     /** Fills the window: no rail, no top bar, no column. */
@@ -42,15 +45,11 @@ declare module 'vue-router' {
 
 /** Every page. A feature's pages stand in its own folder and are loaded when they are opened. */
 export const routes: readonly RouteRecordRaw[] = [
-  {
-    path: '/',
-    component: () => import('./home/HomePage.vue'),
-    meta: { title: 'Home' },
-  },
+  ...homeRoutes,
   ...sessionsRoutes,
   ...graphRoutes,
   ...modulesRoutes,
-  ...topicsRoutes,
+  ...topicsRoutes(() => import('./publish/TopicPublisher.vue')),
   ...publishRoutes,
   ...callsRoutes,
   ...clientsRoutes,

@@ -1,5 +1,5 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ClientState, ServiceError, type Client } from '@ubii/proto';
+import { ClientState, ServiceError, type Client, type Mark } from '@ubii/proto';
 import { useTimeoutFn } from '@vueuse/core';
 import { computed, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { displayNames } from './display-names.ts';
@@ -112,9 +112,10 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     const before = known.get(id);
     if (before === undefined) return value;
     const after = { ...before, name, state, latency };
-    const { masterId } = extension;
-    if (masterId === (before.extension?.masterId ?? '')) return after;
-    const moved = { ...(before.extension ?? extension), abridged: false, masterId };
+    const { masterId, mark } = extension;
+    if (masterId === (before.extension?.masterId ?? '') && isSameMark(mark, before.extension?.mark))
+      return after;
+    const moved = { ...(before.extension ?? extension), abridged: false, masterId, mark };
     return { ...after, extension: moved };
   }
 
@@ -145,4 +146,8 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     ownName: (id) => known.get(id)?.name,
     keepFresh: (ms) => interest.express(ms),
   };
+}
+
+function isSameMark(a: Mark | undefined, b: Mark | undefined): boolean {
+  return a?.shape === b?.shape && a?.colour === b?.colour;
 }

@@ -1,4 +1,5 @@
 import type { ConnectionState, RoundTrip, UbiiClient } from '@ubii/client-web';
+import type { Mark } from '@ubii/proto';
 import type { ComputedRef, InjectionKey, Ref, ShallowRef } from 'vue';
 import type { ClientReportsStore } from './client-reports-store.ts';
 import type { ClientsStore } from './clients-store.ts';
@@ -6,6 +7,16 @@ import type { MasterStatusStore } from './master-status-store.ts';
 import type { NodesStore } from './nodes-store.ts';
 import type { SessionsStore } from './sessions-store.ts';
 import type { TopicStatisticsStore } from './topic-statistics-store.ts';
+
+/** Shape and colour by which others know this page. */
+export interface OwnMark {
+  /** As the master has it; before the first connection, as it was kept. */
+  readonly current: Readonly<ShallowRef<Mark | undefined>>;
+  /** The kept one; `undefined` before the first choice. */
+  readonly kept: Readonly<ShallowRef<Mark | undefined>>;
+  /** Keeps a mark and tells the master; `chosen` takes it also when another client has it. */
+  set(mark: Mark): void;
+}
 
 /** Connection of this page to the system. Views read its state and call its methods. */
 export interface Connection {
@@ -19,6 +30,8 @@ export interface Connection {
    * Name of this tab: that of the browser, with a number from the second tab on. Stored; assign to rename the browser.
    */
   readonly name: Ref<string>;
+  /** Mark of this browser's person, kept for the next time; `undefined` before one was chosen or given. [EX-100] */
+  readonly mark: OwnMark;
   /** Interval at which published records are batched, milliseconds; stored. */
   readonly publishIntervalMs: Ref<number>;
   readonly master: MasterStatusStore;

@@ -15,6 +15,7 @@ import { friendlyName } from './friendly-name.ts';
 import { IDENTITY_KEY, NAME_KEY } from './hand-over.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
 import { nameMasters } from './masters.ts';
+import { createOwnMark, keptMark } from './own-mark.ts';
 import { createNodesStore } from './nodes-store.ts';
 import { tellOwnTab } from './own-tabs.ts';
 import { tellPageState } from './page-state.ts';
@@ -44,11 +45,14 @@ export function createConnection(): Connection {
   const tabNumber = useSessionStorage<TabNumber | undefined>(`${identityKey}.number`, undefined, {
     serializer: StorageSerializers.object,
   });
+  // A frame is another client than the person's page.
+  const kept = frame === undefined ? keptMark(localStorage) : undefined;
   const client = createClient({
     name: numberedName(ownName.value, tabNumber.value?.number),
     description: describeAgent(navigator.userAgent),
     tags: ['browser'],
     identity,
+    ...(kept === undefined ? {} : { mark: kept }),
     publishIntervalMs: publishIntervalMs.value,
   });
 
@@ -109,6 +113,7 @@ export function createConnection(): Connection {
     isSuperseded,
     roundTrip,
     name,
+    mark: createOwnMark(client, localStorage),
     publishIntervalMs,
     master,
     masterId,

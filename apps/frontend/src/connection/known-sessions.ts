@@ -87,6 +87,12 @@ export class KnownSessions {
     return ids.length > 0 ? ids : undefined;
   }
 
+  /** Takes back a question that got no reply. */
+  putBack(question: SessionQuestion): void {
+    if (question === 'list') this.#wantsList = true;
+    else for (const id of question) this.#asked.add(id);
+  }
+
   /** @param turn time of the request */
   answerList(elements: readonly Session[], turn: number): void {
     const next = new Map<string, Session>();

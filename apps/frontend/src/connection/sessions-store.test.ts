@@ -312,4 +312,30 @@ describe('the list of sessions', () => {
     await settle();
     expect(page.store.error.value?.message).toBe('No such service.');
   });
+  it('has a session requested again when no reply came while the connection stayed open', async () => {
+    const page = await setUpLater(session('a'));
+    page.refuse(new ConnectionError('timeout', 'No reply.'));
+    page.announce('stop', session('a'));
+    await settle();
+    page.refuse(undefined);
+    page.kept.set('a', session('a', 'Renamed', 2));
+    page.takeCalls();
+    await settle(2000);
+    expect(page.takeCalls()).toEqual(['a']);
+    expect(page.names()).toEqual(['Renamed']);
+  });
+
+  it('is requested again itself, too', async () => {
+    const page = await setUp(session('a'));
+    page.refuse(new ConnectionError('timeout', 'No reply.'));
+    await settle();
+    page.isConnected.value = false;
+    await nextTick();
+    page.isConnected.value = true;
+    await settle();
+    page.refuse(undefined);
+    page.takeCalls();
+    await settle(2000);
+    expect(page.takeCalls()).toEqual(['list']);
+  });
 });

@@ -8,6 +8,8 @@ import { perFrame } from './per-frame.ts';
 const ANNOUNCEMENTS = '/info/session/*';
 /** Delay after the first doubtful announcement before all open questions are requested, milliseconds. */
 const SETTLE_MS = 100;
+/** Delay before a question is requested again when no reply came, milliseconds. */
+const RETRY_MS = 1000;
 
 /** All sessions of the master, from its announcements. [SE-8] */
 export interface SessionsStore {
@@ -49,7 +51,9 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
       else await Promise.all(question.map(askForOne));
       draw();
     } catch (cause) {
-      if (cause instanceof ConnectionError) return; // Shown elsewhere; requested again after reconnecting.
+      // Shown elsewhere. The connection may stay open without this reply; after reconnecting the list is requested.
+      if (cause instanceof ConnectionError)
+        return isConnected.value ? askLater(question) : undefined;
       if (!(cause instanceof ServiceError)) throw cause;
       if (question !== 'list') return ask('list');
       error.value = cause;
@@ -63,8 +67,13 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
     SETTLE_MS,
     { immediate: false },
   );
+  const { start: waitForRetry } = useTimeoutFn(askSoon, RETRY_MS, { immediate: false });
   function askSoon(): void {
     if (!isPending.value) start();
+  }
+  function askLater(question: SessionQuestion): void {
+    sessions.putBack(question);
+    waitForRetry();
   }
 
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'session' }).onRecord(({ topic, value }) => {

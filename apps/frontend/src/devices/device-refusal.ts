@@ -12,10 +12,10 @@ export function refusalOf(device: string, error: unknown): OwnTrouble | undefine
   return {
     key: `device_refused ${device}`,
     code: 'device_refused',
-    text: `The master refused this device, so nothing is published: ${error.message}`,
+    text: `This device was refused, so nothing is sent: ${error.message}`,
     remedy:
       error.code === 'permission_denied'
-        ? 'Ask the host for a code with another role, such as player.'
+        ? 'Ask the host for a code that lets this device send.'
         : 'Reload the page to try again.',
     sessionId: '',
   };

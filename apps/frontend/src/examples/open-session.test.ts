@@ -11,7 +11,7 @@ it('opens the session in a new tab, so that the page that owns it stays', () => 
   const host = document.createElement('div');
   app.mount(host);
   const link = host.querySelector('a');
-  expect(link?.getAttribute('href')).toBe('/sessions/a%20b/graph');
+  expect(link?.getAttribute('href')).toBe('/sessions/a%20b');
   expect(link?.target).toBe('_blank');
   app.unmount();
 });

@@ -13,7 +13,7 @@ export const examplesRoutes: readonly RouteRecordRaw[] = [
           {
             path,
             component: page,
-            meta: { title, parent: { title: 'Examples', to: '/examples' } },
+            meta: { title, parent: { title: 'Examples', to: '/examples' }, isFullBleed: true },
           },
         ]
       : [],

@@ -1,5 +1,5 @@
-import { useEventListener } from '@vueuse/core';
-import { shallowRef, type Ref, type ShallowRef } from 'vue';
+import { unrefElement, useEventListener, type MaybeComputedElementRef } from '@vueuse/core';
+import { computed, shallowRef, type ShallowRef } from 'vue';
 import type { TextFile } from './text-file.ts';
 
 const hasFiles = (event: DragEvent): boolean =>
@@ -13,13 +13,14 @@ export async function readFiles(files: FileList | readonly File[] | null): Promi
 }
 
 /**
- * Handles files dropped on an element.
+ * Handles files dropped on an element or on a component.
  * @returns true while files are dragged over it
  */
 export function useFileDrop(
-  target: Readonly<Ref<HTMLElement | null>>,
+  on: MaybeComputedElementRef,
   onFiles: (files: readonly File[]) => void,
 ): Readonly<ShallowRef<boolean>> {
+  const target = computed(() => unrefElement(on));
   const isOver = shallowRef(false);
   /** Number of nested elements entered, because each one fires its own events. */
   let depth = 0;

@@ -46,7 +46,6 @@ describe('homeProblems', () => {
         subject: 'Mara',
         text: 'takes data more slowly than it comes.',
         remedy: 'Let it subscribe to less.',
-        sinceMs: 5,
         link: { text: 'Open client', to: { path: '/clients/c' } },
         action: undefined,
       },
@@ -84,7 +83,7 @@ describe('homeProblems', () => {
   it('sessions tell their own errors, in place of the master', () => {
     const degraded = problem({ code: 'session_degraded', sessionId: 's', clientId: '' });
     expect(list([degraded, problem({})], [session])).toMatchObject([
-      { subject: 'Party', text: 'blur was given up.', isError: true },
+      { subject: 'Party:', text: 'blur was given up.', isError: true },
       { subject: 'Mara' },
     ]);
   });

@@ -30,8 +30,6 @@ export interface HomeProblem {
   readonly text: string;
   /** Recommended action; may be empty. */
   readonly remedy: string;
-  /** Start of the problem: master's clock, epoch milliseconds; `undefined` when unknown. */
-  readonly sinceMs: number | undefined;
   readonly link: ProblemLink | undefined;
   readonly action: ProblemAction | undefined;
 }
@@ -59,10 +57,9 @@ export function homeProblems(
       key: `session ${session.id} ${problem.code} ${problem.moduleId} ${index}`,
       code: problem.code,
       isError: true,
-      subject: session.name,
+      subject: `${session.name}:`,
       text: problem.message,
       remedy: '',
-      sinceMs: undefined,
       link: { text: 'Open session', to: sessionLocation(session.id) },
       action: { kind: 'stop-session', sessionId: session.id },
     }),
@@ -74,7 +71,7 @@ export function homeProblems(
 const IN_TEXT: ReadonlySet<string> = new Set(['limit_reached', 'file_broken']);
 
 function ofStatus(problem: StatusProblem, { findClient, ownName }: ProblemContext): HomeProblem {
-  const { code, clientId, sessionId, moduleId, severity, text, remedy, sinceMs } = problem;
+  const { code, clientId, sessionId, moduleId, severity, text, remedy } = problem;
   const own = clientId === '' ? undefined : ownName(clientId);
   const parts = problemParts(text, own);
   // In sentences about the master that mention a client, the master comes first.
@@ -86,7 +83,6 @@ function ofStatus(problem: StatusProblem, { findClient, ownName }: ProblemContex
     subject: isAboutClient ? (findClient(clientId)?.name ?? parts.subject) : undefined,
     text: isAboutClient ? parts.text : text,
     remedy,
-    sinceMs,
     link: linkOf(problem),
     action: actionOf(problem),
   };

@@ -1,4 +1,5 @@
 import { capitalised, plural } from '@ubii/words';
+import { inWords } from './in-words.ts';
 
 /** Facts for the sentence. */
 export interface HomeFacts {
@@ -6,12 +7,13 @@ export interface HomeFacts {
   readonly active: number;
   /** Number of clients that lost their connection recently. */
   readonly silent: number;
+  /** Numbers of rows in the list of problems, but for the errors of sessions, which are counted by `troubled`. */
   readonly errors: number;
   readonly warnings: number;
-  /** Number of sessions that run or are paused. */
+  /** Number of cards. */
   readonly running: number;
-  /** Number of their modules with an error. */
-  readonly troubledModules: number;
+  /** Number of cards with a warning. */
+  readonly troubled: number;
   /** Records per second; `undefined` when the master does not report it. */
   readonly recordsPerSecond: number | undefined;
 }
@@ -22,29 +24,11 @@ export interface HomeSentence {
   readonly asks?: string;
 }
 
-const WORDS = [
-  'no',
-  'one',
-  'two',
-  'three',
-  'four',
-  'five',
-  'six',
-  'seven',
-  'eight',
-  'nine',
-  'ten',
-  'eleven',
-  'twelve',
-];
-
-const inWords = (count: number): string => WORDS[count] ?? String(count);
-
 function whatIs({ active, running, recordsPerSecond }: HomeFacts): string {
   if (running > 0) {
     const clients = active <= 1 ? 'this browser only' : `${inWords(active)} clients`;
-    const verb = plural(running, 'session is', 'sessions are');
-    return `${capitalised(inWords(running))} ${verb} running for ${clients}.`;
+    const sessions = `${inWords(running)} ${plural(running, 'session runs', 'sessions run')}`;
+    return `${capitalised(sessions)} for ${clients}.`;
   }
   if (active <= 1) return 'Only this browser is connected.';
   const here = `${capitalised(inWords(active))} clients are connected`;
@@ -54,12 +38,11 @@ function whatIs({ active, running, recordsPerSecond }: HomeFacts): string {
     : `${here} and data is flowing.`;
 }
 
-function whatAsks(facts: HomeFacts): string | undefined {
-  const { active, running, troubledModules, silent, errors, warnings } = facts;
-  const needs = (count: number, thing: string): string =>
-    `${capitalised(inWords(count))} ${plural(count, thing)} ${plural(count, 'needs', 'need')} attention.`;
-  if (troubledModules > 0 && errors === 0) return needs(troubledModules, 'module');
-  if (errors > 0) return needs(errors, 'problem');
+function whatAsks({ running, troubled, silent, errors, warnings }: HomeFacts): string | undefined {
+  const needs = (count: number, things: string): string =>
+    `${capitalised(inWords(count))}${things} ${plural(count, 'needs', 'need')} attention.`;
+  if (errors > 0) return needs(errors, plural(errors, ' problem'));
+  if (troubled > 0) return running === 1 ? 'It needs attention.' : needs(troubled, '');
   if (silent > 0) {
     return plural(
       silent,
@@ -67,11 +50,10 @@ function whatAsks(facts: HomeFacts): string | undefined {
       `${capitalised(inWords(silent))} clients lost their connection.`,
     );
   }
-  if (warnings > 0) return needs(warnings, 'warning');
-  if (active <= 1 && running === 0) return 'Connect a phone or open an example.';
-  return undefined;
+  return warnings > 0 ? needs(warnings, plural(warnings, ' warning')) : undefined;
 }
 
+/** Says how things are, in the numbers of the cards and problems below. */
 export function homeSentence(facts: HomeFacts): HomeSentence {
   const asks = whatAsks(facts);
   return asks === undefined ? { is: whatIs(facts) } : { is: whatIs(facts), asks };

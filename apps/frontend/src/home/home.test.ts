@@ -9,7 +9,7 @@ describe('homeSentence', () => {
     errors: 0,
     warnings: 0,
     running: 0,
-    troubledModules: 0,
+    troubled: 0,
     recordsPerSecond: 1842,
   };
 
@@ -17,12 +17,20 @@ describe('homeSentence', () => {
     [calm, 'Five clients are connected and data is flowing.'],
     [{ ...calm, recordsPerSecond: 0 }, 'Five clients are connected, and none publishes data.'],
     [{ ...calm, recordsPerSecond: undefined }, 'Five clients are connected.'],
-    [{ ...calm, active: 1 }, 'Only this browser is connected. Connect a phone or open an example.'],
+    [{ ...calm, active: 1 }, 'Only this browser is connected.'],
     [
-      { ...calm, running: 2, troubledModules: 1 },
-      'Two sessions are running for five clients. One module needs attention.',
+      { ...calm, running: 3, troubled: 1, warnings: 2 },
+      'Three sessions run for five clients. One needs attention.',
     ],
-    [{ ...calm, active: 1, running: 1 }, 'One session is running for this browser only.'],
+    [
+      { ...calm, running: 1, troubled: 1 },
+      'One session runs for five clients. It needs attention.',
+    ],
+    [
+      { ...calm, running: 2, troubled: 1, errors: 1 },
+      'Two sessions run for five clients. One problem needs attention.',
+    ],
+    [{ ...calm, active: 1, running: 1 }, 'One session runs for this browser only.'],
     [{ ...calm, active: 13 }, '13 clients are connected and data is flowing.'],
     [
       { ...calm, errors: 1 },

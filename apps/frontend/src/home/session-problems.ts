@@ -17,11 +17,3 @@ export function sessionProblems(sessions: readonly Session[]): SessionTrouble[] 
         .map((problem) => ({ session, problem })),
     );
 }
-
-/** Returns the number of modules with an error; an error of a whole session counts as one. */
-export function troubledModules(sessions: readonly Session[]): number {
-  const keys = sessionProblems(sessions).map(
-    ({ session, problem }) => problem.moduleId || `session ${session.id}`,
-  );
-  return new Set(keys).size;
-}

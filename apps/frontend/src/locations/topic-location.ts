@@ -5,7 +5,15 @@ import type { RouteLocationRaw } from 'vue-router';
  * the master would look for a file when a topic ends like a filename.
  */
 export function topicLocation(topic: string): RouteLocationRaw {
-  return { path: `/topics/${encodeURIComponent(topic).replaceAll('.', '%2E')}` };
+  return { path: pathOf(topic) };
+}
+
+const pathOf = (topic: string): string =>
+  `/topics/${encodeURIComponent(topic).replaceAll('.', '%2E')}`;
+
+/** Location of a topic with the form that publishes on it. */
+export function topicPublishLocation(topic: string): RouteLocationRaw {
+  return { path: pathOf(topic), query: { publish: '1' } };
 }
 
 /** Location of the Panels page; with a topic, adds a panel for it. */

@@ -9,6 +9,6 @@ export const modulesRoutes: readonly RouteRecordRaw[] = [
   {
     path: '/modules/:name/edit',
     component: () => import('./editor/ModuleEditorPage.vue'),
-    meta: { title: 'Edit', parent: { title: 'Modules', to: '/modules' } },
+    meta: { title: 'Edit', parent: { title: 'Modules', to: '/modules' }, isFullBleed: true },
   },
 ];

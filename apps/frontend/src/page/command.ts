@@ -1,7 +1,15 @@
 import type { Component } from 'vue';
 
 export type CommandKind =
-  'page' | 'example' | 'session' | 'module' | 'client' | 'service' | 'topic' | 'action';
+  | 'page'
+  | 'example'
+  | 'session'
+  | 'module'
+  | 'client'
+  | 'service'
+  | 'topic'
+  | 'publish'
+  | 'action';
 
 /** Entry of the command palette. */
 export interface Command {
@@ -12,9 +20,9 @@ export interface Command {
   /** Dimmed text after the title; searched, too. */
   readonly detail?: string;
   readonly shortcut?: string;
-  /** Symbol on the left: an icon, the socket of a data format, or a letter. */
+  /** Symbol on the left: an icon, the socket of a data format, or the mark of a client. */
   readonly icon?: Component;
   readonly format?: string;
-  readonly letter?: string;
+  readonly clientId?: string;
   readonly run: () => void;
 }

@@ -31,20 +31,20 @@ describe('connectionNotice', () => {
     };
     expect(connectionNotice(state, NOW, true)).toEqual({
       tone: 'warning',
-      text: 'The master cannot be reached. The page shows the last values that it received.',
+      text: 'Ubi-Interact cannot be reached. The page shows the last values that it received.',
       next: 'Retry in 3 s, try 4',
       action: 'Retry now',
     });
     const lost = { ...state, attempt: 8 };
     expect(connectionNotice(state, NOW, false, ['http://b'])?.text).not.toContain('other');
     expect(connectionNotice(lost, NOW, false, ['http://b'])?.text).toBe(
-      'The master cannot be reached. The other masters of the cluster cannot be reached either.',
+      'Ubi-Interact cannot be reached. The other computers of the cluster cannot be reached either.',
     );
     expect(connectionNotice(lost, NOW, false, ['https://b'])?.text).toMatch(
-      /Over HTTPS, this device has to trust the certificate of each master\.$/, // [CU-93]
+      /Over HTTPS, this device has to trust the certificate of each computer\.$/, // [CU-93]
     );
     expect(connectionNotice(state, NOW + 2400, false)).toMatchObject({
-      text: 'The master cannot be reached.',
+      text: 'Ubi-Interact cannot be reached.',
       next: 'Retrying, try 4',
     });
   });

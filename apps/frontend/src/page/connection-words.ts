@@ -1,6 +1,9 @@
 import type { ConnectionErrorReason, ConnectionState } from '@ubii/client-web';
 import type { MarkedState } from '../ui/UiStateMark.vue';
 
+/** Round trip from which the way to the master is called slow, milliseconds: what one does is seen late. */
+export const SLOW_MS = 100;
+
 /** State of the connection as a mark and a word. */
 export function connectionWord(state: ConnectionState): { mark: MarkedState; text: string } {
   switch (state.status) {
@@ -33,10 +36,10 @@ export interface ConnectionNotice {
 }
 
 const CAUSES: Record<ConnectionErrorReason, string> = {
-  closed: 'The master closed the connection',
-  refused: 'The master cannot be reached',
-  timeout: 'The master does not answer',
-  protocol: 'The master sent data that this page cannot read',
+  closed: 'The connection was closed',
+  refused: 'Ubi-Interact cannot be reached',
+  timeout: 'Ubi-Interact does not answer',
+  protocol: 'Ubi-Interact sent data that this page cannot read',
   superseded: 'Another tab uses this identity',
   disconnected: 'This page was disconnected',
   join: 'This device has not joined',
@@ -76,7 +79,7 @@ export function connectionNotice(
       if (state.error === undefined) {
         return {
           tone: 'stopped',
-          text: 'This page is disconnected from the master.',
+          text: 'This page is disconnected.',
           next: undefined,
           action: 'Connect',
         };
@@ -114,8 +117,8 @@ const ATTEMPTS_BEFORE_OTHERS = 8;
 /** A browser does not tell a missing master from one whose certificate it does not trust. */
 function othersWords(attempt: number, otherMasters: readonly string[]): string {
   if (otherMasters.length === 0 || attempt < ATTEMPTS_BEFORE_OTHERS) return '';
-  const words = ' The other masters of the cluster cannot be reached either.';
+  const words = ' The other computers of the cluster cannot be reached either.';
   return otherMasters.some((url) => url.startsWith('https:'))
-    ? `${words} Over HTTPS, this device has to trust the certificate of each master.`
+    ? `${words} Over HTTPS, this device has to trust the certificate of each computer.`
     : words;
 }

@@ -1,13 +1,24 @@
-import { onScopeDispose, toValue, watch, type MaybeRefOrGetter } from 'vue';
+import { onScopeDispose, toValue, watch, type MaybeRefOrGetter, type ShallowRef } from 'vue';
 import { useShell } from './shell.ts';
 
 /** Sets the title of the page, while the calling component is mounted; without a name, the route's title is used. */
 export function usePageTitle(title: MaybeRefOrGetter<string | undefined>): void {
-  const { pageTitle } = useShell();
+  tell(useShell().pageTitle, title);
+}
+
+/** Tells the shell which name the page has as its heading, so that the path in the top bar does not repeat it. */
+export function usePageHeading(heading: MaybeRefOrGetter<string | undefined>): void {
+  tell(useShell().pageHeading, heading);
+}
+
+function tell(
+  told: ShallowRef<string | undefined>,
+  text: MaybeRefOrGetter<string | undefined>,
+): void {
   watch(
-    () => toValue(title),
-    (next) => (pageTitle.value = next),
+    () => toValue(text),
+    (next) => (told.value = next),
     { immediate: true },
   );
-  onScopeDispose(() => (pageTitle.value = undefined));
+  onScopeDispose(() => (told.value = undefined));
 }

@@ -9,6 +9,8 @@ export interface Shell {
   readonly dialog: ShallowRef<ShellDialog | undefined>;
   /** Name of what the page shows; set by `usePageTitle`. */
   readonly pageTitle: ShallowRef<string | undefined>;
+  /** Name that the page has as its heading; set by `PageFrame`. */
+  readonly pageHeading: ShallowRef<string | undefined>;
   /** Commands of the page, for the palette; set by `usePageCommands`. */
   readonly pageCommands: ShallowRef<readonly Command[]>;
   open(dialog: ShellDialog): void;
@@ -25,6 +27,7 @@ export function createShell(): Shell {
   return {
     dialog,
     pageTitle: shallowRef<string>(),
+    pageHeading: shallowRef<string>(),
     pageCommands: shallowRef<readonly Command[]>([]),
     open: (next) => (dialog.value = next),
     close: () => (dialog.value = undefined),

@@ -8,6 +8,14 @@ describe('playerIdentity()', () => {
     expect(renamed).toEqual({ ...ada, letter: 'C' });
   });
 
+  it('is the mark of the client where it has one', () => {
+    expect(playerIdentity('a', 'Ada', { shape: 3, colour: 2 })).toEqual({
+      shape: 'square',
+      colour: 'blue',
+      letter: 'A',
+    });
+  });
+
   it('uses all twelve players', () => {
     const shapes = new Set(
       Array.from({ length: 500 }, (_, i) => playerIdentity(`client-${i}`, '').shape),

@@ -1,21 +1,46 @@
-/** Shapes and colours that distinguish clients, in this order. Tokens: --player-<colour>. */
-const PLAYERS = [
-  { shape: 'circle', colour: 'coral' },
-  { shape: 'triangle', colour: 'blue' },
-  { shape: 'square', colour: 'yellow' },
-  { shape: 'star', colour: 'green' },
-  { shape: 'diamond', colour: 'pink' },
-  { shape: 'cross', colour: 'petrol' },
-  { shape: 'hexagon', colour: 'plum' },
-  { shape: 'drop', colour: 'sky' },
-  { shape: 'ring', colour: 'lime' },
-  { shape: 'moon', colour: 'chalk' },
-  { shape: 'flower', colour: 'brown' },
-  { shape: 'heart', colour: 'ink' },
+/** Shapes of marks, in the order of `MarkShape` from 1 on; people choose among the first ones. [EX-100] */
+export const PLAYER_SHAPES = [
+  'circle',
+  'triangle',
+  'square',
+  'star',
+  'diamond',
+  'cross',
+  'hexagon',
+  'drop',
+  'ring',
+  'moon',
+  'flower',
+  'heart',
 ] as const;
 
-export type PlayerShape = (typeof PLAYERS)[number]['shape'];
-export type PlayerColour = (typeof PLAYERS)[number]['colour'];
+/** Colours of marks, in the order of `MarkColour` from 1 on. Tokens: --player-<colour>. */
+export const PLAYER_COLOURS = [
+  'coral',
+  'blue',
+  'yellow',
+  'green',
+  'pink',
+  'petrol',
+  'plum',
+  'sky',
+  'lime',
+  'chalk',
+  'brown',
+  'ink',
+] as const;
+
+/** Shapes, and colours, that people choose among. */
+export const CHOICES = 8;
+
+export type PlayerShape = (typeof PLAYER_SHAPES)[number];
+export type PlayerColour = (typeof PLAYER_COLOURS)[number];
+
+/** A shape and a colour by their numbers, as the master tells them. */
+export interface ShapeAndColour {
+  readonly shape: number;
+  readonly colour: number;
+}
 
 /** Display of a client everywhere: shape, colour and letter. */
 export interface PlayerIdentity {
@@ -25,11 +50,22 @@ export interface PlayerIdentity {
   readonly letter: string;
 }
 
-/** Derived from the client's id alone, so that a client looks the same in every browser. */
-export function playerIdentity(clientId: string, name: string): PlayerIdentity {
-  const player = PLAYERS[hash(clientId) % PLAYERS.length]!;
+/**
+ * The identity of a client by its mark; of one whose master gives no marks by its id, so that it looks the same in every
+ * browser.
+ */
+export function playerIdentity(
+  clientId: string,
+  name: string,
+  mark?: ShapeAndColour,
+): PlayerIdentity {
+  const place = hash(clientId) % PLAYER_SHAPES.length;
   const letter = /[\p{L}\p{N}]/u.exec(name)?.[0] ?? '?';
-  return { ...player, letter: letter.toLocaleUpperCase() };
+  return {
+    shape: PLAYER_SHAPES[(mark?.shape ?? 0) - 1] ?? PLAYER_SHAPES[place]!,
+    colour: PLAYER_COLOURS[(mark?.colour ?? 0) - 1] ?? PLAYER_COLOURS[place]!,
+    letter: letter.toLocaleUpperCase(),
+  };
 }
 
 /** FNV-1a, 32 bits (Fowler, Noll, Vo; draft-eastlake-fnv): spreads ids that differ in one digit. */

@@ -14,6 +14,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { nextTick, shallowRef, type App } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
 import { CONNECTION } from '../connection/connection.ts';
+import { createShell, SHELL } from '../page/shell.ts';
 import { createToasts, provideToasts } from '../ui/toasts/toasts.ts';
 import PublishBar from './PublishBar.vue';
 import PublishPage from './PublishPage.vue';
@@ -26,6 +27,7 @@ const DEPTH = { system: 2, others: 4 } as const;
 let master: FakeMaster;
 let clock: TestClient['clock'];
 let page: VueWrapper;
+const shell = createShell();
 
 // One page for all formats, as its user has: what was typed for one must not stay for the next.
 beforeAll(async () => {
@@ -49,7 +51,7 @@ beforeAll(async () => {
     attachTo: document.body,
     global: {
       plugins: [router, (app: App) => provideToasts(app, createToasts())],
-      provide: { [CONNECTION as symbol]: connection },
+      provide: { [CONNECTION as symbol]: connection, [SHELL as symbol]: shell },
     },
   });
 });
@@ -105,6 +107,10 @@ function sample({ type, jsonName }: FieldDescriptor, most: number, depth = 0): J
   if (type === 'int64') return '7';
   return type === 'double' || type === 'float' ? 0.25 : 3;
 }
+
+it('tells the shell its heading, which the path in the top bar does not repeat', () => {
+  expect(shell.pageHeading.value).toBe(page.get('h1').text());
+});
 
 describe.each(FORMATS)('the publish page, with %s', (format) => {
   it('publishes what its form says, with a number or text typed where there is one', async () => {

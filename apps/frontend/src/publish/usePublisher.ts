@@ -40,14 +40,15 @@ export interface Publisher {
   stop(): void;
 }
 
-export function usePublisher(): Publisher {
+/** @param first the record to begin with */
+export function usePublisher(first = newRecord('', 'double')): Publisher {
   const { client, isConnected } = useConnection();
   const sent = ref(0);
   const sentTo = ref('');
   const error = shallowRef<string>();
   const isRepeating = ref(false);
   const source = variableSource(() => sent.value);
-  const draft = createMessageDraft(newRecord('', 'double'), (json) => checkRecord(json, source));
+  const draft = createMessageDraft(first, (json) => checkRecord(json, source));
   const reason = computed(() =>
     isConnected.value ? draftReason(draft) : 'This page is not connected to the master.',
   );

@@ -4,6 +4,6 @@ export const recordingsRoutes: readonly RouteRecordRaw[] = [
   {
     path: '/recordings/:recording?',
     component: () => import('./RecordingsPage.vue'),
-    meta: { title: 'Recordings', ownKeys: 'M' },
+    meta: { title: 'Recordings', isFullBleed: true, ownKeys: 'M' },
   },
 ];

@@ -13,6 +13,9 @@ export const ROW_KEYS: readonly KeyText[] = [
   { keys: 'Del', text: 'Delete a session or a stored module, disconnect a client' },
 ];
 
+/** Keys on Home. `home/back/RunningCards.vue` handles them. */
+export const HOME_KEYS: readonly KeyText[] = [{ keys: '1 … 9', text: 'Open a session that runs' }];
+
 /** Keys of an opened recording. `recordings/view/useTimelineKeys.ts` handles them. */
 export const RECORDING_KEYS: readonly KeyText[] = [
   { keys: 'Space', text: 'Play or pause' },

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { modifierKey } from './modifier-key.ts';
-import { isOn, isUnder, PAGES } from './pages.ts';
+import { GROUPS, HOME, isOn, isUnder, PAGES } from './pages.ts';
 import { matchShortcut, SHORTCUTS } from './shortcuts.ts';
 
 describe('matchShortcut', () => {
@@ -36,9 +36,17 @@ it('a page stays marked on the pages below it, Home does not', () => {
   expect(isUnder('/', '/')).toBe(true);
 });
 
-it('Recordings stay marked on the studies, which belong to them', () => {
-  const marked = PAGES.filter((page) => isOn('/studies/tap', page));
-  expect(marked.map(({ title }) => title)).toEqual(['Recordings']);
+it('Clients stay marked on the devices, which belong to them', () => {
+  const marked = GROUPS.flatMap(({ pages }) => pages).filter((page) =>
+    isOn('/devices/camera', page),
+  );
+  expect(marked.map(({ title }) => title)).toEqual(['Clients']);
+});
+
+it('the navigation has ten entries, and every page has one place', () => {
+  const entries = [HOME, ...GROUPS.flatMap(({ pages }) => pages), 'Tools'];
+  expect(entries).toHaveLength(10);
+  expect(new Set(PAGES.map(({ to }) => to)).size).toBe(PAGES.length);
 });
 
 it('the modifier is called as on this machine', () => {

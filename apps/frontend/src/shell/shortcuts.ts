@@ -1,5 +1,5 @@
 import type { ShellDialog } from '../page/shell.ts';
-import { PAGES, SETTINGS_PAGE } from './pages.ts';
+import { PAGES } from './pages.ts';
 
 /** Keyboard shortcut that works on every page. */
 export interface Shortcut {
@@ -18,7 +18,7 @@ export const SHORTCUTS: readonly Shortcut[] = [
   { keys: 'C', text: 'Connect a phone', does: { kind: 'open', dialog: 'connect-phone' } },
   { keys: 'K', text: 'Keep the last minutes of the flight recorder', does: { kind: 'keep' } },
   { keys: 'M', text: 'Mark this moment in what is recorded', does: { kind: 'mark' } },
-  ...[...PAGES, SETTINGS_PAGE].map(({ shortcut, title, to }): Shortcut => ({
+  ...PAGES.map(({ shortcut, title, to }): Shortcut => ({
     keys: shortcut,
     text: `Go to ${title}`,
     does: { kind: 'go', to },

@@ -1,9 +1,9 @@
 // @vitest-environment happy-dom
 import { mount } from '@vue/test-utils';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { defineComponent, nextTick } from 'vue';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { defineComponent } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
-import { useRail, type Rail } from './useRail.ts';
+import { useRail } from './useRail.ts';
 
 const page = { render: () => null };
 
@@ -15,11 +15,15 @@ async function open(path: string, screenPx = 1440) {
   }));
   const router = createRouter({
     history: createMemoryHistory(),
-    routes: [{ path: '/:path(.*)*', component: page }],
+    routes: [
+      { path: '/', component: page },
+      { path: '/topics', component: page },
+      { path: '/graph', component: page, meta: { title: 'Graph', isFullBleed: true } },
+    ],
   });
   await router.push(path);
-  let rail!: Rail;
-  const wrapper = mount(
+  let rail!: ReturnType<typeof useRail>;
+  mount(
     defineComponent({
       setup() {
         rail = useRail();
@@ -28,38 +32,23 @@ async function open(path: string, screenPx = 1440) {
     }),
     { global: { plugins: [router] } },
   );
-  return { rail, router, wrapper };
+  return { rail, router };
 }
 
-beforeEach(() => localStorage.clear());
 afterEach(() => void vi.unstubAllGlobals());
 
 describe('useRail', () => {
-  it('shows labels on wide screens, and remembers when they are hidden', async () => {
-    const first = await open('/topics');
-    expect(first.rail.isWide.value).toBe(true);
-    first.rail.toggle();
-    expect(first.rail.isWide.value).toBe(false);
-    await nextTick();
-    first.wrapper.unmount();
-    expect((await open('/')).rail.isWide.value).toBe(false);
-  });
-
-  it('starts narrow in editors, which remember their own choice', async () => {
-    const { rail, router } = await open('/sessions/abc/graph');
+  it('shows labels on wide screens, and not beside pages from edge to edge', async () => {
+    const { rail, router } = await open('/topics');
+    expect(rail.isWide.value).toBe(true);
+    await router.push('/graph');
     expect(rail.isWide.value).toBe(false);
-    rail.toggle();
-    expect(rail.isWide.value).toBe(true);
-    await router.push('/modules/clock');
-    expect(rail.isWide.value).toBe(true);
-    rail.toggle();
-    await router.push('/modules');
+    await router.push('/topics');
     expect(rail.isWide.value).toBe(true);
   });
 
   it('has no labels where they would take the room of the page', async () => {
     const { rail } = await open('/', 1024);
-    expect(rail.canBeWide.value).toBe(false);
     expect(rail.isWide.value).toBe(false);
   });
 });

@@ -4,7 +4,10 @@ import { topicLocation } from '../locations/topic-location.ts';
 import { topicsRoutes } from './routes.ts';
 
 describe('topicLocation', () => {
-  const router = createRouter({ history: createMemoryHistory(), routes: [...topicsRoutes] });
+  const router = createRouter({
+    history: createMemoryHistory(),
+    routes: [...topicsRoutes(async () => ({ template: '<p />' }))],
+  });
 
   it.each([
     '/mara/smart-device/acceleration',

@@ -1,4 +1,5 @@
-const isWordStart = (text: string, index: number): boolean => {
+/** True when a word begins there, also within an identifier. */
+export const isWordStart = (text: string, index: number): boolean => {
   if (index === 0) return true;
   const before = text.charAt(index - 1);
   if (/[\s/_\-.·]/.test(before)) return true;

@@ -4,7 +4,13 @@ import type { ClientView } from '../model/client-view.ts';
 
 /** Action of a client menu. */
 export type ClientIntent =
-  'identify' | 'rename' | 'topics' | 'copy-id' | 'throttle' | 'unthrottle' | 'disconnect';
+  | 'identify'
+  | 'rename'
+  | 'topics'
+  | 'copy-id'
+  | 'throttle'
+  | 'unthrottle'
+  | 'disconnect';
 
 /** Menu of a client. Irreversible actions are last. */
 export function clientMenu(

@@ -1,6 +1,8 @@
 /** A topic, a glob, or one of these with a rate limit. */
 export type LivePattern =
-  string | { readonly glob: string } | { readonly topic: string; readonly maxRateHz: number };
+  | string
+  | { readonly glob: string }
+  | { readonly topic: string; readonly maxRateHz: number };
 
 /** Topics to subscribe to; `undefined` and the empty topic for none. */
 export type TopicSource = LivePattern | readonly LivePattern[] | undefined;

@@ -94,7 +94,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'sine-wave',
     'Sine wave',
     'One module generates a sine wave with 60 values per second.',
-    'Change waveHz of “clock”, apply it, and watch “wave” change its pace.',
+    'Change waveHz of “clock” and watch “wave” change its pace.',
     ['Frequency mode', 'Source'],
     { kind: 'lines', lines: [solid('wave', 's')], range: [-1.2, 1.2] },
   ),
@@ -102,7 +102,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     'mixed-waves',
     'Two waves, mixed',
     'Two modules generate a slow and a fast wave, and a third one adds them.',
-    'Change waveHz of one “clock”, apply it, and watch “mixed” follow.',
+    'Change waveHz of one “clock” and watch “mixed” follow.',
     ['Two instances of a module', 'Constants'],
     {
       kind: 'lines',

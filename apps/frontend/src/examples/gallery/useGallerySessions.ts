@@ -3,7 +3,7 @@ import { ServiceError, SessionState, type Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { useConnection } from '../../connection/useConnection.ts';
-import { graphLocation } from '../../locations/graph-location.ts';
+import { sessionLocation } from '../../locations/session-location.ts';
 import { useSessionActions } from '../../sessions/actions/useSessionActions.ts';
 import { isAlive, sessionState } from '../../sessions/state/session-state.ts';
 import type { GalleryEntry } from './gallery.ts';
@@ -29,7 +29,9 @@ export interface GallerySessions {
 }
 
 /** All clients share one session for each example: a second start opens the existing session. */
-export function useGallerySessions(loadKit: () => Promise<PreviewKit>): GallerySessions {
+export function useGallerySessions(
+  loadKit: () => Promise<Pick<PreviewKit, 'spec'>>,
+): GallerySessions {
   const { client, clients, sessions } = useConnection();
   const router = useRouter();
   const actions = useSessionActions();
@@ -89,10 +91,13 @@ export function useGallerySessions(loadKit: () => Promise<PreviewKit>): GalleryS
           );
         }
         if (!isAlive(session)) await actions.calls.act(session, 'start');
-        await router.push(graphLocation(session.id));
+        await router.push(sessionLocation(session.id));
       }),
     open: (entry) =>
-      attempt(entry, async () => void (await router.push(graphLocation((await ready(entry)).id)))),
+      attempt(
+        entry,
+        async () => void (await router.push(sessionLocation((await ready(entry)).id))),
+      ),
     stop: (entry) =>
       attempt(entry, async () => {
         const session = of(entry);

@@ -2,7 +2,7 @@ import { fromJson, type ProcessingModule } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { aSession } from '../../sessions/testing/a-session.ts';
 import { graphOf } from '../model/graph-of.ts';
-import { addables, insertables } from './addable.ts';
+import { addables, findAddables, insertables, sentenceOf } from './addable.ts';
 
 const module = (name: string, input: string): ProcessingModule =>
   fromJson('ubii.processing.ProcessingModule', {
@@ -41,6 +41,22 @@ describe('nodes that can be added', () => {
   it('are found by words; an unused name is a new topic', () => {
     expect(texts('low')).toEqual(['low-pass', 'New topic /low']);
     expect(texts('/a/number')).toEqual(['/a/number']);
+  });
+
+  it('are ordered by where the words are, then by use', () => {
+    const modules = [module('high-pass', 'double'), module('pass', 'double'), ...sources.modules];
+    const found = (typed: string, ...recent: string[]): string[] =>
+      findAddables(graph, { modules, topics: [] }, typed, { recent }).map(({ text }) => text);
+    expect(found('pass').slice(0, 3)).toEqual(['pass', 'high-pass', 'low-pass']);
+    expect(found('pass', 'low-pass').slice(0, 3)).toEqual(['pass', 'low-pass', 'high-pass']);
+    expect(found('', 'low-pass')[0]).toBe('low-pass');
+  });
+
+  it('say in one sentence what they are', () => {
+    const said = (typed: string): string => sentenceOf(findAddables(graph, sources, typed, {})[0]!);
+    expect(said('low')).toBe('double → double');
+    expect(said('/a/point')).toBe('topic, vector2');
+    expect(said('muxer')).toMatch(/^Collects/);
   });
 
   it('fit the wire at hand', () => {

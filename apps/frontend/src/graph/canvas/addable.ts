@@ -1,5 +1,13 @@
 import { isExtensionTopic, isMasterTopic, type ProcessingModule } from '@ubii/proto';
-import { rankModules, type FormatsAtHand } from '../../modules/library/rank-modules.ts';
+import {
+  findableModule,
+  firstSentence,
+  moduleFlow,
+  rankFound,
+  type RankOptions,
+} from '../../modules/library/rank-modules.ts';
+import { formatLook } from '../../formats/families.ts';
+import { queryWords } from '../../ui/find-words.ts';
 import { formatsAtHand } from '../model/fit/at-hand.ts';
 import { fittingNodes } from '../model/fit/fitting.ts';
 import type { KnownTopic, NodeOffer } from '../model/fit/node-offer.ts';
@@ -12,6 +20,8 @@ import type { NewNode } from './new-nodes.ts';
 export interface AddableSources {
   readonly modules: readonly ProcessingModule[];
   readonly topics: readonly KnownTopic[];
+  /** Topics that others use; names of new topics avoid them. */
+  readonly used?: ReadonlySet<string>;
   /** Returns the display name of a topic; the search matches it, too. */
   readonly nameTopic?: (topic: string) => string;
 }
@@ -21,6 +31,8 @@ export type Addable = {
   readonly key: string;
   readonly text: string;
   readonly hint: string;
+  /** Why it does not fit the wire; undefined: it does. */
+  readonly misfit?: string;
 } & (
   | { readonly item: NewNode; readonly offer?: undefined; readonly port?: undefined }
   | { readonly item?: undefined; readonly offer: NodeOffer; readonly port?: undefined }
@@ -37,23 +49,62 @@ const PARTS = {
   comment: 'Note',
   frame: 'Frame',
 } as const;
+const SENTENCES: Readonly<Record<keyof typeof PARTS, string>> = {
+  muxer: 'Collects the topics of all clients into one list.',
+  demuxer: 'Splits a list into one topic for each client.',
+  constant: 'Holds a value that you set by hand.',
+  comment: 'Text on the canvas.',
+  frame: 'Keeps nodes together under a title.',
+};
+
+/** What narrows what can be added, and what is preferred. */
+export interface AddableWish {
+  /** Fixed end of a dangling wire, which the nodes must fit. */
+  readonly end?: PortRef | undefined;
+  /** Names of modules that were used lately. */
+  readonly recent?: readonly string[] | undefined;
+}
+
+/** Returns the nodes that match the typed words and, if there is one, the dangling wire; best first. */
+export function findAddables(
+  graph: Graph,
+  { modules, topics, used, nameTopic }: AddableSources,
+  typed: string,
+  { end, recent }: AddableWish,
+): Addable[] {
+  const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
+  const all =
+    end === undefined
+      ? looseItems(modules, known)
+      : offers(graph, end, { modules, topics: known, ...(used && { used }) });
+  // What fits a wire is in the order of its fit, until words say more.
+  const keepsOrder = end !== undefined && typed.trim() === '';
+  const options = {
+    atHand: end === undefined ? formatsAtHand(graph) : undefined,
+    recent: keepsOrder ? undefined : recent,
+  };
+  return [
+    ...bestFirst(all, typed, options, nameTopic),
+    ...newTopic(graph, typed.trim(), known, end),
+  ];
+}
 
 /**
- * Returns the nodes that match the typed words and, if there is one, the dangling wire.
+ * Returns as many as a list shows.
  * @param end fixed end of the wire
  */
 export function addables(
   graph: Graph,
-  { modules, topics, nameTopic }: AddableSources,
+  sources: AddableSources,
   typed: string,
   end: PortRef | undefined,
 ): Addable[] {
-  const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
-  const found =
-    end === undefined
-      ? bestFirst(looseItems(modules, known), typed, formatsAtHand(graph), nameTopic)
-      : withFewTopics(bestFirst(offers(graph, end, modules, known), typed, undefined, nameTopic));
-  return [...found, ...newTopic(graph, typed.trim(), known, end)].slice(0, MAX_SHOWN);
+  return firstShown(findAddables(graph, sources, typed, { end }));
+}
+
+/** Returns as many as a list shows: with a wire few topics, so that modules are visible, too. */
+export function firstShown(found: readonly Addable[]): Addable[] {
+  return withFewTopics(found).slice(0, MAX_SHOWN);
 }
 
 function withFewTopics(found: readonly Addable[]): Addable[] {
@@ -67,13 +118,14 @@ export function insertables(
   { modules }: AddableSources,
   typed: string,
   wireId: string,
+  recent?: readonly string[],
 ): Addable[] {
   const wire = graph.wires.get(wireId);
   if (wire === undefined) return [];
   const fitting = modules.filter(
     (module) => insertionOf(graph, wire, moduleNode(module)) !== undefined,
   );
-  return bestFirst(looseModules(fitting), typed, formatsAtHand(graph)).slice(0, MAX_SHOWN);
+  return bestFirst(looseModules(fitting), typed, { atHand: formatsAtHand(graph), recent });
 }
 
 /** Returns the module that would be added; undefined for other nodes. */
@@ -82,25 +134,48 @@ export function moduleOf({ item, offer }: Addable): ProcessingModule | undefined
   return offer?.kind === 'module' ? offer.module : undefined;
 }
 
-/**
- * Returns the entries that match all words, with modules in order of relevance.
- * @param atHand undefined: equally relevant modules keep their order
- */
+/** Kind of node that would be added; undefined for an existing socket. */
+export const kindOf = ({ item, offer }: Addable): NewNode['kind'] | undefined =>
+  item?.kind ?? offer?.kind;
+
+/** Format of the topic that would be added, in any spelling; undefined for other nodes. */
+export function topicFormat({ item, offer }: Addable): string | undefined {
+  if (item?.kind === 'topic') return item.format;
+  return offer?.kind === 'topic' ? (offer.format ?? '') : undefined;
+}
+
+/** One sentence about an entry, below its name. */
+export function sentenceOf(one: Addable): string {
+  const module = moduleOf(one);
+  if (module !== undefined) {
+    const flow = moduleFlow(module, (format) => formatLook(format).text);
+    return firstSentence(module.description) || flow;
+  }
+  const format = topicFormat(one);
+  if (format !== undefined) return format === '' ? one.hint : `topic, ${formatLook(format).text}`;
+  const kind = kindOf(one);
+  return kind === undefined || kind === 'topic' || kind === 'module' ? one.hint : SENTENCES[kind];
+}
+
+/** Returns the entries that match all words, best first. */
 function bestFirst(
   all: readonly Addable[],
   typed: string,
-  atHand: FormatsAtHand | undefined,
+  options: RankOptions,
   nameTopic: AddableSources['nameTopic'] = (topic) => topic,
 ): Addable[] {
-  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
-  const has = ({ text, hint }: Addable): boolean =>
-    words.every((word) => `${text} ${nameTopic(text)} ${hint}`.toLowerCase().includes(word));
-  const isModule = (one: Addable): boolean => moduleOf(one) !== undefined;
-  const at = Math.max(0, all.findIndex(isModule));
-  const others = (part: readonly Addable[]): Addable[] =>
-    part.filter((one) => !isModule(one) && has(one));
-  const modules = rankModules(all.filter(isModule), (one) => moduleOf(one)!, words, atHand);
-  return [...others(all.slice(0, at)), ...modules, ...others(all.slice(at))];
+  return rankFound(
+    all,
+    (one) => {
+      const module = moduleOf(one);
+      if (module !== undefined) return findableModule(module);
+      const named = nameTopic(one.text);
+      const aliases = named === one.text ? [] : [named];
+      return { name: one.text, aliases, text: `${one.hint} ${sentenceOf(one)}` };
+    },
+    queryWords(typed),
+    options,
+  );
 }
 
 const looseModules = (modules: readonly ProcessingModule[]): Addable[] =>
@@ -111,13 +186,8 @@ const looseModules = (modules: readonly ProcessingModule[]): Addable[] =>
     item: { kind: 'module', module } as const,
   }));
 
-function offers(
-  graph: Graph,
-  end: PortRef,
-  modules: readonly ProcessingModule[],
-  topics: readonly KnownTopic[],
-): Addable[] {
-  return fittingNodes(graph, end, modules, topics).map((offer) => {
+function offers(graph: Graph, end: PortRef, { modules, topics, used }: AddableSources): Addable[] {
+  return fittingNodes(graph, end, modules, topics, used).map((offer) => {
     const isNew = offer.kind === 'topic' && offer.isNew;
     return {
       key: `${offer.kind} ${offer.label}`,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { aGraphOf, aModule, ref } from '../model/testing/small-graph.ts';
-import { connectables } from './connectable.ts';
+import { connectables, replacedAt } from './connectable.ts';
 
 const graph = aGraphOf(
   [
@@ -62,5 +62,33 @@ describe('ports that can be connected', () => {
       ({ text }) => text,
     );
     expect(names).toEqual(['far · value']);
+  });
+
+  it('offers what makes a loop at the end, and says so [SE-70]', () => {
+    const loop = aGraphOf(
+      [
+        aModule('source', { v: 'double' }, { o: 'double' }),
+        aModule('after', { v: 'double' }, { o: 'double' }),
+        aModule('far', { v: 'double' }),
+      ],
+      { 'source.o': '/x', 'after.v': '/x' },
+    );
+    const sockets = (from: string) =>
+      connectables(loop, ref(loop, from), '', [], placeOf).map(({ text, hint, isLoop }) => ({
+        text,
+        isLoop,
+        says: hint.includes('makes a loop'),
+      }));
+    expect(sockets('after.o')).toEqual([
+      { text: 'far · v', isLoop: false, says: false },
+      { text: 'source · v', isLoop: true, says: true },
+    ]);
+    expect(sockets('source.v')).toContainEqual({ text: 'after · o', isLoop: true, says: true });
+  });
+
+  it('says what is replaced at an input that has a wire', () => {
+    expect(replacedAt(graph, ref(graph, 'near.value'))).toEqual(ref(graph, 'other.o'));
+    expect(replacedAt(graph, ref(graph, 'far.value'))).toBeUndefined();
+    expect(replacedAt(graph, ref(graph, 'other.o'))).toBeUndefined();
   });
 });

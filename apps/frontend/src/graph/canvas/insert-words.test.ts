@@ -24,8 +24,8 @@ describe('insert words', () => {
 
   it('says what to do next', () => {
     const node = moduleNode(aModule('scale', { v: 'double' }, { o: 'double' }));
-    expect(insertedText(graph, wire!, node, true)).toBe(
-      'Inserted scale between source · o and sink · i. Apply the change to run it.',
-    );
+    const said = 'Inserted scale between source · o and sink · i.';
+    expect(insertedText(graph, wire!, node, true)).toBe(said);
+    expect(insertedText(graph, wire!, node, false)).toBe(`${said} Start the session to run it.`);
   });
 });

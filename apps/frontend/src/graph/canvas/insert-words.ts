@@ -34,6 +34,6 @@ export function insertedText(
   isRunning: boolean,
 ): string {
   const place = `between ${portName(graph, from)} and ${portName(graph, to)}`;
-  const next = isRunning ? 'Apply the change to run it.' : 'Start the session to run it.';
-  return `Inserted ${nodeName(node)} ${place}. ${next}`;
+  const next = isRunning ? '' : ' Start the session to run it.';
+  return `Inserted ${nodeName(node)} ${place}.${next}`;
 }

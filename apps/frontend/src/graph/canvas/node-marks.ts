@@ -2,7 +2,7 @@ import { inject, onBeforeUnmount, provide, shallowReactive, watchEffect } from '
 import type { InjectionKey } from 'vue';
 
 /** State of a node that is set by the views inside it. */
-export type NodeMark = 'failing' | 'at-rest' | 'missing';
+export type NodeMark = 'failing' | 'warned' | 'at-rest' | 'missing';
 
 type Marks = Partial<Record<NodeMark, boolean>>;
 

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import type { DOMWrapper } from '@vue/test-utils';
 import { afterEach, describe, expect, it } from 'vitest';
-import SessionInspector from '../inspector/SessionInspector.vue';
+import SessionDetails from '../editor/session-menu/SessionDetails.vue';
 import TextInspector from '../inspector/TextInspector.vue';
 import ConstantInspector from '../inspector/ConstantInspector.vue';
 import WireInspector from '../inspector/WireInspector.vue';
@@ -244,7 +244,7 @@ const SETTINGS: readonly Deed[] = [
     does: 'describes the session, letter by letter',
     undo: /^Change the description of the session$/,
     async act(desk) {
-      const text = desk.view(SessionInspector, {}).get('textarea');
+      const text = desk.view(SessionDetails, {}).get('textarea');
       await text.setValue('What');
       await text.setValue('What it is for');
     },

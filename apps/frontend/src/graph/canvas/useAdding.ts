@@ -23,7 +23,7 @@ import type { Box } from './stage-view.ts';
 import { viewShowing } from './view-showing.ts';
 import { roomiest } from './wire-hit.ts';
 
-/** Position and purpose of the menu that adds nodes by name. */
+/** Position and purpose of the palette that adds nodes by name. */
 export interface AddingSpot {
   /** Position of the new node on the canvas. */
   readonly at: Point;
@@ -57,7 +57,8 @@ export interface Adding {
   /** Opens the list of ends for a wire from a socket: existing fitting sockets, or new nodes. */
   askToConnect(from: PortRef): void;
   choose(chosen: Addable): void;
-  close(): void;
+  /** @param isDismissed the focus returns to the canvas; otherwise it is elsewhere already */
+  close(isDismissed: boolean): void;
   /** Adds a node to the canvas. */
   place(item: NewNode, at: Point): void;
   placeInMiddle(item: NewNode): void;
@@ -220,7 +221,7 @@ export function useAdding(
         void walk.focusSocket(end.from);
         return;
       }
-      if (item !== undefined && !placeOnWire(item, wire)) {
+      if (item !== undefined && !placeOnWire(item, end === undefined ? wire : undefined)) {
         if (isAnywhere === true) placeInMiddle(item);
         else place(item, at);
       }
@@ -241,6 +242,7 @@ export function useAdding(
       editor.seal();
       const added = [...editor.graph.value.nodes.values()].find(({ id }) => !before.has(id));
       if (added === undefined) return;
+      editor.select([added.id]);
       if (chosen.hasSockets === true) void walk.focusSocket(end.from);
       const box = { ...position, ...drawnSize(added) };
       const view = viewShowing(stage.view.value, stage.viewport.value, box);
@@ -248,10 +250,11 @@ export function useAdding(
       if (editor.graph.value.nodes.size <= FEW) void showAll();
       else void stage.look(view);
     },
-    close() {
+    close(isDismissed) {
       const end = spot.value?.hasSockets === true ? spot.value.end : undefined;
       spot.value = undefined;
       if (end !== undefined) void walk.focusSocket(end.from);
+      else if (isDismissed) host.value?.focus({ preventScroll: true });
     },
     place,
     placeInMiddle,
@@ -264,7 +267,9 @@ export function useAdding(
       if (a === undefined || b === undefined) return;
       const middle = { x: (a.x + b.x) / 2 - NODE_HALF.x, y: (a.y + b.y) / 2 - NODE_HALF.y };
       const options = { uuid: randomUuid, position: freeSpot(stage, editor.graph.value, middle) };
+      const before = editor.graph.value.nodes;
       editor.apply(adaptCommand(editor.graph.value, from, to, adapter, options));
+      editor.select([...editor.graph.value.nodes.keys()].filter((id) => !before.has(id)));
     },
   };
 }

@@ -1,5 +1,6 @@
 import { computed, type ComputedRef } from 'vue';
 import { DATA_FORMATS, type DataFormatFamily } from '@ubii/proto';
+import { isAlive } from '../../sessions/state/session-state.ts';
 import { useGraphContext } from '../live/useGraphContext.ts';
 import { useCanvas } from './useCanvas.ts';
 import type { LiveTopic } from '../live/live-topic.ts';
@@ -17,6 +18,8 @@ export interface WireLook {
   readonly family: ComputedRef<DataFormatFamily>;
   readonly isList: ComputedRef<boolean>;
   readonly live: ComputedRef<LiveTopic | undefined>;
+  /** The session runs, and the topic of the wire has no value. */
+  readonly isIdle: ComputedRef<boolean>;
   /** Current bend points, also while they are dragged. */
   readonly points: ComputedRef<readonly Point[]>;
   readonly isSelected: ComputedRef<boolean>;
@@ -43,6 +46,8 @@ export function useWire(wire: () => Wire): WireLook {
     const graph = editor.graph.value;
     return portFormat(graph, from) ?? portFormat(graph, to);
   });
+  const topic = computed(() => topicOfWire(editor.graph.value, wire()));
+  const now = computed(() => (topic.value === undefined ? undefined : live.topic(topic.value)));
   const isSelected = computed(() => editor.selection.value.wire === wire().id);
   const points = computed(() => {
     const { id, points: own } = wire();
@@ -63,10 +68,10 @@ export function useWire(wire: () => Wire): WireLook {
     points,
     family: computed(() => (format.value ? DATA_FORMATS[format.value].family : 'system')),
     isList: computed(() => portOf(editor.graph.value, wire().from)?.isList === true),
-    live: computed(() => {
-      const topic = topicOfWire(editor.graph.value, wire());
-      return topic === undefined ? undefined : live.topic(topic);
-    }),
+    live: now,
+    isIdle: computed(
+      () => topic.value !== undefined && now.value === undefined && isAlive(editor.session.value),
+    ),
     isSelected,
     isDim: computed(() => {
       const { nodes, wire: selected } = editor.selection.value;

@@ -10,6 +10,7 @@ import {
   type EditState,
 } from '../model/commands/edit-state.ts';
 import type { GraphCommand } from '../model/commands/graph-command.ts';
+import { nothingElsewhere } from '../model/commands/topics-elsewhere.ts';
 import { graphOf } from '../model/graph-of.ts';
 import type { Graph, GraphNode, Point } from '../model/graph.ts';
 import { sessionOf } from '../model/session-of.ts';
@@ -52,7 +53,7 @@ export interface GraphEditor {
   readonly changes: ComputedRef<number>;
   /** Returns a node as the master has it; undefined if it does not have the node. */
   savedNode(id: string): GraphNode | undefined;
-  /** Whether the name of the session is the only unsaved change. */
+  /** Whether a new name of the session, with the topics that follow it, is the only unsaved change. */
   isOnlyRenamed(): boolean;
   /** Label of the step that undo reverts; undefined when there is none. */
   readonly undoLabel: ComputedRef<string | undefined>;
@@ -88,6 +89,8 @@ export interface GraphEditor {
   mark(): Saved;
   /** Handles a successful save of the state at the mark. */
   handleSaved(session: Session, mark: Saved): void;
+  /** Shows a session that this page saved as a text: there is nothing to undo. */
+  adopt(session: Session): void;
   /** Resolves a conflict with the other client's change. */
   takeTheirs(conflict: Conflict): void;
   /** Resolves a conflict with the user's own change. */
@@ -103,8 +106,15 @@ export interface GraphEditor {
 const NOTHING: Selection = { nodes: new Set(), wire: undefined };
 const revisionOf = ({ extension }: Session): number => extension?.revision ?? 0;
 
-/** @param uuid returns a new UUID */
-export function createGraphEditor(first: Session, uuid: () => string): GraphEditor {
+/**
+ * @param uuid returns a new UUID
+ * @param elsewhere returns the topics that others use, which new wires avoid
+ */
+export function createGraphEditor(
+  first: Session,
+  uuid: () => string,
+  elsewhere = nothingElsewhere,
+): GraphEditor {
   const session = shallowRef(first);
   /** Session that the graph was built from. */
   let base = withIds(first, uuid);
@@ -212,19 +222,17 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     savedNode: (id) => saved.value.graph.nodes.get(id),
     isOnlyRenamed() {
       const { graph: before } = saved.value;
-      const { name, ...rest } = graph.value.details;
-      const { name: nameBefore, ...restBefore } = before.details;
-      return (
-        name !== nameBefore &&
-        sameValue(rest, restBefore) &&
-        isSameGraph({ ...graph.value, details: before.details }, before)
-      );
+      const { name } = graph.value.details;
+      if (name === before.details.name) return false;
+      // The topics of wires follow the name.
+      const rename = { kind: 'setDetails', changes: { name } } as const;
+      return sameValue(applyCommand(before, rename, elsewhere).graph, graph.value);
     },
     undoLabel: computed(() => state.value.past.at(-1)?.label),
     redoLabel: computed(() => state.value.future.at(-1)?.label),
     merged,
     news,
-    apply: (command, key) => show(perform(state.value, command, key)),
+    apply: (command, key) => show(perform(state.value, command, key, elsewhere)),
     seal: () => (state.value = seal(state.value)),
     undo: () => show(undo(state.value)),
     redo: () => show(redo(state.value)),
@@ -265,6 +273,10 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
       session.value = next;
       merged.value = undefined;
       saved.value = stored;
+    },
+    adopt(next) {
+      sent = undefined;
+      reset(next);
     },
     mark,
     takeTheirs(conflict) {

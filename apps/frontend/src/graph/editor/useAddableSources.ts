@@ -5,14 +5,19 @@ import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { isInternalTopic } from '../../topics/names/internal-topics.ts';
 import type { AddableSources } from '../canvas/addable.ts';
 import type { KnownTopic } from '../model/fit/node-offer.ts';
+import type { FindTopicsElsewhere } from '../model/commands/topics-elsewhere.ts';
 import { phoneTopics } from '../live/phone-topics.ts';
 import { useDeviceTopics } from '../live/useDeviceTopics.ts';
 
 /**
  * Modules and topics to choose from: topics of this browser first, topics of unknown data format last. On a phone,
  * includes the topics of its smart device also while that page is closed: a phone has only one page open.
+ * @param elsewhere returns the topics that others use
  */
-export function useAddableSources(library: ModuleLibrary): AddableSources {
+export function useAddableSources(
+  library: ModuleLibrary,
+  elsewhere: FindTopicsElsewhere,
+): AddableSources {
   const { client, topics } = useConnection();
   const deviceTopics = useDeviceTopics();
   const reader = useTopicParts();
@@ -21,6 +26,9 @@ export function useAddableSources(library: ModuleLibrary): AddableSources {
     nameTopic: useNamedTopic(),
     get modules() {
       return (library.entries.value ?? []).map(({ module }) => module);
+    },
+    get used() {
+      return elsewhere().used;
     },
     get topics() {
       const announced = new Set(deviceTopics.value.map(({ topic }) => topic));

@@ -10,7 +10,7 @@ import { useToastsOf } from '../../ui/toasts/toasts.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { Saving } from './useSave.ts';
 
-/** Starts, pauses and stops the session; used by the life bar, the session menu and keys. */
+/** Starts, pauses and stops the session; used by the run bar, the session menu and keys. */
 export interface Life {
   can(action: LifeAction): boolean;
   /** Saves unsaved changes first, and shows a message. */

@@ -5,6 +5,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import type { SessionActions } from '../../sessions/actions/useSessionActions.ts';
 import type { LifeAction } from '../../sessions/state/session-state.ts';
 import { problemsInGraph, type PlacedProblem } from '../model/live/problems-in-graph.ts';
+import { freeName } from '../../sessions/text/session-spec.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 
 /** Saves changes on the master, and starts and stops the session. */
@@ -12,6 +13,8 @@ export interface Saving {
   readonly isBusy: ComputedRef<boolean>;
   /** Reason why the last request failed, one sentence. */
   readonly failure: Readonly<ShallowRef<string | undefined>>;
+  /** True when the master refused the last save. */
+  readonly isRefused: ComputedRef<boolean>;
   /** Problems that the master found in the session to save, with their nodes. [SE-3] */
   readonly problems: Readonly<ShallowRef<readonly PlacedProblem[]>>;
   /** True when a save was requested while disconnected; it is sent after reconnecting. */
@@ -68,7 +71,7 @@ export function useSave(
     const { name } = editor.session.value;
     return next.name === name
       ? actions.calls.update(next, {})
-      : actions.calls.rename({ ...next, name }, next.name);
+      : actions.calls.rename({ ...next, name }, next.name, next);
   }
 
   /** Merges the master's version, which another client may have saved. @returns whether it was newer */
@@ -79,12 +82,17 @@ export function useSave(
     editor.handleSession(newest);
     return editor.baseSession() !== before;
   }
+  const isNew = (): boolean => (editor.session.value.extension?.revision ?? 0) === 0;
   const isSettled = (): boolean => (editor.merged.value ?? []).length === 0;
 
   async function saveNow(): Promise<boolean> {
     const { name } = editor.graph.value.details;
-    const isNewName = name !== editor.session.value.name || isGone();
-    if (isNewName && (await actions.calls.takenNames()).has(name)) {
+    const isGiven = name !== editor.session.value.name;
+    const taken = isGiven || isGone() ? await actions.calls.takenNames() : new Set<string>();
+    if (taken.has(name) && !isGiven && isNew()) {
+      // Another session got the proposed name since: take the next one.
+      editor.apply({ kind: 'setDetails', changes: { name: freeName(name, taken) } });
+    } else if (taken.has(name)) {
       failure.value = `Another session has the name "${name}". Choose a different name.`;
       return false;
     }
@@ -155,7 +163,7 @@ export function useSave(
     if (!connected || !isWaiting.value) return;
     try {
       // A new session exists only here.
-      if ((editor.session.value.extension?.revision ?? 0) > 0) await catchUp();
+      if (!isNew()) await catchUp();
     } catch (cause) {
       if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
       // The connection was lost again, or the session was deleted, which the page shows.
@@ -170,6 +178,7 @@ export function useSave(
     failure: computed(
       () => failure.value ?? actions.failures.value.get(editor.session.value.id),
     ) as Saving['failure'],
+    isRefused: computed(() => failure.value !== undefined),
     problems,
     isWaiting,
     savedRevision,

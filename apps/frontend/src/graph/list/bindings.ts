@@ -44,10 +44,11 @@ const MAX_SHOWN = 80;
 export function bindings(
   graph: Graph,
   ref: PortRef,
-  { modules, topics, nameTopic = (topic) => topic }: AddableSources,
+  sources: AddableSources,
   typed: string,
   uuid: () => string = randomUuid,
 ): Binding[] {
+  const { modules, topics, nameTopic = (topic) => topic } = sources;
   const own = portOf(graph, ref);
   if (own === undefined) return [];
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
@@ -65,7 +66,7 @@ export function bindings(
     }),
   ].filter(said);
   const of = (group: Binding['group']): Binding[] => all.filter((one) => one.group === group);
-  const made = newTopic(graph, ref, typed.trim(), topics, uuid);
+  const made = newTopic(graph, ref, typed.trim(), sources, uuid);
   const fitting = [...of('session'), ...of('topics')];
   // Existing topics come before new ones; without typed words, an output's new topic comes first.
   const best = typed.trim() === '' ? [...made, ...fitting] : [...fitting, ...made];
@@ -151,15 +152,15 @@ function newTopic(
   graph: Graph,
   ref: PortRef,
   typed: string,
-  known: AddableSources['topics'],
+  { topics, used }: AddableSources,
   uuid: () => string,
 ): Binding[] {
   const isOutput = portOf(graph, ref)?.direction === 'out';
   if (graph.nodes.get(ref.node)?.kind !== 'module' || /\s/.test(typed)) return [];
   if (typed === '' && !isOutput) return [];
   const topic =
-    typed === '' ? proposedTopic(graph, ref) : typed.startsWith('/') ? typed : `/${typed}`;
-  if (topicsOf(graph).has(topic) || known.some((one) => one.topic === topic)) return [];
+    typed === '' ? proposedTopic(graph, ref, used) : typed.startsWith('/') ? typed : `/${typed}`;
+  if (topicsOf(graph).has(topic) || topics.some((one) => one.topic === topic)) return [];
   const binding = toTopic(graph, ref, topic, {}, [], uuid);
   if (binding?.command === undefined) return [];
   const text = `New topic ${topic}`;

@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { flushPromises, mount } from '@vue/test-utils';
+import { enableAutoUnmount, flushPromises, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { computed, defineComponent, nextTick, ref, shallowRef } from 'vue';
 import { CONNECTION } from '../../connection/connection.ts';
@@ -15,6 +15,7 @@ beforeEach(() => {
 afterEach(() => {
   vi.useRealTimers();
 });
+enableAutoUnmount(afterEach);
 
 /** Statistics of a topic that was subscribed and never published. */
 const SUBSCRIBED: TopicRate = {

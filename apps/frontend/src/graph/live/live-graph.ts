@@ -1,6 +1,5 @@
 import { muxNeedsPatterns } from '@ubii/pm-sandbox';
 import { type ModuleEvent, type ModuleStatistics, type Session, type TopicMux } from '@ubii/proto';
-import { useRafFn } from '@vueuse/core';
 import { computed, shallowReactive, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { useConnection } from '../../connection/useConnection.ts';
@@ -8,6 +7,7 @@ import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
 import { isWatched } from '../../sessions/state/session-state.ts';
 import { usePatterns } from '../../patterns/usePatterns.ts';
+import { usePageFrames } from '../../topics/history/page-clock.ts';
 import { useRowValues } from '../../topics/rows/useRowValues.ts';
 import { isPublisherAway } from '../../topics/names/publisher.ts';
 import { useFindPublisher } from '../../topics/names/useFindPublisher.ts';
@@ -21,14 +21,13 @@ import { DrawSlices } from './draw-slices.ts';
 import { drawUnits, type DrawUnit } from './draw-units.ts';
 import { createFrameTimer } from './frame-timer.ts';
 import { hasChanged, liveTopic, type LiveTopic } from './live-topic.ts';
+import { Overruns } from './overruns.ts';
 import { topicsOf } from './topics-in-graph.ts';
 
 /** Interval of requests for statistics, milliseconds. */
 const STATISTICS_MS = 250;
 /** Rate at which pictures on topic nodes are renewed, Hz. */
 const PICTURE_HZ = 2;
-/** Interval between points of the charts of values, milliseconds. */
-const SAMPLE_MS = 1000 / 6;
 /** Run times kept for a module's chart: one minute at five reports a second. */
 const RUN_TIMES = 300;
 
@@ -50,6 +49,8 @@ export interface LiveGraph {
   /** Topics that a muxer matches now, or the reason why it matches none. */
   preview(mux: TopicMux): MuxPreview;
   module(id: string): ModuleStatistics | undefined;
+  /** Whether the module is slower than its frequency, so that runs are left out. */
+  isLate(id: string): boolean;
   /** Whether the module has statistics. */
   has(id: string): boolean;
   /** Oldest first. */
@@ -94,14 +95,9 @@ export function useLiveGraph(
     ({ shownAt }: DrawUnit) => shownAt.some((node) => isInView.value(node)),
   );
   const timeFrame = createFrameTimer((frameMs) => slices.took(frameMs));
-  let sampledMs = 0;
-  useRafFn(() => {
-    const nowMs = performance.now();
-    if (nowMs - sampledMs >= SAMPLE_MS) {
-      sampledMs = nowMs;
-      values.sample(nowMs);
-    }
-    const slice = slices.next(nowMs, isMoving.value);
+  usePageFrames(({ isReading, readMs }) => {
+    if (isReading) values.sample(readMs);
+    const slice = slices.next(performance.now(), isMoving.value);
     if (slice.length === 0) return;
     timeFrame();
     for (const { topics: names, module } of slice) {
@@ -129,17 +125,26 @@ export function useLiveGraph(
 
   const modules = shallowReactive(new Map<string, ModuleStatistics>());
   const runTimes = shallowReactive(new Map<string, readonly RunTime[]>());
+  const overruns = new Overruns();
+  const late = shallowReactive(new Set<string>());
   /** Newest report of each module that is not drawn yet. */
   const reported = new Map<string, Report>();
   watch(
     () => (isWatched(session.value) ? statistics.value.get(session.value.id)?.modules : undefined),
     (all = []) => {
       const ids = new Set(all.map(({ moduleId }) => moduleId));
-      for (const id of [...modules.keys()]) if (!ids.has(id)) modules.delete(id);
+      for (const id of [...modules.keys()]) {
+        if (ids.has(id)) continue;
+        modules.delete(id);
+        late.delete(id);
+        overruns.forget(id);
+      }
       for (const id of [...reported.keys()]) if (!ids.has(id)) reported.delete(id);
       for (const newest of all) {
         const { moduleId: id, runP50Ms: p50Ms, runP95Ms: p95Ms, runsPerSecond } = newest;
         const times = reported.get(id)?.times ?? [];
+        if (!overruns.report(newest, Date.now())) late.delete(id);
+        else if (!late.has(id)) late.add(id);
         if (runsPerSecond > 0) times.push({ timeMs: Date.now(), p50Ms, p95Ms });
         reported.set(id, { newest, times });
       }
@@ -162,6 +167,7 @@ export function useLiveGraph(
     preview: (mux) =>
       muxPreview(mux, known.value, muxNeedsPatterns(mux) ? patterns.compiler : undefined),
     module: (id) => modules.get(id),
+    isLate: (id) => late.has(id),
     has: (id) => modules.has(id),
     runTimes: (id) => runTimes.get(id) ?? [],
     events,

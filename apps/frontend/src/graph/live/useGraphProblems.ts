@@ -1,16 +1,18 @@
 import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
+import { isAlive } from '../../sessions/state/session-state.ts';
 import { runningWriters } from '../../sessions/words/shared-topics.ts';
-import type { GraphEditor } from '../editing/graph-editor.ts';
 import { sameValue } from '../model/changes/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
 import type { GraphProblem, TopicAdvice } from '../model/live/graph-problem.ts';
 import { isMissing, type Surroundings } from '../model/live/own-problems.ts';
 import type { ModuleNode } from '../model/graph.ts';
+import { wiresOf } from '../model/wires-of.ts';
 import { leftTopicAdvice } from './left-topic-advice.ts';
-import type { OwnPad } from './own-pad.ts';
 import { ownTopicRemedy } from './own-topic-remedy.ts';
+import { isSilent } from './silent-module.ts';
+import type { GraphContext } from './useGraphContext.ts';
 import { useOtherTopics } from './useOtherTopics.ts';
 
 /** Problems of the graph, for the views that show them. */
@@ -28,9 +30,8 @@ const NONE: readonly GraphProblem[] = [];
 
 /** Determines the problems of a graph and provides them to child views. */
 export function provideGraphProblems(
-  editor: GraphEditor,
+  { editor, live: values, pad, apply }: GraphContext,
   library: ModuleLibrary,
-  pad: OwnPad,
 ): LiveProblems {
   const { client, nodes, sessions } = useConnection();
   const openPad = (): void => void (pad.isOpen.value = true);
@@ -38,6 +39,12 @@ export function provideGraphProblems(
   const remedyOf = (topic: string): TopicAdvice | undefined =>
     ownTopicRemedy(topic, client.id, pad.isOffered.value ? openPad : undefined) ??
     leftTopicAdvice(topic, otherTopics(topic));
+  function useOwnTopics(topics: readonly string[]): void {
+    const isSaved = editor.changes.value === 0;
+    editor.apply({ kind: 'ownTopics', topics });
+    // Earlier changes are for the user to apply.
+    if (isSaved) apply();
+  }
   const around = computed((): Surroundings => {
     const list = nodes.list.value;
     const entries = library.entries.value;
@@ -53,10 +60,25 @@ export function provideGraphProblems(
   const settled = computed<Surroundings>((before) =>
     before !== undefined && isSame(before, around.value) ? before : around.value,
   );
+  /** Reports arrive continuously; recompute only for other modules. */
+  const silent = computed<ReadonlySet<string>>((before) => {
+    const modules = [...editor.graph.value.nodes.values()].filter((node) => node.kind === 'module');
+    const found = new Set(
+      modules
+        .filter((node) =>
+          isSilent(values.module(node.module.id), wiresOf(editor.graph.value, node.id)),
+        )
+        .map(({ id }) => id),
+    );
+    return before !== undefined && isSameSet(before, found) ? before : found;
+  });
   const problems = computed(() =>
     graphProblems(editor.graph.value, editor.session.value, {
       ...settled.value,
       remedyOf,
+      useOwnTopics,
+      isRunning: isAlive(editor.session.value),
+      isSilent: ({ id }) => silent.value.has(id),
       isResting: (topic) => pad.isResting(topic),
     }),
   );

@@ -1,18 +1,16 @@
 import { computed, type ComputedRef } from 'vue';
-import { isAlive } from '../../sessions/state/session-state.ts';
 import type { GraphNode } from '../model/graph.ts';
 import { isUnapplied } from '../model/changes/unapplied-value.ts';
 import { useGraphContext } from './useGraphContext.ts';
 
 /**
- * True while the session runs with another value than the graph has.
+ * True while the session runs with another value than the graph has, and the change waits for the user.
  *
  * @param input of a module; undefined: any of its inputs
  */
 export function useUnapplied(node: () => GraphNode, input?: () => string): ComputedRef<boolean> {
-  const { editor } = useGraphContext();
+  const { editor, pending } = useGraphContext();
   return computed(
-    () =>
-      isAlive(editor.session.value) && isUnapplied(editor.savedNode(node().id), node(), input?.()),
+    () => pending.waits.value && isUnapplied(editor.savedNode(node().id), node(), input?.()),
   );
 }

@@ -109,7 +109,13 @@ export interface FrameNode extends NodeBase {
 }
 
 export type GraphNode =
-  TopicNode | ModuleNode | MuxerNode | DemuxerNode | ConstantNode | CommentNode | FrameNode;
+  | TopicNode
+  | ModuleNode
+  | MuxerNode
+  | DemuxerNode
+  | ConstantNode
+  | CommentNode
+  | FrameNode;
 export type NodeKind = GraphNode['kind'];
 
 /** Connection from an output port to an input port. */

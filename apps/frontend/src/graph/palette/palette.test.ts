@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { moduleEntries } from '../../modules/library/module-entry.ts';
 import { aModule, aSessionOf } from '../model/testing/small-graph.ts';
 import { hostedModules, hostLoad } from './host-load.ts';
-import { groupModules, withRecent } from './recent-modules.ts';
+import { groupModules, withRecent } from '../../modules/library/recent-modules.ts';
 
 const node = (init: object) =>
   fromJson('ubii.extension.NodeInfo', { clientId: 'n', available: true, ...init });

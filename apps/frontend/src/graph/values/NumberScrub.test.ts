@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { mount } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';
+import { nextTick } from 'vue';
 import NumberScrub from './NumberScrub.vue';
 
 function field(props: { value?: number; range?: { min: number; max: number } } = {}) {
@@ -46,4 +47,18 @@ it('keeps a text that is no number, and why, and takes back what Escape cancels'
   await input.trigger('keydown', { key: 'Escape' });
   expect(input.element.value).toBe('0.5');
   expect(problem()).toBeUndefined();
+});
+
+it('takes back a refused text by Ctrl Z, and leaves other steps to the history of the graph', async () => {
+  const { input, type, problem } = field();
+  await type('abc');
+  const first = new KeyboardEvent('keydown', { key: 'z', ctrlKey: true, cancelable: true });
+  input.element.dispatchEvent(first);
+  await nextTick();
+  expect(first.defaultPrevented).toBe(true);
+  expect(input.element.value).toBe('0.5');
+  expect(problem()).toBeUndefined();
+  const next = new KeyboardEvent('keydown', { key: 'z', ctrlKey: true, cancelable: true });
+  input.element.dispatchEvent(next);
+  expect(next.defaultPrevented).toBe(false);
 });

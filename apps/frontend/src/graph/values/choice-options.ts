@@ -1,6 +1,6 @@
 import { valueOf } from '../../formats/value-parts.ts';
 import type { Port } from '../model/graph.ts';
-import { defaultText } from './default-text.ts';
+import { defaultText } from '../../formats/default-text.ts';
 
 /** Option of an input with a list of accepted texts. [PM-7] */
 export interface ChoiceOption {

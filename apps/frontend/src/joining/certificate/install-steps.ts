@@ -90,7 +90,7 @@ export interface AuthorityFacts {
 /** @returns `none` when this master has no authority of its own */
 export async function askAuthority(): Promise<AuthorityFacts | 'none'> {
   const response = await fetch('/ca.json', { cache: 'no-store' });
-  if (!response.ok) throw new Error(`The master answered with ${response.status}.`);
+  if (!response.ok) throw new Error(`Ubi-Interact answered with ${response.status}.`);
   const facts = (await response.json()) as Partial<AuthorityFacts>;
   return facts.fingerprint === undefined ? 'none' : (facts as AuthorityFacts);
 }

@@ -18,20 +18,26 @@ const HOUR_MS = 60 * MINUTE_MS;
 /** The longest lifetime that a master accepts. [AC-10] */
 const LONGEST_MS = 30 * 24 * HOUR_MS;
 
+/** What clients may do, as the host chooses it (`may`), and the name of the role. */
 export const ROLES = [
-  { value: 'participant', text: 'Participant', role: AccessRole.ACCESS_ROLE_PARTICIPANT },
-  { value: 'player', text: 'Player', role: AccessRole.ACCESS_ROLE_PLAYER },
-  { value: 'viewer', text: 'Viewer', role: AccessRole.ACCESS_ROLE_VIEWER },
-  { value: 'admin', text: 'Admin', role: AccessRole.ACCESS_ROLE_ADMIN },
+  {
+    value: 'participant',
+    text: 'Participant',
+    may: 'Take part',
+    role: AccessRole.ACCESS_ROLE_PARTICIPANT,
+  },
+  { value: 'player', text: 'Player', may: 'Send only', role: AccessRole.ACCESS_ROLE_PLAYER },
+  { value: 'viewer', text: 'Viewer', may: 'Watch', role: AccessRole.ACCESS_ROLE_VIEWER },
+  { value: 'admin', text: 'Admin', may: 'Everything', role: AccessRole.ACCESS_ROLE_ADMIN },
 ] as const;
 export type RoleChoice = (typeof ROLES)[number]['value'];
 
 /** Description of a role, below the option. */
 export const ROLE_HINTS: Record<RoleChoice, string> = {
-  participant: 'Can use and change everything except invitations and other clients.',
-  player: 'Publishes its own sensors and topics. Cannot open sessions, topics or clients.',
-  viewer: 'Can see everything and change nothing.',
-  admin: 'Can do everything, including inviting and disconnecting other clients.',
+  participant: 'Participant: uses and changes everything except invitations and other clients.',
+  player: 'Player: sends its own sensors and touches. Cannot open sessions, topics or clients.',
+  viewer: 'Viewer: sees everything and changes nothing.',
+  admin: 'Admin: does everything, including inviting and disconnecting other clients.',
 };
 
 export const LIFETIMES = [
@@ -42,7 +48,7 @@ export const LIFETIMES = [
 export type LifetimeChoice = (typeof LIFETIMES)[number]['value'];
 
 export const STAYS = [
-  { value: 'same', text: 'Until it expires', stayMs: 0 },
+  { value: 'same', text: 'As long as the code', stayMs: 0 },
   { value: 'day', text: '12 hours', stayMs: 12 * HOUR_MS },
   { value: 'month', text: '30 days', stayMs: LONGEST_MS },
 ] as const;

@@ -6,6 +6,7 @@ import { shallowRef } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
 import { CONNECTION } from '../../connection/connection.ts';
 import NoNetworkHelp from './NoNetworkHelp.vue';
+import SimulatedPhone from './SimulatedPhone.vue';
 
 async function open(role: string, call = vi.fn(() => Promise.resolve({}))) {
   const router = createRouter({
@@ -24,18 +25,20 @@ async function open(role: string, call = vi.fn(() => Promise.resolve({}))) {
 
 afterEach(() => void vi.restoreAllMocks());
 
-describe('NoNetworkHelp', () => {
+describe('SimulatedPhone', () => {
   it('opens a phone-sized window without an opener, so that it is a client of its own', async () => {
     const openWindow = vi.spyOn(window, 'open').mockReturnValue(null);
-    const { button } = await open('participant');
-    await button('Open a phone')!.trigger('click');
+    const wrapper = mount(SimulatedPhone);
+    await wrapper.get('button').trigger('click');
     expect(openWindow).toHaveBeenCalledWith(
       '/devices/smart-device',
       '_blank',
       expect.stringMatching(/noopener.*width=390,height=844/),
     );
   });
+});
 
+describe('NoNetworkHelp', () => {
   it('an admin on the computer of the master turns on the local network [AC-47]', async () => {
     const { button, call, wrapper } = await open('admin');
     await button('Turn on the local network')!.trigger('click');

@@ -5,6 +5,6 @@ export const connectPhoneRoutes: readonly RouteRecordRaw[] = [
   {
     path: CONNECT_PATH,
     component: () => import('./ConnectPhonePage.vue'),
-    meta: { title: 'Connect a phone' },
+    meta: { title: 'Connect a phone', ownKeys: 'CF' },
   },
 ];

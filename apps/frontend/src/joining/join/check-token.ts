@@ -19,12 +19,12 @@ export async function checkToken(token: string): Promise<JoinCheck> {
     });
     json = await response.json();
   } catch (cause) {
-    throw new ConnectionError('refused', 'The master does not answer', { cause });
+    throw new ConnectionError('refused', 'The host does not answer', { cause });
   }
   const reply = fromJson('ubii.services.ServiceReply', json);
   if (reply.error !== undefined) throw ServiceError.fromWire(reply.error);
   if (reply.joinCheck === undefined) {
-    throw new ConnectionError('protocol', 'This master does not support joining');
+    throw new ConnectionError('protocol', 'This host does not support joining');
   }
   return reply.joinCheck;
 }

@@ -1,10 +1,19 @@
 import type { ClientRole, JoinProblem } from '@ubii/client-web';
+import type { Mark } from '@ubii/proto';
+import type { NamedMark } from '../../marks/mark-words.ts';
 
 /**
  * `asking`: the token is being checked; `code`: the user must enter a code; `ready`: the user can join; `joining`;
  * `unreachable`: no reply.
  */
 export type JoinPhase = 'asking' | 'code' | 'ready' | 'joining' | 'unreachable';
+
+/** Marks that the person can choose from. [EX-100] */
+export interface OfferedMarks {
+  /** One that no client here has; `undefined` with masters that give no marks. */
+  readonly free: Mark | undefined;
+  readonly taken: readonly NamedMark[];
+}
 
 /** Content of a valid token. */
 export interface Invitation {
@@ -14,6 +23,7 @@ export interface Invitation {
   readonly target: string;
   /** True when this client has already joined with it. */
   readonly isJoined: boolean;
+  readonly marks: OfferedMarks;
 }
 
 /** State of joining, from a token or code to the target page. */
@@ -55,6 +65,7 @@ export interface CheckReply {
   readonly problem: JoinProblem | undefined;
   readonly target: string;
   readonly isJoined: boolean;
+  readonly marks: OfferedMarks;
 }
 
 export type JoinEvent =

@@ -21,6 +21,7 @@ const PLAYER: CheckReply = {
   problem: undefined,
   target: '/devices',
   isJoined: false,
+  marks: { free: { shape: 1, colour: 1, chosen: false }, taken: [] },
 };
 
 /** Creates a page in a situation that tests can change. */

@@ -101,12 +101,12 @@ function beginCheck(state: JoinState, token: string, situation: Situation): Join
 function handleReply(
   state: JoinState,
   { token, asClient }: Check,
-  { masterName, role, problem, target, isJoined }: CheckReply,
+  { masterName, role, problem, target, isJoined, marks }: CheckReply,
   situation: Situation,
 ): JoinStep {
   const known = { ...state, isToClient: asClient, masterName, problem };
   if (token !== '' && role !== undefined && problem === undefined) {
-    return stay({ ...known, phase: 'ready', invitation: { token, role, target, isJoined } });
+    return stay({ ...known, phase: 'ready', invitation: { token, role, target, isJoined, marks } });
   }
   const without = { ...known, invitation: undefined };
   return {

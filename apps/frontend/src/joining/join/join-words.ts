@@ -13,7 +13,7 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
   },
   wrong: {
     title: 'This code is not valid.',
-    text: 'Compare it with the host’s screen: a letter may differ, or the host has a new code. After a restart of the master, use its new address or code.',
+    text: 'Compare it with the host’s screen: a letter may differ, or the host has a new code. After a restart, the host shows a new address or code.',
   },
   expired: {
     title: 'This code has expired.',
@@ -32,8 +32,8 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
     text: 'This page retries every second. Scanning the QR code works at once.',
   },
   role: {
-    title: 'This device has no access to that page.',
-    text: 'Its role has no right to open it. Join with a code of another role.',
+    title: 'This code does not open that page.',
+    text: 'Join with a code that allows it, or ask the host.',
   },
 };
 
@@ -41,11 +41,11 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
 const PROBLEMS_HERE: Partial<Record<JoinProblem, ProblemWords>> = {
   missing: {
     title: 'Enter the code.',
-    text: 'Type the admin code shown in the terminal of the master. This browser becomes an admin.',
+    text: 'Type the code shown in the terminal where Ubi-Interact runs. With it, this browser may do everything.',
   },
   wrong: {
     title: 'This code is not valid.',
-    text: 'Compare it with the terminal: a letter may differ, or the master was restarted and shows a new code.',
+    text: 'Compare it with the terminal: a letter may differ, or Ubi-Interact was restarted and shows a new code.',
   },
 };
 
@@ -54,33 +54,35 @@ export function problemWords(problem: JoinProblem, isHere = false): ProblemWords
   return (isHere ? PROBLEMS_HERE[problem] : undefined) ?? PROBLEMS[problem];
 }
 
-/** Label of the button that opens the entry of an admin code. */
+/** Label of the button that opens the entry of a code that makes an admin. */
 export function becomeAdminWords(isHere: boolean): string {
-  return isHere
-    ? 'Become an admin with the code shown in the terminal'
-    : 'Become an admin with an admin code';
+  return isHere ? 'Enter the code shown in the terminal' : 'Enter a code of the host';
 }
 
-const ROLES: Record<ClientRole, string> = {
-  admin: 'admin',
-  participant: 'participant',
-  player: 'player',
-  viewer: 'viewer',
+const MAY: Record<ClientRole, string> = {
+  admin: 'May do everything.',
+  participant: 'May use and change everything except codes and other clients.',
+  player: 'Sends what is done on it, and changes nothing else.',
+  viewer: 'Sees everything and changes nothing.',
 };
 
-/** Describes a role in one or two sentences. */
-export function roleSentence(role: ClientRole): string {
-  return {
-    admin: 'Role: admin. You can do everything.',
-    participant: 'Role: participant. You can use and change sessions and modules.',
-    player: 'Role: player. This device publishes its own sensors and topics.',
-    viewer: 'Role: viewer. You can see everything and change nothing.',
-  }[role];
+/** What devices send from the pages on which they are one. */
+const SENT: Readonly<Record<string, string>> = {
+  '/devices/smart-device': 'touch and motion',
+  '/devices/controller': 'buttons and sticks',
+  '/devices/camera': 'pictures from the camera',
+};
+
+/** What joining sends, in one sentence. @param host how the host is called */
+export function sendsSentence(role: ClientRole, target: string, host: string): string {
+  if (role === 'viewer') return `Sends nothing. You see what happens at ${host}.`;
+  const sent = SENT[target.split(/[?#]/, 1)[0] ?? ''] ?? 'what you do here';
+  return `Sends ${sent} to ${host} until you leave.`;
 }
 
-/** Name of a role. */
-export function roleWord(role: ClientRole): string {
-  return ROLES[role];
+/** What a browser with a role may do, one sentence. */
+export function maySentence(role: ClientRole): string {
+  return MAY[role];
 }
 
 /** Returns the name of the page that a code opens. */

@@ -1,5 +1,5 @@
 import { clientRole, ConnectionError, joinProblem } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
+import { ServiceError, type Mark } from '@ubii/proto';
 import { computed, onScopeDispose, shallowRef, watch } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
 import { useConnection } from '../../connection/useConnection.ts';
@@ -15,15 +15,23 @@ import {
   type Situation,
 } from './join-state.ts';
 import { joinStep } from './join-step.ts';
+import { offeredMarks } from './offered-marks.ts';
 import { safeTarget } from './target.ts';
 import { isThisMachine } from './this-machine.ts';
 
 /** Time after which a missing WebSocket is reported, milliseconds. */
 const PATIENCE_MS = 10_000;
 
+/** Who joins. */
+export interface Joining {
+  /** Display name; empty keeps the one before. */
+  readonly name: string;
+  readonly mark: Mark;
+}
+
 /** Performs joining, from a token or code to the target page, by executing `joinStep`. */
 export function useJoin(beforeLeaving: () => void) {
-  const { client, state: connection, isConnected, name, connect } = useConnection();
+  const { client, state: connection, isConnected, name, mark, connect } = useConnection();
   const route = useRoute();
   const router = useRouter();
   const toasts = useToasts();
@@ -90,7 +98,7 @@ export function useJoin(beforeLeaving: () => void) {
       dispatch({
         type: 'checked',
         check: question,
-        reply: { masterName, role, problem, target, isJoined },
+        reply: { masterName, role, problem, target, isJoined, marks: offeredMarks(answer) },
       });
     } catch (cause) {
       if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
@@ -125,7 +133,7 @@ export function useJoin(beforeLeaving: () => void) {
   function leave(becameAdmin: boolean): void {
     beforeLeaving();
     if (state.value.invitation?.target) rememberStart(target.value);
-    if (becameAdmin) toasts.show('This browser is now an admin');
+    if (becameAdmin) toasts.show('This browser may do everything now');
     // Replaces this page in the history, so that Back does not return to the token.
     void router.replace(target.value);
   }
@@ -144,9 +152,9 @@ export function useJoin(beforeLeaving: () => void) {
     target,
     isConnected,
     check: (token: string) => dispatch({ type: 'check', token }),
-    /** @param as display name of this device */
-    join(as: string) {
-      if (as.trim() !== '') name.value = as.trim();
+    join(as: Joining) {
+      if (as.name.trim() !== '') name.value = as.name.trim();
+      mark.set(as.mark);
       dispatch({ type: 'join' });
     },
     leave: () => dispatch({ type: 'leave' }),

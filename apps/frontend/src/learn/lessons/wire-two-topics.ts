@@ -40,24 +40,24 @@ export const wireTwoTopics: Lesson = {
     },
     {
       title: 'Wire the result to a topic',
-      text: 'Drag from the output `mirrored` to the topic at the right. Then press Apply. The change applies while the session runs, and nothing restarts.',
+      text: 'Drag from the output `mirrored` to the topic at the right. The change applies at once while the session runs, and nothing restarts.',
       checks: [
         topicArrives(mirrored, 1, {
           id: 'arrives',
           text: 'The result arrives on its topic',
-          todo: 'wire the output, press Apply',
+          todo: 'wire the output',
         }),
       ],
       answer: { kind: 'graph', edit: 'wire-out' },
     },
     {
       title: 'Mirror it',
-      text: 'An input without a wire takes a fixed value. Set `mirrorX` on the module to true and press Apply. Where the pointer is at 0.2, the result is now at 0.8.',
+      text: 'An input without a wire takes a fixed value. Set `mirrorX` on the module to true. Where the pointer is at 0.2, the result is now at 0.8.',
       checks: [
         valuesMirror(pointerOf, mirrored, {
           id: 'mirrors',
           text: 'x and mirrored x add up to 1',
-          todo: 'set mirrorX, press Apply',
+          todo: 'set mirrorX',
         }),
       ],
       answer: { kind: 'graph', edit: 'mirror' },

@@ -7,6 +7,7 @@ import { dropDraft, keepDraft, readDraft } from './draft/draft-store.ts';
 import { draftProblems, isFatalProblem, type DraftProblems } from './draft/draft-problems.ts';
 import { draftOf, isSameDraft, moduleOf, type ModuleDraft } from './draft/module-draft.ts';
 import { reconcile } from './draft/reconcile.ts';
+import { keepSame } from './keep-same.ts';
 
 /** Interval of requests, milliseconds, to notice changed files on the master's disk. */
 const INTERVAL_MS = 1000;
@@ -61,10 +62,12 @@ export function useModuleEditor(
       draft.value !== undefined &&
       (base.value === undefined || !isSameDraft(draft.value, base.value)),
   );
-  const problems = computed<DraftProblems>(() => {
-    if (!draft.value) return new Map();
+  const problems = computed<DraftProblems>((before) => {
     const own = base.value?.name;
-    return draftProblems(draft.value, new Set(taken().filter((name) => name !== own)));
+    const next: DraftProblems = draft.value
+      ? draftProblems(draft.value, new Set(taken().filter((name) => name !== own)))
+      : new Map();
+    return keepSame(before, next, (one) => [...one]);
   });
 
   function take(next: ModuleDraft): void {

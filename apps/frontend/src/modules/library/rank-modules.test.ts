@@ -1,11 +1,22 @@
 import { fromJson } from '@ubii/proto';
 import { moduleLibrary } from '@ubii/modules';
 import { describe, expect, it } from 'vitest';
-import { firstSentence, moduleFlow, rankModules } from './rank-modules.ts';
+import { findableModule, firstSentence, moduleFlow, rankFound } from './rank-modules.ts';
 
 const library = moduleLibrary();
 const found = (typed: string, ...atHand: readonly ('vector2' | 'double')[]): string[] =>
-  rankModules(library, (one) => one, typed.split(' '), new Set(atHand)).map(({ name }) => name);
+  rankFound(library, findableModule, typed.split(' '), { atHand: new Set(atHand) }).map(
+    ({ name }) => name,
+  );
+
+it('what was used lately comes before what is as relevant', () => {
+  const recent = ['one-euro-filter-vector2', 'clock'];
+  const names = rankFound(library, findableModule, ['filter'], { recent }).map(({ name }) => name);
+  const inName = names.filter((name) => name.includes('filter'));
+  expect(names[0]).toBe('one-euro-filter-vector2');
+  expect(names.slice(0, inName.length).toSorted()).toEqual(inName.toSorted());
+  expect(rankFound(library, findableModule, [], { recent })[0]!.name).toMatch(/clock|one-euro/);
+});
 
 describe('modules that answer words', () => {
   it('begin with those that take what is at hand', () => {

@@ -1,56 +1,63 @@
 import type { DataFormat, ProcessingModule } from '@ubii/proto';
 import { parseDataFormat } from '@ubii/proto';
+import { searchScore, type Searched } from '../../ui/find-words.ts';
 
 /** Formats of available topics: modules that read them come before others of equal relevance. */
 export type FormatsAtHand = ReadonlySet<DataFormat>;
 
-/** Relevance of a module for typed words; 0: no match. Each word must occur. */
-export function moduleScore(module: ProcessingModule, words: readonly string[]): number {
-  const name = module.name.toLowerCase();
-  const parts = name.split(/[-_\s]+/);
-  const tags = module.tags.map((tag) => tag.toLowerCase());
-  const formats = [...module.inputs, ...module.outputs].map(({ messageFormat }) => messageFormat);
-  const text = [module.description, ...formats].join(' ').toLowerCase();
-  let score = 1;
-  for (const word of words) {
-    if (name === word) score += 16;
-    else if (parts.some((part) => part.startsWith(word))) score += 8;
-    else if (name.includes(word)) score += 6;
-    else if (tags.some((tag) => tag.startsWith(word))) score += 4;
-    else if (text.includes(word) || tags.some((tag) => tag.includes(word))) score += 2;
-    else return 0;
-  }
-  return score;
+/** What a search has to know of an entry. */
+export interface Findable extends Searched {
+  readonly module?: ProcessingModule | undefined;
+}
+
+/** What can be searched of a module. */
+export function findableModule(module: ProcessingModule): Findable {
+  const { name, tags, description, inputs, outputs } = module;
+  const formats = [...inputs, ...outputs].map(({ messageFormat }) => messageFormat);
+  return { name, aliases: tags, text: [description, ...formats].join(' '), module };
+}
+
+/** Order of entries that are equally relevant. */
+export interface RankOptions {
+  /** Undefined: modules that read an available format keep their places. */
+  readonly atHand?: FormatsAtHand | undefined;
+  /** Names of modules that were used lately, which come first. */
+  readonly recent?: readonly string[] | undefined;
 }
 
 /**
- * Returns the modules that match the words, by relevance; equally relevant ones by whether they read an available
- * format, then by the number of inputs, fewest first.
- * @param atHand undefined: equally relevant modules keep their order
+ * Returns the entries that match all words: name, word in the name, tag, sentence. Equally relevant ones by recent use,
+ * then by whether they read an available format, then by the number of inputs, fewest first.
+ * @param words in lower case
  */
-export function rankModules<T>(
+export function rankFound<T>(
   all: readonly T[],
-  moduleOf: (one: T) => ProcessingModule,
+  findable: (one: T) => Findable,
   words: readonly string[],
-  atHand: FormatsAtHand | undefined,
+  { atHand, recent = [] }: RankOptions,
 ): T[] {
-  const takes = ({ inputs }: ProcessingModule): number =>
-    inputs.some(({ messageFormat }) => {
+  const isRecent = (module: ProcessingModule | undefined): number =>
+    module !== undefined && recent.includes(module.name) ? 1 : 0;
+  const takes = (module: ProcessingModule | undefined): number =>
+    module?.inputs.some(({ messageFormat }) => {
       const format = parseDataFormat(messageFormat);
       return format !== undefined && atHand?.has(format) === true;
-    })
+    }) === true
       ? 1
       : 0;
+  const isCounted = atHand !== undefined && words.length > 0;
   return all
-    .map((one) => ({ one, module: moduleOf(one), score: moduleScore(moduleOf(one), words) }))
+    .map((one) => {
+      const found = findable(one);
+      const { module } = found;
+      const inputs = isCounted ? (module?.inputs.length ?? 0) : 0;
+      const score = searchScore(found, words);
+      return { one, score, inputs, recent: isRecent(module), takes: takes(module) };
+    })
     .filter(({ score }) => score > 0)
     .sort(
       (a, b) =>
-        takes(b.module) - takes(a.module) ||
-        b.score - a.score ||
-        (atHand !== undefined && words.length > 0
-          ? a.module.inputs.length - b.module.inputs.length
-          : 0),
+        b.score - a.score || b.recent - a.recent || b.takes - a.takes || a.inputs - b.inputs,
     )
     .map(({ one }) => one);
 }

@@ -63,9 +63,7 @@ function histogramPlot(
     const top = bins[values.indexOf(Math.max(...values))]!;
     const range = `between ${edge(top)} and ${edge(top + 1)} ms`;
     summaries.push(
-      isAlone
-        ? `Most often ${range}; all ${total} between ${edge(histogram.firstBin)} and ${edge(histogram.firstBin + histogram.counts.length)} ms.`
-        : `${name}: most often ${range}.`,
+      isAlone ? `Most often ${range}, of ${total} values.` : `${name}: most often ${range}.`,
     );
     return { label: name, values, kind: 'steps' as const, stroke: plotStroke(index) };
   });

@@ -1,3 +1,6 @@
+import { formatNumber } from '../../ui/readouts/format-number.ts';
+import type { Readout } from '../../ui/readouts/readout.ts';
+
 /** The tests of the page. */
 export const TEST_KINDS = ['round-trip', 'load', 'session-speed', 'screen'] as const;
 export type TestKind = (typeof TEST_KINDS)[number];
@@ -13,6 +16,12 @@ export interface Figure {
   readonly decimals?: number;
   /** Direction of improvement; undefined for parameters and explanatory figures. */
   readonly better?: 'less' | 'more';
+}
+
+/** A value as it is shown, the same in tables and sentences. */
+export function figureReadout({ value, unit, decimals = 0 }: Figure): Readout {
+  const digits = formatNumber(value, decimals);
+  return unit === '' ? { digits } : { digits, unit };
 }
 
 /** Histogram of durations. All have the bins of `histogram.ts`, so that runs can be overlaid. */

@@ -1,7 +1,7 @@
 /** Explanations of figures, by the last part of their key. */
 const MEANINGS: Readonly<Record<string, string>> = {
   p50: 'Median: half of the values were at least this fast.',
-  p95: '95 of 100 values were at least this fast. Up to 20 ms is not noticeable, up to 100 ms still feels direct.',
+  p95: '95 of 100 values were at least this fast. Up to 20 ms is not noticeable. Up to 100 ms buttons feel direct, and what follows a hand trails behind it.',
   p99: '99 of 100 values were at least this fast. Far above p95 points to interruptions: other programs, wireless networks, garbage collection.',
   max: 'The slowest value. May be an outlier.',
   jitter:

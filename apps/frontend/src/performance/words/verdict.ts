@@ -1,4 +1,4 @@
-import type { Findings, TestKind } from '../measure/findings.ts';
+import { figureReadout, type Figure, type Findings, type TestKind } from '../measure/findings.ts';
 
 /** Summary of the figures in one sentence. */
 export interface Verdict {
@@ -16,17 +16,16 @@ const DIRECT_MS = 100;
 /** A frame at 60 Hz and a good round trip, milliseconds. */
 const SCREEN_GOOD_MS = 40;
 
-const round = (ms: number): string => (ms < 9.95 ? ms.toFixed(1) : ms.toFixed(0));
-
 export function verdictOf(kind: TestKind, { figures }: Findings): Verdict | undefined {
-  const value = (key: string): number | undefined => figures.find((one) => one.key === key)?.value;
+  const figure = (key: string): Figure | undefined => figures.find((one) => one.key === key);
+  const value = (key: string): number | undefined => figure(key)?.value;
   switch (kind) {
     case 'round-trip': {
-      const p95 = value('immediate.p95') ?? value('aggregated.p95');
+      const p95 = figure('immediate.p95') ?? figure('aggregated.p95');
       return p95 === undefined ? undefined : byLatency(p95, UNNOTICED_MS, 'back');
     }
     case 'screen': {
-      const p95 = value('total.p95');
+      const p95 = figure('total.p95');
       return p95 === undefined ? undefined : byLatency(p95, SCREEN_GOOD_MS, 'on the screen');
     }
     case 'load': {
@@ -43,28 +42,35 @@ export function verdictOf(kind: TestKind, { figures }: Findings): Verdict | unde
         : { tone: 'poor', text: 'The lowest rate was already too high. Start with a lower rate.' };
     }
     case 'session-speed':
-      return bySpeed(value);
+      return bySpeed(figure);
   }
 }
 
-function byLatency(p95: number, goodMs: number, where: string): Verdict {
-  const fact = `95 of 100 values arrive ${where} within ${round(p95)} ms`;
-  if (p95 <= goodMs) return { tone: 'good', text: `${fact}: not noticeable.` };
-  if (p95 <= DIRECT_MS) {
+function byLatency(p95: Figure, goodMs: number, where: string): Verdict {
+  const fact = `95 of 100 values arrive ${where} within ${shown(p95)}`;
+  if (p95.value <= goodMs) return { tone: 'good', text: `${fact}: not noticeable.` };
+  if (p95.value <= DIRECT_MS) {
     return {
       tone: 'fair',
-      text: `${fact}: good for buttons, noticeable when an object follows a hand.`,
+      text: `${fact}: buttons feel direct, and what follows a hand trails behind it.`,
     };
   }
   return { tone: 'poor', text: `${fact}: a noticeable delay.` };
 }
 
-function bySpeed(value: (key: string) => number | undefined): Verdict | undefined {
-  const runs = value('runs');
+function bySpeed(figure: (key: string) => Figure | undefined): Verdict | undefined {
+  const runs = figure('runs');
   if (runs === undefined) return undefined;
-  const late = (value('overruns') ?? 0) + (value('errors') ?? 0);
-  const fact = `${runs.toFixed(0)} runs per second, p95 ${round(value('run.p95') ?? 0)} ms`;
+  const late = (figure('overruns')?.value ?? 0) + (figure('errors')?.value ?? 0);
+  const p95 = figure('run.p95');
+  const slowest = p95 === undefined ? '' : `, p95 ${shown(p95)}`;
+  const fact = `${figureReadout(runs).digits} runs per second${slowest}`;
   return late === 0
     ? { tone: 'good', text: `${fact}, none late or failed.` }
     : { tone: 'poor', text: `${fact}, but ${late.toFixed(0)} were late or failed.` };
+}
+
+function shown(figure: Figure): string {
+  const { digits, unit } = figureReadout(figure);
+  return `${digits} ${unit}`;
 }

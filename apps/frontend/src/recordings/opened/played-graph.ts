@@ -50,6 +50,7 @@ export function playedGraph(sources: PlayedSources, patterns: Patterns): LiveGra
     preview: (mux) =>
       muxPreview(mux, known.value, muxNeedsPatterns(mux) ? patterns.compiler : undefined),
     module: () => undefined,
+    isLate: () => false,
     has: () => false,
     runTimes: () => [],
     events: shallowRef([]),

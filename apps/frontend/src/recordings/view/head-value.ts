@@ -1,4 +1,5 @@
 import { formatFixed } from '../../topics/values/format-value.ts';
+import { reachOf } from '../../topics/values/reach.ts';
 import { seriesOf } from '../../topics/values/value-series.ts';
 import { anglesOf } from '../../topics/viewers/space/describe-things.ts';
 import { axesOf } from '../../topics/viewers/space/space-things.ts';
@@ -28,7 +29,9 @@ export function headRows(
     return [`yaw ${formatNumber(Math.round(anglesOf(axesOf(record.value)).yaw) + 0)}°`];
   const numbers = seriesOf(record.format)?.read(record.value as never);
   if (numbers && track.heightPx >= 60)
-    return numbers.slice(0, MAX_ROWS).map((number) => formatFixed(number, DECIMALS));
+    return numbers
+      .slice(0, MAX_ROWS)
+      .map((number) => formatFixed(number, DECIMALS, reachOf(numbers)));
   const text = played?.text ?? '';
   return [track.kind === 'ticks' ? eventWord(text) : text];
 }

@@ -91,6 +91,13 @@ describe('what people do with sessions', () => {
     expect(asked[0]![1]).toMatchObject({ id: 'session', extension: { revision: 3 } });
   });
 
+  it('saves other changes together with a new name [SE-21]', async () => {
+    const stored = aSession({ json: { extension: { stored: true, revision: 3 } } });
+    const { calls, asked } = setup(stored);
+    await calls.rename(stored, 'Three hands', { description: 'Of three' });
+    expect(asked[0]![1]).toMatchObject({ name: 'Three hands', description: 'Of three' });
+  });
+
   it('leaves the choice of a node to the master where it had it [SE-30]', async () => {
     const { calls, asked } = setup();
     const session = aSession();

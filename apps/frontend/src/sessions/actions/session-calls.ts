@@ -29,7 +29,8 @@ export interface SessionCalls {
   /** Replaces the specification, on disk, too, if it is stored. [SE-15, SE-21] */
   update(session: Session, changes: Init<Session>): Promise<Session>;
   duplicate(session: Session): Promise<Session>;
-  rename(session: Session, name: string): Promise<Session>;
+  /** @param changes further changes of the session, saved with its name */
+  rename(session: Session, name: string, changes?: Init<Session>): Promise<Session>;
   /** Stops the session if necessary, and deletes it, on disk, too. [SE-16] */
   remove(session: Session): Promise<RemovedSession>;
   restore(removed: RemovedSession): Promise<Session>;
@@ -140,8 +141,8 @@ export function createSessionCalls(
     }
   }
 
-  async function rename(session: Session, name: string): Promise<Session> {
-    const renamed = await update(session, { name });
+  async function rename(session: Session, name: string, changes: Init<Session>): Promise<Session> {
+    const renamed = await update(session, { ...changes, name });
     if (session.extension?.stored !== true) return renamed;
     // Files are named after sessions: the old one would be loaded as another session.
     await unlessGone(client.call('sessionDatabaseDelete', { name: session.name }));
@@ -187,6 +188,7 @@ export function createSessionCalls(
       const name = copyName(session.name, await takenNames());
       return create({ ...sessionCopy(sessionSpec(session), uuid), name });
     },
-    rename: (session, name) => inTurn(session, (newest) => rename(newest, name)),
+    rename: (session, name, changes = {}) =>
+      inTurn(session, (newest) => rename(newest, name, changes)),
   };
 }

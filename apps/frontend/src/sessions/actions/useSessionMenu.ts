@@ -12,7 +12,6 @@ import type { Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { saveFile } from '../../files/save-file.ts';
-import { graphLocation } from '../../locations/graph-location.ts';
 import { sessionLocation, sessionTextLocation } from '../../locations/session-location.ts';
 import type { MenuItem } from '../../ui/UiMenu.vue';
 import { exportSession } from '../file/session-file.ts';
@@ -62,9 +61,9 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
     return [
       ...life,
       {
-        text: 'Open graph',
+        text: 'Open',
         icon: Workflow,
-        run: () => void router.push(graphLocation(session.id)),
+        run: () => void router.push(sessionLocation(session.id)),
       },
       { text: 'Rename', icon: Pencil, shortcut: 'F2', run: () => rename(session) },
       { text: 'Duplicate', icon: Copy, run: () => void duplicate(session) },

@@ -1,4 +1,5 @@
 import type { DataFormatFamily, ProcessingModule, Session } from '@ubii/proto';
+import { shortened } from '@ubii/words';
 import { formatLook } from '../../formats/families.ts';
 import { mappedModule, type MappingEnd } from '../words/mapping-words.ts';
 
@@ -9,6 +10,8 @@ export interface SketchBox {
   readonly width: number;
   readonly height: number;
   readonly kind: 'module' | 'topic';
+  /** Of a module, cut to what fits between its neighbours; empty for others. */
+  readonly name: string;
   /** True with an error. */
   readonly isTroubled: boolean;
 }
@@ -34,12 +37,15 @@ const MAX_COLUMNS = 9;
 const MODULE = { width: 18, height: 12 };
 /** Topics are drawn as test points. */
 const TOPIC = { width: 4, height: 4 };
+/** Mean width of a letter of a name. */
+const LETTER = 1.6;
 /** Smallest gap between columns, while there is room. */
 const GAP = 6;
 
 interface Node {
   readonly key: string;
   readonly kind: 'module' | 'topic';
+  readonly name: string;
   column: number;
   readonly isTroubled: boolean;
 }
@@ -74,7 +80,7 @@ export function sessionSketch(session: Session): SessionSketch {
   let x = (WIDTH - total - gap * (columns.length - 1)) / 2;
   columns.forEach((column, index) => {
     const columnWidth = widths[index] ?? 0;
-    column.forEach(({ key, kind, isTroubled }, row) => {
+    column.forEach(({ key, kind, name, isTroubled }, row) => {
       const size = kind === 'module' ? MODULE : TOPIC;
       const height = Math.min(size.height, HEIGHT / (column.length + 1) - 2);
       const width = kind === 'module' ? moduleWidth : TOPIC.width;
@@ -84,6 +90,7 @@ export function sessionSketch(session: Session): SessionSketch {
         width,
         height,
         kind,
+        name: shortened(name, Math.floor((width + gap) / LETTER)),
         isTroubled,
       });
     });
@@ -106,10 +113,12 @@ function graphOf(session: Session): { nodes: Map<string, Node>; links: Link[] } 
   const moduleKey = ({ id }: ProcessingModule): string => `module ${id}`;
   for (const module of session.processingModules) {
     const key = moduleKey(module);
-    nodes.set(key, { key, kind: 'module', column: 0, isTroubled: troubled.has(module.id) });
+    const isTroubled = troubled.has(module.id);
+    nodes.set(key, { key, kind: 'module', name: module.name, column: 0, isTroubled });
   }
   const addTopic = (key: string): void => {
-    if (!nodes.has(key)) nodes.set(key, { key, kind: 'topic', column: 0, isTroubled: false });
+    if (nodes.has(key)) return;
+    nodes.set(key, { key, kind: 'topic', name: '', column: 0, isTroubled: false });
   };
   for (const module of session.processingModules) {
     const { inputs, outputs } = mappedModule(module, session);

@@ -1,4 +1,4 @@
-import type { Session, SessionProblem } from '@ubii/proto';
+import type { Session } from '@ubii/proto';
 
 /** Input or output of a session's module that a path refers to. */
 export interface ProblemPlace {
@@ -38,25 +38,4 @@ function place(
 ): ProblemPlace | undefined {
   if (moduleId === undefined || name === undefined) return undefined;
   return { moduleId, side: side === 'input' ? 'input' : 'output', name };
-}
-
-/** Returns the problems of an input or output of a module. */
-export function problemsOf(
-  session: Placed,
-  moduleId: string,
-  side: ProblemPlace['side'],
-  name: string,
-): readonly SessionProblem[] {
-  return (session.extension?.problems ?? []).filter((problem) => {
-    const at = placeOf(session, problem.path);
-    return at?.moduleId === moduleId && at.side === side && at.name === name;
-  });
-}
-
-/** Prefixes a problem's sentence with the name of its module, unless the sentence has it. */
-export function problemSubject({
-  moduleName,
-  message,
-}: Pick<SessionProblem, 'moduleName' | 'message'>): string {
-  return message.includes(`"${moduleName}"`) ? '' : moduleName;
 }

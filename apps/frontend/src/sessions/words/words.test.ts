@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { aSession } from '../testing/a-session.ts';
 import { mappedModule } from './mapping-words.ts';
 import { modeWords } from './mode-words.ts';
-import { placeOf, problemsOf } from './problem-place.ts';
+import { placeOf } from './problem-place.ts';
 import { canRun, nodeHint, nodeName } from './node-words.ts';
 
 const mode = (json: object) => fromJson('ubii.processing.ProcessingMode', json);
@@ -104,15 +104,5 @@ describe('problems', () => {
     expect(placeOf(aSession(), 'processingModules[0].inputs[2]')).toMatchObject({ name: 'rest' });
     expect(placeOf(aSession(), 'processingModules[0]')).toBeUndefined();
     expect(placeOf(aSession(), 'ioMappings[7].inputMappings[0]')).toBeUndefined();
-    const problem = {
-      message: 'No client publishes.',
-      path: 'ioMappings[0].inputMappings[0].topic',
-    };
-    const session = aSession({ json: { extension: { problems: [problem] } } });
-    const find = (side: 'input' | 'output', name: string) =>
-      problemsOf(session, 'module', side, name).map(({ message }) => message);
-    expect(find('input', 'position')).toEqual(['No client publishes.']);
-    expect(find('input', 'mirrorX')).toEqual([]);
-    expect(find('output', 'mirrored')).toEqual([]);
   });
 });

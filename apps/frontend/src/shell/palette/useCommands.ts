@@ -1,24 +1,33 @@
-import { Blocks, ClipboardList, ConciergeBell, Play } from '@lucide/vue';
+import { Blocks, ConciergeBell, Play, Send, Workflow } from '@lucide/vue';
 import { SERVICES, type ServiceName } from '@ubii/proto';
 import { computed, type ComputedRef } from 'vue';
 import { useRouter, type RouteLocationRaw } from 'vue-router';
 import { useConnection } from '../../connection/useConnection.ts';
 import { EXAMPLES } from '../../examples/catalogue.ts';
+import { GALLERY, type GalleryEntry } from '../../examples/gallery/gallery.ts';
+import { useGallerySessions } from '../../examples/gallery/useGallerySessions.ts';
 import { callLocation } from '../../locations/call-location.ts';
 import { clientLocation } from '../../locations/client-location.ts';
 import { moduleLocation } from '../../locations/module-location.ts';
+import { topicPublishLocation } from '../../locations/topic-location.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import type { Command } from '../../page/command.ts';
 import { useShell } from '../../page/shell.ts';
-import { playerIdentity } from '../../players/player-identity.ts';
 import { useSettingsPages } from '../../settings/useSettingsPages.ts';
 import { isInternalTopic } from '../../topics/names/internal-topics.ts';
-import { PAGES, SETTINGS_PAGE } from '../pages.ts';
+import { useFindPublisher } from '../../topics/names/useFindPublisher.ts';
+import { useShortTopic } from '../../topics/names/useShortTopic.ts';
+import { PAGES } from '../pages.ts';
 import { useActionCommands } from './useActionCommands.ts';
 import { useSessionCommands } from './useSessionCommands.ts';
 
 /** Interval of requests for topics while the palette is open, milliseconds. */
 const TOPICS_INTERVAL_MS = 1000;
+
+const loadExampleSessions = () =>
+  import('@ubii/modules').then(({ EXAMPLE_SESSIONS }) => ({
+    spec: ({ id }: GalleryEntry) => EXAMPLE_SESSIONS[id],
+  }));
 
 /** All commands of the palette, updated while it is open. */
 export function useCommands(): ComputedRef<Command[]> {
@@ -32,7 +41,7 @@ export function useCommands(): ComputedRef<Command[]> {
 
   const go = (to: RouteLocationRaw) => () => void router.push(to);
 
-  const pages = [...PAGES, SETTINGS_PAGE].map(({ title, to, icon, shortcut }): Command => ({
+  const pages = PAGES.map(({ title, to, icon, shortcut }): Command => ({
     id: `page ${to}`,
     kind: 'page',
     title,
@@ -40,17 +49,10 @@ export function useCommands(): ComputedRef<Command[]> {
     shortcut,
     run: go(to),
   }));
-  const studies: Command = {
-    id: 'page /studies',
-    kind: 'page',
-    title: 'Studies',
-    icon: ClipboardList,
-    run: go('/studies'),
-  };
   const settingsPages = useSettingsPages();
   const settings = computed(() =>
     settingsPages.value
-      .filter(({ to }) => to !== SETTINGS_PAGE.to)
+      .filter(({ to }) => !PAGES.some((page) => page.to === to))
       .map(({ title, to, icon, words }): Command => ({
         id: `page ${to}`,
         kind: 'page',
@@ -67,6 +69,20 @@ export function useCommands(): ComputedRef<Command[]> {
     detail: sentence,
     icon: Play,
     run: go(path),
+  }));
+  const gallery = useGallerySessions(loadExampleSessions);
+  async function startExample(entry: GalleryEntry): Promise<void> {
+    await gallery.start(entry);
+    // There one can try again.
+    if (gallery.failures.value.has(entry.id)) await router.push('/examples');
+  }
+  const startable = GALLERY.map((entry): Command => ({
+    id: `start ${entry.id}`,
+    kind: 'example',
+    title: entry.title,
+    detail: `Start and open: ${entry.sentence}`,
+    icon: Workflow,
+    run: () => void startExample(entry),
   }));
   const services = (Object.keys(SERVICES) as ServiceName[]).map((name): Command => ({
     id: `service ${name}`,
@@ -93,28 +109,49 @@ export function useCommands(): ComputedRef<Command[]> {
       kind: 'client',
       title: name || id,
       detail: description,
-      letter: playerIdentity(id, name).letter,
+      clientId: id,
       run: go(clientLocation(id)),
     })),
   );
+  const shortTopic = useShortTopic();
+  const findPublisher = useFindPublisher();
+  /** Topics of a client are found by its name, not by its id. */
+  const topicWords = (topic: string, publisherId: string) => {
+    const { text, owner } = shortTopic(topic);
+    return { title: text, detail: owner ?? findPublisher(publisherId)?.name ?? '' };
+  };
   const streams = computed(() =>
     [...(topics.rates.value?.values() ?? [])]
       .filter(({ statistic }) => !isInternalTopic(statistic.topic))
-      .map(({ statistic }): Command => ({
-        id: `topic ${statistic.topic}`,
-        kind: 'topic',
-        title: statistic.topic,
-        format: statistic.dataFormat,
-        run: go(`/topics?topic=${encodeURIComponent(statistic.topic)}`),
-      })),
+      .flatMap(({ statistic }): Command[] => {
+        const { topic, publisherId, dataFormat: format } = statistic;
+        const words = topicWords(topic, publisherId);
+        return [
+          {
+            id: `topic ${topic}`,
+            kind: 'topic',
+            ...words,
+            format,
+            run: go(`/topics?topic=${encodeURIComponent(topic)}`),
+          },
+          {
+            id: `publish ${topic}`,
+            kind: 'publish',
+            title: `Publish to ${words.title}`,
+            detail: words.detail,
+            icon: Send,
+            run: go(topicPublishLocation(topic)),
+          },
+        ];
+      }),
   );
 
   return computed(() => [
     ...shell.pageCommands.value,
     ...pages,
-    studies,
     ...settings.value,
     ...examples,
+    ...startable,
     ...actions.value,
     ...runs.value,
     ...modules.value,

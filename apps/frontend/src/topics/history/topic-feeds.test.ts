@@ -1,7 +1,8 @@
 import type { TopicRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_LIMITS, limitsInWords, readLimits } from './history-limits.ts';
-import { FeedScope, nowMs, TopicFeeds } from './topic-feeds.ts';
+import { nowMs } from './page-clock.ts';
+import { FeedScope, TopicFeeds } from './topic-feeds.ts';
 
 /** Creates feeds whose records the test sends. */
 function setUp() {

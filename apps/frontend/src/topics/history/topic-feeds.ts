@@ -1,9 +1,7 @@
 import type { TopicRecord } from '@ubii/proto';
 import type { HistoryLimits } from './history-limits.ts';
+import { nowMs } from './page-clock.ts';
 import { TopicHistory } from './topic-history.ts';
-
-/** Epoch milliseconds of this computer's clock, with fractions; monotonic. */
-export const nowMs = (): number => performance.timeOrigin + performance.now();
 
 /** Dependencies of feeds. */
 export interface FeedPorts {
@@ -25,6 +23,18 @@ export interface FeedLook {
 /** Provides the feeds of topics. */
 export interface FeedSource {
   get(topic: string): FeedLook;
+}
+
+/** Feeds with viewers, by topic. */
+const lookedAt = new Map<string, Set<TopicFeed>>();
+
+/** Returns the newest record that a plot or detail of this page has of a topic; `undefined` without one. */
+export function newestRecord(topic: string): TopicRecord | undefined {
+  let newest: TopicHistory | undefined;
+  for (const { history } of lookedAt.get(topic) ?? []) {
+    if (history.latestLocalMs > (newest?.latestLocalMs ?? 0)) newest = history;
+  }
+  return newest?.latest;
 }
 
 /** Records of a topic. Subscribed while there are viewers; records are kept without viewers. */
@@ -56,10 +66,15 @@ export class TopicFeed implements FeedLook {
       if (this.#looks > 0) return;
       this.#end?.();
       this.#end = undefined;
+      const others = lookedAt.get(this.topic);
+      others?.delete(this);
+      if (others?.size === 0) lookedAt.delete(this.topic);
     };
   }
 
   #begin(): void {
+    const all = lookedAt.get(this.topic) ?? new Set();
+    lookedAt.set(this.topic, all.add(this));
     let isFirst = true;
     this.#end = this.#ports.subscribe(this.topic, (record) => {
       const arrivalMs = isFirst ? this.#firstArrivalMs(record) : nowMs();

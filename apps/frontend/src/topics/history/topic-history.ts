@@ -7,7 +7,8 @@ import {
   readable,
   readNumber,
 } from '../values/number-fields.ts';
-import { seriesOf, type ValueSeries } from '../values/value-series.ts';
+import { Reach } from '../values/reach.ts';
+import { seriesOf, sparkNumbers, type ValueSeries } from '../values/value-series.ts';
 import { EVENT_FORMATS, EventLog } from './event-log.ts';
 import { DEFAULT_LIMITS, type HistoryLimits } from './history-limits.ts';
 import { RecordLog, type KeptRecord } from './record-log.ts';
@@ -52,6 +53,7 @@ export class TopicHistory {
   readonly #wanted = new Set<string>();
   #latest: TopicRecord | undefined;
   #latestLocalMs = 0;
+  readonly #reach = new Reach();
 
   constructor(limits: HistoryLimits = DEFAULT_LIMITS) {
     this.#limits = limits;
@@ -68,6 +70,11 @@ export class TopicHistory {
   /** Time of measurement of the newest value, this computer's clock. */
   get latestLocalMs(): number {
     return this.#latestLocalMs;
+  }
+
+  /** Largest magnitude of the recent numbers. */
+  get reach(): number {
+    return this.#reach.value;
   }
 
   /** Number of records since the topic was opened. */
@@ -105,7 +112,7 @@ export class TopicHistory {
       arrivalMs,
       deltaMs: deltaOf(this.#log.at(number - 1), kept),
       numbers: value === undefined ? undefined : seriesOf(format)?.read(value as never),
-      text: kept.line ?? formatValue(format, value as never),
+      text: kept.line ?? formatValue(format, value as never, this.reach),
     };
   }
 
@@ -144,6 +151,7 @@ export class TopicHistory {
     else if (this.count % LOOK_EVERY === 0) this.#lookForFields(record);
     this.#latest = record;
     this.#latestLocalMs = this.#clock.toLocalMs(record.timestampMs, arrivalMs);
+    this.#reach.add(sparkNumbers(record.format, record.value), this.#latestLocalMs);
     this.#events?.add(record, this.#latestLocalMs);
     const sinceMs = this.#latestLocalMs - this.#limits.maxAgeMs;
     this.#log.add(record, arrivalMs, this.#latestLocalMs, {

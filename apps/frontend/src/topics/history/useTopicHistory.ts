@@ -1,22 +1,9 @@
-import { useRafFn } from '@vueuse/core';
-import {
-  computed,
-  onScopeDispose,
-  shallowRef,
-  watch,
-  type ComputedRef,
-  type Ref,
-  type ShallowRef,
-} from 'vue';
+import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 import type { TopicRecord } from '@ubii/proto';
-import { nowMs, TopicFeed } from './topic-feeds.ts';
+import { nowMs, usePageReadings } from './page-clock.ts';
+import { TopicFeed } from './topic-feeds.ts';
 import { TopicHistory } from './topic-history.ts';
 import { useFeedPorts } from './useTopicFeeds.ts';
-
-export { nowMs };
-
-/** Rate at which texts are renewed, Hz; plots draw in every frame. */
-const READ_HZ = 8;
 
 /** Snapshot of a history. */
 export interface HistoryView {
@@ -52,8 +39,7 @@ export function useHistoryView(
     { immediate: true, flush: 'sync' },
   );
   watch(isPaused, read);
-  const { pause } = useRafFn(read, { fpsLimit: READ_HZ });
-  onScopeDispose(pause);
+  usePageReadings(read);
   return { shown, count };
 }
 

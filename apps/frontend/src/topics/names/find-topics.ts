@@ -5,7 +5,7 @@ import { isInternalTopic } from './internal-topics.ts';
 export const searchWords = (text: string): readonly string[] =>
   text.trim().toLowerCase().split(/\s+/).filter(Boolean);
 
-/** Returns the topics with a value whose name or data format contains every word, sorted by name. */
+/** Returns the topics with a value whose name or data format contains every word, sorted by name; those of the master last. */
 export function findTopics(
   rates: ReadonlyMap<string, TopicRate> | undefined,
   words: readonly string[],
@@ -16,5 +16,8 @@ export function findTopics(
       const text = `${topic} ${format}`.toLowerCase();
       return format !== '' && !isInternalTopic(topic) && words.every((word) => text.includes(word));
     })
-    .sort((a, b) => a.topic.localeCompare(b.topic));
+    .sort((a, b) => lastOf(a.topic) - lastOf(b.topic) || a.topic.localeCompare(b.topic));
 }
+
+/** Announcements of the master are rarely what the user looks for. */
+const lastOf = (topic: string): number => (topic.startsWith('/info/') ? 1 : 0);

@@ -24,10 +24,12 @@ const MAX_SAVED = 50;
 type NamedLayouts = Readonly<Record<string, string>>;
 const storedNamed = storedAs<v.GenericSchema<unknown, NamedLayouts>>(validMembers(v.string()), {});
 
-/** State of this tab: its layout, and the URLs that belong to it. */
+/** Most URLs of this tab that are taken for its layout: in Firefox, a reload sees one that was replaced a while ago. */
+const MAX_OWN = 4;
+
+/** State of this tab: its layout, and the hashes of the URLs that belong to it, newest last. */
 const OF_TAB = v.object({
-  address: textOrNone,
-  before: textOrNone,
+  addresses: v.optional(v.array(v.string()), []),
   layout: textOrNone,
 });
 
@@ -58,8 +60,7 @@ export function useLayout(): LayoutStore {
   const route = useRoute();
   const router = useRouter();
   const kept = useLocalStorage<string>('ubii.panels', '');
-  // The URL lags behind the layout: after a reload, this tab's stored layout is newer. While the URL is being replaced,
-  // a reload may see the previous or the new one.
+  // The URL lags behind the layout: after a reload, this tab's stored layout is newer.
   const ofTab = useSessionStorage('ubii.panelsOfTab', v.parse(OF_TAB, {}), {
     serializer: storedAs(OF_TAB, {}),
   });
@@ -71,11 +72,9 @@ export function useLayout(): LayoutStore {
     return read?.kind === 'read' ? read.value : undefined;
   }
 
-  const isOwn = (address: string): boolean =>
-    address === ofTab.value.address || address === ofTab.value.before;
+  const isOwn = route.hash !== '' && ofTab.value.addresses.includes(route.hash);
   const ofLink =
-    (route.hash !== '' && isOwn(route.hash) ? storedLayout(ofTab.value.layout) : undefined) ??
-    taken(layoutOfHash(route.hash));
+    (isOwn ? storedLayout(ofTab.value.layout) : undefined) ?? taken(layoutOfHash(route.hash));
   const before = storedLayout(kept.value) ?? EMPTY_LAYOUT;
   let first: LayoutSteps = firstStep(before);
   // The layout before the link is one undo step back.
@@ -92,7 +91,7 @@ export function useLayout(): LayoutStore {
   }
 
   // Stored at once, because the page may be left; the URL follows.
-  ofTab.value.address = ofTab.value.before = route.hash;
+  ofTab.value.addresses = [route.hash];
   watch(
     layout,
     (next) => {
@@ -105,11 +104,8 @@ export function useLayout(): LayoutStore {
     hash,
     (next = '') => {
       if (next === route.hash) return;
-      ofTab.value.before = route.hash;
-      ofTab.value.address = next;
-      void router.replace({ path: '/panels', hash: next }).then(() => {
-        if (route.hash === next) ofTab.value.before = next;
-      });
+      ofTab.value.addresses = [...ofTab.value.addresses, next].slice(-MAX_OWN);
+      void router.replace({ path: '/panels', hash: next });
     },
     { debounce: LINK_MS, immediate: true },
   );
@@ -117,8 +113,9 @@ export function useLayout(): LayoutStore {
   watch(
     () => route.hash,
     (next) => {
-      if (next === '' || next === ofTab.value.address || route.path !== '/panels') return;
-      ofTab.value.address = ofTab.value.before = next;
+      const newest = ofTab.value.addresses.at(-1);
+      if (next === '' || next === newest || route.path !== '/panels') return;
+      ofTab.value.addresses = [next];
       const linked = taken(layoutOfHash(next));
       if (linked && layoutHash(linked) !== hash.value) set(linked);
     },

@@ -1,6 +1,6 @@
 import type { LinePoints } from '../history/series-ring.ts';
 import type { PathSink, TimeWindow, TraceOptions } from './trace-options.ts';
-import type { Range } from './value-axis.ts';
+import type { NumberRange } from '../values/format-value.ts';
 
 /** Number of columns beyond each end of the window. */
 const SPARE = 4;
@@ -49,7 +49,7 @@ export class PixelColumns {
     this.#count();
   }
 
-  range(): Range | undefined {
+  range(): NumberRange | undefined {
     let [min, max] = [Infinity, -Infinity];
     for (let column = this.#from; column <= this.#to; column++) {
       const place = this.#placeOf(column);

@@ -12,7 +12,7 @@ export interface SeriesLook {
 
 const STROKES: readonly Omit<SeriesLook, 'family'>[] = [
   { tone: 'plain', dash: [] },
-  { tone: 'lit', dash: [4, 3] },
+  { tone: 'lit', dash: [6, 4] },
   { tone: 'dim', dash: [] },
   { tone: 'plain', dash: [2, 3] },
   { tone: 'lit', dash: [] },
@@ -38,7 +38,8 @@ export function looksOf(families: readonly DataFormatFamily[]): readonly SeriesL
 /** CSS colour of a line. */
 export function colorOf({ family, tone }: SeriesLook): string {
   const color = `var(--family-${family})`;
-  if (tone === 'lit') return `color-mix(in oklab, ${color}, var(--ink-1) 45%)`;
+  // Nearly the ink: far from the plain colour in lightness, in both themes.
+  if (tone === 'lit') return `color-mix(in oklab, ${color}, var(--ink-1) 80%)`;
   return tone === 'dim' ? `color-mix(in oklab, ${color} 62%, transparent)` : color;
 }
 

@@ -1,8 +1,9 @@
 import type uPlot from 'uplot';
 import type { PlotTheme } from '../../ui/plot/plot-theme.ts';
-import { formatFixed } from '../values/format-value.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { PlotLine } from './plot-line.ts';
 import { pointNear } from './read-plot.ts';
+import type { PlotSizes } from './plot-sizes.ts';
 import { colorOf, type SeriesLook } from './series-look.ts';
 import { clockTicks, ticksBefore, type TimeTick } from './time-ticks.ts';
 import type { TimeWindow } from './trace-options.ts';
@@ -13,15 +14,16 @@ export interface TimePlotScene {
   readonly looks: readonly SeriesLook[];
   /** Keys of the value axes, innermost first. */
   readonly scales: readonly string[];
-  /** Width for the labels at the ends of the lines, pixels. */
-  readonly right: number;
+  /** Widths of the value axes, and of the labels at the ends of the lines, pixels. */
+  readonly sizes: PlotSizes;
   window: TimeWindow;
+  /** When the numbers of the page were read: lines end with the values that labels and legend say. */
+  readMs: number;
   isFollowing: boolean;
   endText: string;
 }
 
-/** Sizes in pixels: width of a value axis, height of the time axis, margin above the lines. */
-export const AXIS_WIDTH = 46;
+/** Sizes in pixels: height of the time axis, margin above the lines. */
 export const BOTTOM = 26;
 export const TOP = 18;
 
@@ -29,6 +31,8 @@ const LINE_WIDTH = 1.5;
 /** Approximate distance of grid lines, pixels. */
 const TICK_WIDTH = 120;
 const CLOCK_TICK_WIDTH = 140;
+/** Decimals of a tick; smaller ones have an exponent. */
+const MAX_DECIMALS = 8;
 /** Opacity of the held newest value. */
 const HELD = 0.3;
 
@@ -51,7 +55,7 @@ export function timePlotOptions(
   const zero = theme.color('--line-2');
   return {
     ...size,
-    padding: [TOP, scene.right, 0, 0],
+    padding: [TOP, () => scene.sizes.right, 0, 0],
     legend: { show: false },
     cursor: { show: false },
     scales: {
@@ -81,14 +85,22 @@ export function timePlotOptions(
         ...axis,
         scale,
         side: 3,
-        size: AXIS_WIDTH,
+        size: (_plot, texts) => scene.sizes.axis(scale, texts),
         space: 44,
         grid: { ...axis.grid, show: i === 0 },
         values: (_plot, splits) => splits.map((value) => tickText(value, splits)),
       })),
       // Draw a value axis also without lines.
       ...(scales.length === 0
-        ? [{ ...axis, scale: 'y', side: 3 as const, size: AXIS_WIDTH, values: () => [] }]
+        ? [
+            {
+              ...axis,
+              scale: 'y',
+              side: 3 as const,
+              size: scene.sizes.axis('y', []),
+              values: () => [],
+            },
+          ]
         : []),
     ],
     hooks: {
@@ -115,7 +127,7 @@ function timeAxis(scene: TimePlotScene): Pick<uPlot.Axis, 'splits' | 'values'> {
 function linePath(
   plot: uPlot,
   line: PlotLine,
-  { window: { startMs, endMs } }: TimePlotScene,
+  { window: { startMs, endMs }, readMs }: TimePlotScene,
 ): uPlot.Series.Paths {
   const { left, width, top, height } = plot.bbox;
   const stroke = new Path2D();
@@ -133,12 +145,36 @@ function linePath(
       lineTo: (x, y) => stroke.lineTo(left + x, y),
     },
   );
-  return { stroke, fill: null, clip: clipOf(plot), band: null, gaps: null, flags: 1 } as never;
+  return {
+    stroke,
+    fill: null,
+    clip: clipOf(plot, endOfLine(line, { startMs, endMs, readMs })),
+    band: null,
+    gaps: null,
+    flags: 1,
+  } as never;
 }
 
-function clipOf({ bbox: { left, top, width, height } }: uPlot): Path2D {
+/** Where the newest value that was read is, as a share of the width. */
+function endOfLine(
+  { points }: PlotLine,
+  { startMs, endMs, readMs }: { startMs: number; endMs: number; readMs: number },
+): number {
+  if (readMs >= endMs) return 1;
+  const last = points && pointNear(points, readMs, readMs);
+  return last ? Math.max(0, (last.timeMs - startMs) / (endMs - startMs)) : 0;
+}
+
+/** @param share of the width that is drawn */
+function clipOf({ bbox: { left, top, width, height } }: uPlot, share: number): Path2D {
   const clip = new Path2D();
-  clip.rect(left, top, width, height);
+  // Half of the line's width belongs to its last point.
+  clip.rect(
+    left,
+    top,
+    Math.min(width, share * width + (LINE_WIDTH / 2) * devicePixelRatio),
+    height,
+  );
   return clip;
 }
 
@@ -158,9 +194,15 @@ function drawZero(plot: uPlot, scale: string | undefined, color: string): void {
 }
 
 /** Extends the newest value to the right, where it holds until the next one. */
-function drawHeld(plot: uPlot, line: PlotLine, { window }: TimePlotScene, color: string): void {
+function drawHeld(
+  plot: uPlot,
+  line: PlotLine,
+  { window, readMs }: TimePlotScene,
+  color: string,
+): void {
   const { startMs, endMs } = window;
-  const last = line.points && pointNear(line.points, endMs, endMs);
+  const lastMs = Math.min(endMs, readMs);
+  const last = line.points && pointNear(line.points, lastMs, lastMs);
   if (!last || !Number.isFinite(last.value) || line.series.isDerivative) return;
   const { ctx, bbox } = plot;
   const fromMs = Math.max(startMs, last.timeMs);
@@ -183,7 +225,8 @@ function tickText(value: number, splits: readonly number[]): string {
   const decimals = decimalsOfStep(step);
   const shown = Math.abs(value) < step / 1e6 ? 0 : value;
   if (Math.abs(shown) >= 1e6) return shown.toPrecision(4).replaceAll('-', '−');
-  return formatFixed(shown, decimals);
+  if (decimals > MAX_DECIMALS) return shown.toExponential(1).replaceAll('-', '−');
+  return formatNumber(shown, decimals);
 }
 
 /** Decimals that the step needs: 2.5 needs one, though it is larger than 1. */

@@ -1,7 +1,7 @@
 import type { LinePoints } from '../history/series-ring.ts';
 import { PixelColumns } from './pixel-columns.ts';
 import type { PathSink, TimeWindow, TraceOptions } from './trace-options.ts';
-import type { Range } from './value-axis.ts';
+import type { NumberRange } from '../values/format-value.ts';
 
 /** Points per pixel from which only the extremes of each pixel are drawn. */
 const DENSE = 3;
@@ -21,7 +21,7 @@ export class TracedLine {
   }
 
   /** Returns the range of values in a window, including the previous value, which holds into it. */
-  rangeIn(window: TimeWindow): Range | undefined {
+  rangeIn(window: TimeWindow): NumberRange | undefined {
     this.#look(window);
     return this.#isDense ? this.#columns.range() : plainRange(this.line, window);
   }
@@ -41,7 +41,7 @@ export class TracedLine {
   }
 }
 
-function plainRange(line: LinePoints, { startMs, endMs }: TimeWindow): Range | undefined {
+function plainRange(line: LinePoints, { startMs, endMs }: TimeWindow): NumberRange | undefined {
   let [min, max] = [Infinity, -Infinity];
   for (let i = Math.max(0, line.indexAtOrAfter(startMs) - 1); i < line.size; i++) {
     if (line.timeAt(i) > endMs) break;

@@ -1,23 +1,19 @@
-import { useElementSize, usePreferredContrast, useRafFn } from '@vueuse/core';
+import { useElementSize, usePreferredContrast } from '@vueuse/core';
 import type uPlot from 'uplot';
 import { onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { useIsDark } from '../../theme/useTheme.ts';
 import { plotTheme } from '../../ui/plot/plot-theme.ts';
 import { loadPlotLibrary } from '../../ui/plot/usePlot.ts';
-import { nowMs } from '../history/topic-feeds.ts';
-import { formatFixed } from '../values/format-value.ts';
+import { nowMs, READING_MS, usePageFrames, type PageFrame } from '../history/page-clock.ts';
+import type { NumberRange } from '../values/format-value.ts';
+import { charactersIn, readLines, type LineText } from './line-texts.ts';
 import { placeLabels } from './place-labels.ts';
 import type { PlotLine } from './plot-line.ts';
+import { characterWidth, PlotSizes } from './plot-sizes.ts';
 import { endOf, type PlotView } from './plot-view.ts';
-import { pointAt, pointNear, type PlotPoint } from './read-plot.ts';
+import { pointAt, type PlotPoint } from './read-plot.ts';
 import type { SeriesLook } from './series-look.ts';
-import {
-  AXIS_WIDTH,
-  BOTTOM,
-  TOP,
-  timePlotOptions,
-  type TimePlotScene,
-} from './time-plot-options.ts';
+import { BOTTOM, TOP, timePlotOptions, type TimePlotScene } from './time-plot-options.ts';
 import { ValueAxis } from './value-axis.ts';
 
 /** Input of a plot. */
@@ -40,10 +36,16 @@ export interface PlotBox {
   readonly top: number;
   readonly width: number;
   readonly height: number;
+  /** Widths of the value axes, innermost first. */
+  readonly axes: readonly number[];
 }
 
-/** Labels around the lines, updated as fast as they can be read. Pixels within the box. */
+/** Labels around the lines, updated as fast as they can be read, all of one instant. Pixels within the box. */
 export interface TimePlotWords {
+  /** Newest values by key of the line. */
+  readonly values: ReadonlyMap<string, LineText>;
+  /** Range of the value axis of each line, whose form its numbers have. */
+  readonly ranges: readonly NumberRange[];
   readonly ends: readonly { readonly key: string; readonly y: number; readonly text: string }[];
   /** Values of the lines at the reading line. */
   readonly readings: readonly (PlotPoint | undefined)[];
@@ -57,21 +59,21 @@ export interface ShownTime {
   readonly newestMs: number;
 }
 
-const RIGHT = 92;
-const NARROW_RIGHT = 64;
-const NARROW = 480;
-/** A frame is drawn when the lines have moved by this many pixels, */
+/** Lines are drawn when they have moved by this many pixels, */
 const STEP = 1.5;
-/** or after the time that a pixel takes, within these limits, milliseconds. */
-const MIN_WAIT_MS = 50;
-const MAX_WAIT_MS = 250;
-/** Interval between updates of labels, milliseconds: as fast as digits can be read. */
-const WORDS_MS = 125;
+/** and with each reading: the intervals are parts of it, so that lines of all plots end together, milliseconds. */
+const STEPS_MS = [READING_MS / 2, READING_MS / 4];
 /** Smallest distance between labels of lines, pixels. */
 const LABEL_GAP = 17;
 
-const NO_WORDS: TimePlotWords = { ends: [], readings: [], dots: [] };
-const NO_BOX: PlotBox = { left: 0, top: 0, width: 0, height: 0 };
+const NO_WORDS: TimePlotWords = {
+  values: new Map(),
+  ranges: [],
+  ends: [],
+  readings: [],
+  dots: [],
+};
+const NO_BOX: PlotBox = { left: 0, top: 0, width: 0, height: 0, axes: [] };
 
 /** Draws the lines of a plot with uPlot, frame by frame while the page is visible. */
 export function useTimePlot(
@@ -98,7 +100,6 @@ export function useTimePlot(
   const [isDark, contrast] = [useIsDark(), usePreferredContrast()];
   const axes = new Map<string, ValueAxis>();
   let scene: TimePlotScene | undefined;
-  let wordsMs = 0;
   let isDirty = true;
   let isGone = false;
   void loadPlotLibrary().then((loaded) => {
@@ -123,8 +124,9 @@ export function useTimePlot(
       lines,
       looks,
       scales: [...new Set(lines.map(({ scale }) => scale))].sort(),
-      right: width.value < NARROW ? NARROW_RIGHT : RIGHT,
+      sizes: new PlotSizes(characterWidth(plotTheme(swatch).font)),
       window: { startMs: 0, endMs: 1, width: 1 },
+      readMs: 0,
       isFollowing: true,
       endText: '',
     };
@@ -140,27 +142,28 @@ export function useTimePlot(
       [[0, 1e15], ...lines.map(() => [null, null])] as uPlot.AlignedData,
       root,
     );
-    measure();
+    measure(scene);
     isDirty = true;
   }
 
-  function measure(): void {
-    const left = AXIS_WIDTH * Math.max(1, scene?.scales.length ?? 1);
-    box.value = {
+  function measure({ sizes, scales }: TimePlotScene): void {
+    const axesOf = sizes.widths(scales);
+    const left = axesOf.reduce((sum, one) => sum + one, 0);
+    const next: PlotBox = {
       left,
       top: TOP,
-      width: Math.max(1, Math.floor(width.value) - left - (scene?.right ?? RIGHT)),
+      width: Math.max(1, Math.floor(width.value) - left - sizes.right),
       height: Math.max(1, Math.floor(height.value) - TOP - BOTTOM),
+      axes: axesOf,
     };
+    if (JSON.stringify(next) !== JSON.stringify(box.value)) box.value = next;
   }
 
   watch([library, frame, probe, shape, isDrawable], make, { flush: 'post', immediate: true });
   watch([width, height], () => {
     if (!isDrawable() || !plot.value || !scene) return;
-    const right = width.value < NARROW ? NARROW_RIGHT : RIGHT;
-    if (right !== scene.right) return make();
     plot.value.setSize({ width: Math.floor(width.value), height: Math.floor(height.value) });
-    measure();
+    measure(scene);
     isDirty = true;
   });
   watch([source, readingX], () => (isDirty = true));
@@ -169,31 +172,41 @@ export function useTimePlot(
     plot.value?.destroy();
   });
 
-  useRafFn(() => {
+  usePageFrames((frame) => {
     if (!plot.value || !scene) return;
     const { view, endMs } = source.value;
-    const newestMs = endMs ?? nowMs();
+    const newestMs = endMs ?? frame.nowMs;
     const end = endOf(view, { newestMs, oldestMs: -Infinity });
-    const pixelMs = view.spanMs / box.value.width;
-    const movedMs = Math.abs(end - shown.value.endMs);
-    const waitMs = Math.min(MAX_WAIT_MS, Math.max(MIN_WAIT_MS, pixelMs));
-    if (!isDirty && movedMs < STEP * pixelMs && movedMs < waitMs) {
-      if (shown.value.newestMs !== newestMs && newestMs - wordsMs >= WORDS_MS) {
-        write(plot.value, { ...shown.value, newestMs });
-      }
-      return;
+    const time: ShownTime = { startMs: end - view.spanMs, endMs: end, newestMs };
+    if (isDirty || isDue(frame, time)) draw(plot.value, scene, time, frame);
+    else if (frame.isReading && shown.value.newestMs !== newestMs) {
+      shown.value = time;
+      scene.readMs = endMs ?? frame.readMs;
+      write(plot.value, scene);
     }
-    draw(plot.value, scene, { startMs: end - view.spanMs, endMs: end, newestMs });
   });
 
-  function draw(on: uPlot, stage: TimePlotScene, time: ShownTime): void {
-    const isTimeForWords = isDirty || Math.abs(time.newestMs - wordsMs) >= WORDS_MS;
+  /** True when the lines have moved visibly. The moments are the same for all plots of a page. */
+  function isDue({ nowMs: now, isReading }: PageFrame, { startMs, endMs }: ShownTime): boolean {
+    const last = shown.value;
+    if (endMs === last.endMs) return false;
+    if (isReading) return true;
+    const waitMs = (STEP * (endMs - startMs)) / box.value.width;
+    if (waitMs >= READING_MS) return false;
+    const stepMs = STEPS_MS.find((step) => step <= waitMs);
+    return stepMs === undefined || Math.floor(now / stepMs) !== Math.floor(last.newestMs / stepMs);
+  }
+
+  function draw(on: uPlot, stage: TimePlotScene, time: ShownTime, frame: PageFrame): void {
+    const isTimeForWords = isDirty || frame.isReading;
     isDirty = false;
     const { startMs, endMs } = time;
     const { view, endText, endMs: endOfAll } = source.value;
     stage.window = { startMs, endMs, width: box.value.width };
+    stage.readMs = view.endMs ?? endOfAll ?? frame.readMs;
     stage.isFollowing = view.endMs === undefined;
     stage.endText = endText;
+    const ranges = new Map<string, NumberRange>();
     on.batch(() => {
       on.setScale('x', { min: startMs, max: endMs });
       for (const scale of stage.scales) {
@@ -208,17 +221,24 @@ export function useTimePlot(
             ? { min: Math.min(range.min, values.min), max: Math.max(range.max, values.max) }
             : values;
         }
-        on.setScale(scale, axis.follow(range, endOfAll === undefined ? endMs : nowMs()));
+        const shownRange = axis.follow(range, endOfAll === undefined ? endMs : nowMs());
+        ranges.set(scale, shownRange);
+        on.setScale(scale, shownRange);
       }
     });
+    const widest = Math.max(0, ...[...ranges.values()].map(charactersIn));
+    stage.sizes.fitLabels(widest, stage.lines.length > 1);
     shown.value = time;
     // uPlot draws in a microtask; positions are known afterwards.
-    if (isTimeForWords) queueMicrotask(() => plot.value === on && write(on, time));
+    queueMicrotask(() => {
+      if (plot.value !== on) return;
+      measure(stage);
+      if (isTimeForWords) write(on, stage);
+    });
   }
 
-  function write(on: uPlot, time: ShownTime): void {
-    wordsMs = time.newestMs;
-    const { lines } = source.value;
+  function write(on: uPlot, { lines, readMs: valuesMs }: TimePlotScene): void {
+    const time = shown.value;
     const { width: boxWidth, height: boxHeight } = box.value;
     const { startMs, endMs } = time;
     const x = readingX.value;
@@ -228,16 +248,21 @@ export function useTimePlot(
     const readings = lines.map((line) =>
       readMs === undefined || !line.points ? undefined : pointAt(line.points, readMs, endMs),
     );
-    const lasts = lines.map((line) => line.points && pointNear(line.points, endMs, endMs));
-    const wanted = lines.map((line, i) => yOf(line, lasts[i]?.value ?? Number.NaN));
+    const ranges = lines.map(({ scale }): NumberRange => {
+      const { min, max } = on.scales[scale] ?? {};
+      return { min: min ?? 0, max: max ?? 1 };
+    });
+    const values = readLines(lines, ranges, valuesMs);
+    const wanted = lines.map((line) => yOf(line, values.get(line.key)?.value ?? Number.NaN));
     const hasRoom = lines.length * LABEL_GAP <= boxHeight;
     const places = placeLabels(wanted, LABEL_GAP, boxHeight);
     words.value = {
+      values,
+      ranges,
       ends: hasRoom
-        ? lines.flatMap(({ key, scale }, i) => {
-            const last = lasts[i];
-            if (!last) return [];
-            return [{ key, y: places[i]!, text: formatFixed(last.value, decimalsOf(on, scale)) }];
+        ? lines.flatMap(({ key }, i) => {
+            const text = values.get(key)?.text;
+            return text === undefined ? [] : [{ key, y: places[i]!, text }];
           })
         : [],
       readings,
@@ -255,11 +280,4 @@ export function useTimePlot(
     readingX,
     canvas: () => plot.value?.ctx.canvas,
   };
-}
-
-/** Decimals for three significant digits of the axis' range. */
-function decimalsOf({ scales }: uPlot, key: string): number {
-  const { min = 0, max = 1 } = scales[key] ?? {};
-  const span = (max ?? 1) - (min ?? 0);
-  return Math.min(6, Math.max(0, 2 - Math.floor(Math.log10(span || 1))));
 }

@@ -1,8 +1,4 @@
-/** A range of values. */
-export interface Range {
-  readonly min: number;
-  readonly max: number;
-}
+import type { NumberRange } from '../values/format-value.ts';
 
 /** Margin above and below the lines, as a share of the range. */
 const MARGIN = 0.08;
@@ -13,11 +9,11 @@ const CLOSE_IN_AFTER_MS = 2000;
 
 /** Range of a value axis: grows at once and shrinks with a delay, so that lines keep their scale. */
 export class ValueAxis {
-  #range: Range | undefined;
+  #range: NumberRange | undefined;
   #roomySinceMs: number | undefined;
 
   /** @param values range in the window; `undefined` when it is empty */
-  follow(values: Range | undefined, nowMs: number): Range {
+  follow(values: NumberRange | undefined, nowMs: number): NumberRange {
     if (values === undefined) return this.#range ?? { min: -1, max: 1 };
     const range = this.#range;
     if (range === undefined || values.min < range.min || values.max > range.max) {
@@ -40,13 +36,13 @@ export class ValueAxis {
   }
 
   /** True when the values exceed the axis slightly, instead of being in a different range. */
-  #isSimilar(range: Range, values: Range): boolean {
+  #isSimilar(range: NumberRange, values: NumberRange): boolean {
     return values.min <= range.max && values.max >= range.min;
   }
 }
 
 /** Adds the margin; a single value is centred in a range of its own magnitude. */
-function withMargin({ min, max }: Range): Range {
+function withMargin({ min, max }: NumberRange): NumberRange {
   const span = max - min;
   const room = span > 0 ? span * MARGIN : Math.max(Math.abs(max) * 0.1, 0.5);
   return { min: min - room, max: max + room };

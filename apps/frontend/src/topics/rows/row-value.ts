@@ -1,5 +1,6 @@
 import type { TopicRecord } from '@ubii/proto';
 import { formatValue } from '../values/format-value.ts';
+import { Reach } from '../values/reach.ts';
 import { sparkNumbers } from '../values/value-series.ts';
 import { NO_SPARK, SPARK_SAMPLES, Sparkline, type SparkLine } from './sparkline.ts';
 
@@ -16,6 +17,9 @@ export class RowValue {
   #record: TopicRecord | undefined;
   #text: string | undefined;
   #numbers: readonly number[] = [];
+  readonly #reach = new Reach();
+  /** Time of the last sample. */
+  #sampledMs = 0;
   readonly #sparkline = new Sparkline();
   #spark: SparkLine | undefined;
   /** Number of consecutive samples that were gaps. */
@@ -40,7 +44,7 @@ export class RowValue {
   get text(): string | undefined {
     const record = this.#record;
     if (record === undefined) return undefined;
-    return (this.#text ??= formatValue(record.format, record.value as never));
+    return (this.#text ??= formatValue(record.format, record.value as never, this.#reach.value));
   }
 
   /** Chart of the last 5 s. */
@@ -58,6 +62,7 @@ export class RowValue {
     this.#record = record;
     this.#text = undefined;
     this.#numbers = sparkNumbers(record.format, record.value);
+    this.#reach.add(this.#numbers, this.#sampledMs);
   }
 
   /** The topic no longer has a value: remove the last one. */
@@ -78,6 +83,7 @@ export class RowValue {
     counted: { readonly records: number; readonly hz: number | undefined },
     nowMs: number,
   ): void {
+    this.#sampledMs = nowMs;
     this.#noteGrowth(counted.records, nowMs);
     const isAlive = counted.hz !== undefined && counted.hz >= MIN_SPARK_HZ;
     if (this.#record === undefined || (!isAlive && this.#gap >= SPARK_SAMPLES)) return;

@@ -230,4 +230,24 @@ describe('the flash of a row', () => {
     expect(flashes[0]).toBeGreaterThan(0);
     expect(flashes.map((ms) => ms - flashes[0]!)).toEqual([0, 4000, 8000]);
   });
+
+  it('shows what a plot of the page shows, as of the same reading', () => {
+    let newest: TopicRecord | undefined = recordOf('/a', 1);
+    const values = new RowValues(
+      () => undefined,
+      1,
+      () => newest,
+    );
+    values.show([rateOf('/a')]);
+    values.handleRecord(recordOf('/a', 0.5));
+    newest = recordOf('/a', 2);
+    // A record of the slower subscription, between two readings.
+    values.handleRecord(recordOf('/a', 3));
+    expect(values.get('/a')?.text).toBe('0.50');
+    values.sample(0);
+    expect(values.get('/a')?.text).toBe('2.00');
+    newest = undefined;
+    values.handleRecord(recordOf('/a', 4));
+    expect(values.get('/a')?.text).toBe('4.00');
+  });
 });

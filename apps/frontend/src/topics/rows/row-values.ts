@@ -34,13 +34,20 @@ export class RowValues {
   /** Newest records received during a pause. */
   readonly #waiting = new Map<string, TopicRecord>();
   readonly #largeRateHz: number;
+  readonly #newest: (topic: string) => TopicRecord | undefined;
 
   /**
    * @param want called with the topics to subscribe to from now on
    * @param largeRateHz rate of large values, for callers that show more than their size
+   * @param newest record that another view of the page has of a topic, so that both show the same
    */
-  constructor(want: (topics: readonly LivePattern[]) => void, largeRateHz = LARGE_RATE_HZ) {
+  constructor(
+    want: (topics: readonly LivePattern[]) => void,
+    largeRateHz = LARGE_RATE_HZ,
+    newest: (topic: string) => TopicRecord | undefined = () => undefined,
+  ) {
     this.#want = want;
+    this.#newest = newest;
     this.#largeRateHz = largeRateHz;
   }
 
@@ -70,7 +77,7 @@ export class RowValues {
     shown.isFresh = true;
     const isFirst = value.record === undefined;
     if (this.#isPaused && !isFirst) this.#waiting.set(record.topic, record);
-    else value.handleRecord(record);
+    else if (isFirst || !this.#newest(record.topic)) value.handleRecord(record);
     this.#hasFirst ||= isFirst;
   }
 
@@ -78,8 +85,11 @@ export class RowValues {
   sample(nowMs: number): void {
     if (this.#isPaused) return;
     for (const [topic, { rate }] of this.#shown) {
+      const value = this.#values.get(topic);
+      const newest = this.#newest(topic);
+      if (newest && newest !== value?.record) value?.handleRecord(newest);
       if (rate === undefined) continue;
-      this.#values.get(topic)?.sample({ records: rate.statistic.records, hz: rate.hz }, nowMs);
+      value?.sample({ records: rate.statistic.records, hz: rate.hz }, nowMs);
     }
   }
 

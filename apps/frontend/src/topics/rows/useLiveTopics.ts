@@ -1,10 +1,8 @@
-import { useRafFn } from '@vueuse/core';
 import { effectScope, onScopeDispose, shallowRef, watch, type EffectScope } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
+import { usePageReadings } from '../history/page-clock.ts';
 import { useRowValues } from './useRowValues.ts';
 
-/** Rate at which values are drawn, Hz. */
-const DRAW_HZ = 5;
 /** Interval of requests for statistics while topics are visible, milliseconds. */
 const STATISTICS_MS = 1000;
 
@@ -41,14 +39,11 @@ export function useLiveTopics(wanted: () => readonly string[]): (topic: string) 
   watch([() => wanted().join('\n'), topics.rates], () => values.showNamed(wanted(), rateOf), {
     immediate: true,
   });
-  useRafFn(
-    () => {
-      if (!isConnected.value || wanted().length === 0) return;
-      values.sample(performance.now());
-      tick.value += 1;
-    },
-    { fpsLimit: DRAW_HZ },
-  );
+  usePageReadings((readMs) => {
+    if (!isConnected.value || wanted().length === 0) return;
+    values.sample(readMs);
+    tick.value += 1;
+  });
   onScopeDispose(() => asking?.stop());
 
   return (topic) => {

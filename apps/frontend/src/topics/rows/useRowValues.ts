@@ -1,6 +1,7 @@
 import { onScopeDispose, shallowRef } from 'vue';
 import type { LivePattern } from '../../connection/live/topic-source.ts';
 import { useTopic } from '../../connection/live/useTopic.ts';
+import { newestRecord } from '../history/topic-feeds.ts';
 import { RowValues } from './row-values.ts';
 
 /**
@@ -9,7 +10,7 @@ import { RowValues } from './row-values.ts';
  */
 export function useRowValues(largeRateHz?: number): RowValues {
   const wanted = shallowRef<readonly LivePattern[]>([]);
-  const values = new RowValues((topics) => (wanted.value = topics), largeRateHz);
+  const values = new RowValues((topics) => (wanted.value = topics), largeRateHz, newestRecord);
   useTopic(wanted, { keep: 0, onRecord: (record) => values.handleRecord(record) });
   onScopeDispose(() => values.close());
   return values;

@@ -30,6 +30,7 @@ function rowOf(topics: readonly TopicRate[], key: string, isAway = false) {
   model.apply({ added: topics, removed: [] });
   model.refresh(0);
   return mount(TopicRow, {
+    global: { stubs: { ClientMark: true } },
     props: {
       node: model.find(key)!,
       value: undefined,

@@ -37,6 +37,8 @@ export function useTopicRow(props: TopicRowProps) {
       format: text || 'no value',
       family: node.rate ? family : ('system' as const),
       hasValue: node.hasValue,
+      /** Id of the client, of a branch that is one. */
+      label: node.label,
       isBranch: node.isBranch,
       count: node.count,
     };

@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { mount } from '@vue/test-utils';
+import { enableAutoUnmount, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, ref, shallowRef, triggerRef } from 'vue';
 import { CONNECTION, type Connection } from '../../connection/connection.ts';
@@ -77,6 +77,7 @@ beforeEach(() => {
 afterEach(() => {
   vi.useRealTimers();
 });
+enableAutoUnmount(afterEach);
 
 describe('useTopicTree', () => {
   it('shows at once what was known before the page was opened', () => {

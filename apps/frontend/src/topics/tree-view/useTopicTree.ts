@@ -1,4 +1,3 @@
-import { useRafFn } from '@vueuse/core';
 import {
   effectScope,
   onScopeDispose,
@@ -13,6 +12,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { isInternalTopic } from '../names/internal-topics.ts';
 import { nameOf } from '../rows/row-view.ts';
 import type { RowValues } from '../rows/row-values.ts';
+import { usePageReadings } from '../history/page-clock.ts';
 import { useRowValues } from '../rows/useRowValues.ts';
 import type { FindPublisher } from '../names/publisher.ts';
 import { parseTopicFilter } from '../tree/topic-filter.ts';
@@ -23,8 +23,6 @@ import { useFindPublisher } from '../names/useFindPublisher.ts';
 
 /** Interval of requests for the statistics of all topics, milliseconds. */
 const STATISTICS_MS = 250;
-/** Rate at which rows are drawn, Hz: as fast as digits can be read. */
-const DRAW_HZ = 8;
 
 /** Search and order; set by the page. */
 export interface TopicTreeWishes {
@@ -45,7 +43,7 @@ export interface TopicTreeView {
   readonly values: RowValues;
   readonly findPublisher: FindPublisher;
   readonly rows: Readonly<ShallowRef<readonly TopicNode[]>>;
-  /** Incremented whenever rows must be drawn, at most `DRAW_HZ` times a second. */
+  /** Incremented whenever rows must be drawn, with the readings of the page. */
   readonly tick: Readonly<ShallowRef<number>>;
   /** Time of the displayed state, epoch milliseconds of the master's clock. */
   readonly nowMs: Readonly<ShallowRef<number>>;
@@ -102,22 +100,19 @@ export function useTopicTree({
   );
   model.apply({ added: [...(topics.rates.value?.values() ?? [])].filter(accepted), removed: [] });
 
-  useRafFn(
-    () => {
-      if (isPaused.value || !isConnected.value) {
-        if (values.takeFirst()) tick.value += 1;
-        return;
-      }
-      values.sample(performance.now());
-      if (isStatisticsNew) {
-        isStatisticsNew = false;
-        draw();
-      } else {
-        tick.value += 1;
-      }
-    },
-    { fpsLimit: DRAW_HZ },
-  );
+  usePageReadings((readMs) => {
+    if (isPaused.value || !isConnected.value) {
+      if (values.takeFirst()) tick.value += 1;
+      return;
+    }
+    values.sample(readMs);
+    if (isStatisticsNew) {
+      isStatisticsNew = false;
+      draw();
+    } else {
+      tick.value += 1;
+    }
+  });
 
   let asking: EffectScope | undefined;
   watch(

@@ -1,7 +1,7 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
-import { formatFixed, formatValue } from './format-value.ts';
+import { formatFixed, formatInRange, formatValue } from './format-value.ts';
 
 const line = (format: DataFormat, value: unknown): string => formatValue(format, value as never);
 const jpeg = (bytes: number) => Object.assign(new Uint8Array(bytes), [0xff, 0xd8, 0xff]);
@@ -10,7 +10,8 @@ describe('formatValue', () => {
   it.each<[DataFormat, unknown, string]>([
     ['double', 284.6, '284.60'],
     ['double', -0.5, '−0.50'],
-    ['double', 0.00012, '1.2e−4'],
+    ['double', 0.00012, '0.00012'],
+    ['double', 1.2e-9, '1.2e−9'],
     ['double', Number.NaN, 'NaN'],
     ['int32', -1842, `−${formatNumber(1842)}`],
     ['bool', true, 'true'],
@@ -18,6 +19,7 @@ describe('formatValue', () => {
     ['string', '', '""'],
     ['vector2', { x: 0.4121, y: 0.7079 }, '0.412, 0.708'],
     ['vector3', { x: 0.21, y: -0.38, z: 9.74 }, '0.21, −0.38, 9.74'],
+    ['vector3', { x: 7.3e-5, y: 0, z: 9.81 }, '0.00, 0.00, 9.81'],
     ['quaternion', { x: 0.11, y: 0, z: 0, w: 0.92 }, 'x 0.11 y 0.00 z 0.00 w 0.92'],
     ['doubleList', { elements: [0.318] }, '[0.32]'],
     ['doubleList', { elements: [1, 2, 3, 4, 5] }, '5 × double'],
@@ -81,6 +83,35 @@ describe('formatFixed', () => {
   it('keeps the decimals, and a tiny value in sight', () => {
     expect(formatFixed(0, 2)).toBe('0.00');
     expect(formatFixed(9.999, 2)).toBe('10.00');
-    expect(formatFixed(-0.000_04, 3)).toBe('−4.0e−5');
+    expect(formatFixed(-0.000_04, 3)).toBe('−0.000040');
+    expect(formatFixed(-4e-8, 3)).toBe('−4.0e−8');
+  });
+
+  it('writes the numbers of one reach alike', () => {
+    expect([0.4, 7.3e-5, -0.2].map((value) => formatFixed(value, 2, 0.4))).toEqual([
+      '0.40',
+      '0.00',
+      '−0.20',
+    ]);
+    expect([0.0004, 7.3e-5, 0].map((value) => formatFixed(value, 2, 0.0004))).toEqual([
+      '0.00040',
+      '0.00007',
+      '0.00000',
+    ]);
+  });
+});
+
+describe('formatInRange', () => {
+  const write = (values: readonly number[], min: number, max: number) =>
+    values.map((value) => formatInRange(value, { min, max }));
+
+  it('takes the decimals from the range, one for all numbers', () => {
+    expect(write([0, 7.3e-5, -0.4], -1, 1)).toEqual(['0.00', '0.00', '−0.40']);
+    expect(write([0, 7.3e-5], -1e-4, 1e-4)).toEqual(['0.000000', '0.000073']);
+    expect(write([1200.4, 0], -2000, 2000)).toEqual([formatNumber(1200), '0']);
+  });
+
+  it('writes exponents only where decimals do not help, for all numbers', () => {
+    expect(write([7.3e-9, 1e-12], -1e-8, 1e-8)).toEqual(['7.30e−9', '1.00e−12']);
   });
 });

@@ -13,8 +13,9 @@ import {
 import { counted } from '@ubii/words';
 import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
+import { reachOf } from './reach.ts';
 
-type Formatter<F extends DataFormat> = (value: DataFormatValues[F]) => string;
+type Formatter<F extends DataFormat> = (value: DataFormatValues[F], reach: number) => string;
 
 /** Longest text, characters; no row is wider. */
 const MAX_TEXT = 200;
@@ -23,32 +24,70 @@ const MAX_WRITTEN = 4;
 /** Most objects of a list that are named. */
 const MAX_NAMED = 8;
 
+/** Decimals of numbers; smaller ones have an exponent. */
+const MAX_DECIMALS = 6;
+
 /**
  * Formats a value in one line, for rows. Decimals are fixed per data format, so that digits do not jump while a value
- * changes; values that would round to 0 have an exponent.
+ * changes; there are more where all recent values are small.
+ * @param reach largest magnitude of the recent values
  */
-export function formatValue<F extends DataFormat>(format: F, value: DataFormatValues[F]): string {
-  return FORMATTERS[format](value);
+export function formatValue<F extends DataFormat>(
+  format: F,
+  value: DataFormatValues[F],
+  reach = 0,
+): string {
+  return FORMATTERS[format](value, reach);
 }
 
-/** Formats a number with fixed decimals and a minus sign; tiny numbers with an exponent instead of as 0. */
-export function formatFixed(value: number, decimals: number): string {
-  if (value !== 0 && Math.abs(value) < 0.5 * 10 ** -decimals) {
-    return value.toExponential(1).replaceAll('-', '−');
+/**
+ * Formats a number with fixed decimals and a minus sign. Numbers of one reach have the same decimals: more than asked for
+ * when all would be 0, and an exponent below that.
+ * @param reach largest magnitude in the column, series or value
+ */
+export function formatFixed(value: number, decimals: number, reach = Math.abs(value)): string {
+  // Two significant digits of the largest.
+  const needed = reach > 0 && Number.isFinite(reach) ? 1 - Math.floor(Math.log10(reach)) : 0;
+  if (needed > MAX_DECIMALS) return value.toExponential(1).replaceAll('-', '−');
+  // One digit of the largest is enough.
+  return formatNumber(value, needed > decimals + 1 ? needed : decimals);
+}
+
+/**
+ * Formats a number for an axis, or for all numbers of a plot: three significant digits of the range, the same decimals for
+ * all.
+ */
+export function formatInRange(value: number, { min, max }: NumberRange): string {
+  const span = max - min || Math.max(Math.abs(min), Math.abs(max)) || 1;
+  const decimals = 2 - Math.floor(Math.log10(span));
+  const reach = Math.max(Math.abs(min), Math.abs(max));
+  if (decimals > MAX_DECIMALS + 2 && reach < 10 ** -MAX_DECIMALS) {
+    return value.toExponential(2).replaceAll('-', '−');
   }
-  return formatNumber(value, decimals);
+  return formatNumber(value, Math.min(MAX_DECIMALS + 2, Math.max(0, decimals)));
 }
 
+/** Lowest and highest number of a series. */
+export interface NumberRange {
+  readonly min: number;
+  readonly max: number;
+}
+
+/** Formats the numbers of one value alike. */
 const numbers =
   (decimals: number) =>
-  (...values: number[]): string =>
-    values.map((value) => formatFixed(value, decimals)).join(', ');
+  (values: readonly number[], reach = 0): string => {
+    const all = Math.max(reach, reachOf(values));
+    return values.map((value) => formatFixed(value, decimals, all)).join(', ');
+  };
 
 const two = numbers(2);
 const three = numbers(3);
 const integers = numbers(0);
 
-const vector3 = ({ x, y, z }: Vector3): string => two(x, y, z);
+const vector3 = ({ x, y, z }: Vector3, reach = 0): string => two([x, y, z], reach);
+/** Parts of a rotation are at most 1. */
+const part = (value: number): string => formatFixed(value, 2, 1);
 
 /** `[a, b]` for short lists; `7 × vector2` for long ones, and for elements that are not single numbers. */
 function list<T>(
@@ -59,6 +98,11 @@ function list<T>(
   if (write && elements.length <= MAX_WRITTEN) return `[${elements.map(write).join(', ')}]`;
   return `${elements.length} × ${format}`;
 }
+
+const numberList = (elements: readonly number[], format: DataFormat, reach: number): string => {
+  const all = Math.max(reach, reachOf(elements.slice(0, MAX_WRITTEN)));
+  return list(elements, format, (value) => two([value], all));
+};
 
 /** Number of objects and their first names: `2 objects: cup, person`. */
 function named(one: string, many: string, names: readonly string[]): string {
@@ -93,21 +137,21 @@ function imageKind(data: Uint8Array): string | undefined {
 }
 
 const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
-  double: two,
-  float: two,
-  int32: integers,
+  double: (value, reach) => two([value], reach),
+  float: (value, reach) => two([value], reach),
+  int32: (value) => integers([value]),
   bool: String,
   string: text,
-  vector2: ({ x, y }) => three(x, y),
+  vector2: ({ x, y }, reach) => three([x, y], reach),
   vector3,
-  vector4: ({ x, y, z, w }) => two(x, y, z, w),
-  quaternion: ({ x, y, z, w }) => `x ${two(x)} y ${two(y)} z ${two(z)} w ${two(w)}`,
+  vector4: ({ x, y, z, w }, reach) => two([x, y, z, w], reach),
+  quaternion: ({ x, y, z, w }) => `x ${part(x)} y ${part(y)} z ${part(z)} w ${part(w)}`,
   quaternionList: (value) => formatValue('quaternion', value),
-  matrix3x2: (value) => two(...Object.values(value)),
-  matrix4x4: (value) => two(...Object.values(value)),
-  color: ({ r, g, b, a }) => two(r, g, b, a),
+  matrix3x2: (value) => two(Object.values(value)),
+  matrix4x4: (value) => two(Object.values(value)),
+  color: ({ r, g, b, a }) => two([r, g, b, a], 1),
   touchEvent: ({ type, position }) =>
-    `${nameOf(TouchEventType, type)}${position ? ` ${three(position.x, position.y)}` : ''}`,
+    `${nameOf(TouchEventType, type)}${position ? ` ${three([position.x, position.y], 1)}` : ''}`,
   touchEventList: ({ elements }) =>
     named(
       'touch',
@@ -117,19 +161,19 @@ const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
   keyEvent: ({ key, type }) => `${text(key)} ${nameOf(ButtonEventType, type)}`,
   mouseEvent: ({ button, type }) => `button ${button} ${nameOf(ButtonEventType, type)}`,
   myoEvent: ({ gesture }) => nameOf(HandGestureType, gesture),
-  pose2D: ({ position, angle, direction }) =>
+  pose2D: ({ position, angle, direction }, reach) =>
     [
-      three(position?.x ?? 0, position?.y ?? 0),
-      angle === undefined ? undefined : `angle ${two(angle)}`,
-      direction && `towards ${two(direction.x, direction.y)}`,
+      three([position?.x ?? 0, position?.y ?? 0], reach),
+      angle === undefined ? undefined : `angle ${part(angle)}`,
+      direction && `towards ${two([direction.x, direction.y], 1)}`,
     ]
       .filter(Boolean)
       .join(' '),
-  pose3D: ({ position, quaternion, euler }) =>
+  pose3D: ({ position, quaternion, euler }, reach) =>
     [
-      vector3(position ?? { x: 0, y: 0, z: 0 }),
+      vector3(position ?? { x: 0, y: 0, z: 0 }, reach),
       quaternion && formatValue('quaternion', quaternion),
-      euler && `euler ${vector3(euler)}`,
+      euler && `euler ${vector3(euler, 1)}`,
     ]
       .filter(Boolean)
       .join(' '),
@@ -149,9 +193,9 @@ const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
       'objects',
       elements.map(({ id }) => id),
     ),
-  int32List: ({ elements }) => list(elements, 'int32', (value) => integers(value)),
-  floatList: ({ elements }) => list(elements, 'float', (value) => two(value)),
-  doubleList: ({ elements }) => list(elements, 'double', (value) => two(value)),
+  int32List: ({ elements }) => list(elements, 'int32', (value) => integers([value])),
+  floatList: ({ elements }, reach) => numberList(elements, 'float', reach),
+  doubleList: ({ elements }, reach) => numberList(elements, 'double', reach),
   stringList: ({ elements }) =>
     cut(list(elements, 'string', (value) => JSON.stringify(cut(value)))),
   boolList: ({ elements }) => list(elements, 'bool', String),

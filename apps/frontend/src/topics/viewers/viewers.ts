@@ -94,6 +94,35 @@ export function viewerOf(format: DataFormat): TopicViewer {
   return viewersOf(format)[0]!;
 }
 
+/** A view that can be chosen for a topic. */
+export interface OfferedView {
+  readonly title: string;
+  /** What is stored when it is chosen: empty for the best one, which follows the format. */
+  readonly viewer: string;
+  readonly isShown: boolean;
+}
+
+/**
+ * Returns the views that fit a format, the best first, and the one that was chosen for another format.
+ * @param format `undefined` while it is unknown: all views
+ * @param chosen id of a viewer; empty for the best one
+ */
+export function offeredViews(
+  format: DataFormat | undefined,
+  chosen: string,
+): readonly OfferedView[] {
+  const fitting = format === undefined ? VIEWERS : viewersOf(format);
+  const best = format === undefined ? undefined : fitting[0];
+  const other = viewerById(chosen);
+  const all = other === undefined || fitting.includes(other) ? fitting : [...fitting, other];
+  const shown = other ?? best;
+  return all.map((viewer) => ({
+    title: viewer.title,
+    viewer: viewer === best ? '' : viewer.id,
+    isShown: viewer === shown,
+  }));
+}
+
 /** Returns a viewer by its id; `undefined` for one that this version does not have. */
 export function viewerById(id: string): TopicViewer | undefined {
   return VIEWERS.find((viewer) => viewer.id === id);

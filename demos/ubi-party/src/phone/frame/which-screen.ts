@@ -2,7 +2,14 @@ import type { Player, Room } from '../../sim/index.ts';
 import type { PhoneFacts } from '../../net/phone/phone-link.ts';
 
 export type ScreenName =
-  'join' | 'removed' | 'watch' | 'lobby' | 'explanation' | 'play' | 'waiting' | 'result';
+  | 'join'
+  | 'removed'
+  | 'watch'
+  | 'lobby'
+  | 'explanation'
+  | 'play'
+  | 'waiting'
+  | 'result';
 
 /** Why a phone has no seat any more, or watches no longer. */
 export type Removal = 'taken-over' | 'timed-out' | 'removed' | 'dismissed';

@@ -4,7 +4,16 @@ import type { Seat } from '../../sim/index.ts';
 export type SoundEvent =
   | {
       readonly kind:
-        'join' | 'leave' | 'ready' | 'fall' | 'hit' | 'boost' | 'land' | 'crown' | 'press' | 'news';
+        | 'join'
+        | 'leave'
+        | 'ready'
+        | 'fall'
+        | 'hit'
+        | 'boost'
+        | 'land'
+        | 'crown'
+        | 'press'
+        | 'news';
       readonly seat: Seat;
     }
   /** A winner. */

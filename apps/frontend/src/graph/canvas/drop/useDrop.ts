@@ -141,7 +141,8 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const kept = keepPlaces(graph, stage.positions);
     if (kept !== undefined) editor.apply(kept, step);
     if (!graph.nodes.has(node.id)) editor.apply({ kind: 'add', nodes: [node] }, step);
-    if (gesture.connect(own, port, at, step)) editor.select([port.node]);
+    gesture.connect(own, port, at, step);
+    editor.select([editor.graph.value.nodes.has(node.id) ? node.id : port.node]);
     editor.seal();
   }
 }

@@ -6,7 +6,7 @@ import { fakeTopics } from '../../../connection/live/testing/fake-topics.ts';
 import { createShell, SHELL } from '../../../page/shell.ts';
 import { createGraphEditor, type GraphEditor } from '../../editing/graph-editor.ts';
 import type { LiveGraph } from '../../live/live-graph.ts';
-import { GRAPH_CONTEXT } from '../../live/useGraphContext.ts';
+import { GRAPH_CONTEXT, NOTHING_PENDING } from '../../live/useGraphContext.ts';
 import type { OwnPad } from '../../live/own-pad.ts';
 import { provideNoProblems } from '../../live/useGraphProblems.ts';
 import type { GraphNode, Point, PortRef, Wire } from '../../model/graph.ts';
@@ -186,7 +186,13 @@ export async function aGraphDesk(): Promise<GraphDesk> {
     view(component, props) {
       const parent = defineComponent({
         setup() {
-          provide(GRAPH_CONTEXT, { editor, live: NOTHING_LIVE, pad: NO_PAD, apply() {} });
+          provide(GRAPH_CONTEXT, {
+            editor,
+            live: NOTHING_LIVE,
+            pad: NO_PAD,
+            pending: NOTHING_PENDING,
+            apply() {},
+          });
           provide(CANVAS_CONTEXT, canvas);
           provide(SHELL, createShell());
           provide(CONNECTION, aConnection());

@@ -11,7 +11,8 @@ export class Pinch {
   readonly #stage: Pick<CanvasStage, 'container' | 'look' | 'view'>;
   readonly #tapped: () => void;
   #start:
-    { view: View; middle: Point; distance: number; timeMs: number; moved: number } | undefined;
+    | { view: View; middle: Point; distance: number; timeMs: number; moved: number }
+    | undefined;
 
   /** @param tapped called when both fingers tapped */
   constructor(stage: Pick<CanvasStage, 'container' | 'look' | 'view'>, tapped: () => void) {

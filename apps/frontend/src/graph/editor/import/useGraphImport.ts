@@ -2,7 +2,7 @@ import { useEventListener } from '@vueuse/core';
 import { shallowRef, type Ref, type ShallowRef } from 'vue';
 import { randomUuid } from '../../../connection/random-uuid.ts';
 import { useFileDrop } from '../../../files/useFileDrop.ts';
-import { graphLocation } from '../../../locations/graph-location.ts';
+import { sessionLocation } from '../../../locations/session-location.ts';
 import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
 import { drawnSize } from '../../nodes/drawn-size.ts';
 import { addSession } from '../../model/add-session.ts';
@@ -36,7 +36,7 @@ export function useGraphImport(
   const files = useSessionImport({
     calls,
     isAsking: () => true,
-    locationOf: graphLocation,
+    locationOf: sessionLocation,
   });
   const said = shallowRef<string>();
   const isOver = useFileDrop(page, (dropped) => void files.take(dropped));

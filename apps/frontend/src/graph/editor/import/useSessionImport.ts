@@ -4,7 +4,7 @@ import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter, type RouteLocationRaw } from 'vue-router';
 import { randomUuid } from '../../../connection/random-uuid.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
-import { NEW_TEXT_PATH } from '../../../locations/session-location.ts';
+import { newTextLocation } from '../../../locations/session-location.ts';
 import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
 import { knownModules } from '../../../sessions/file/known-modules.ts';
 import { openSessionFile } from '../../../sessions/file/open-session-file.ts';
@@ -48,7 +48,7 @@ export function useSessionImport({ calls, isAsking, locationOf }: ImportOptions)
   async function edit(text: string): Promise<void> {
     asked.value = undefined;
     draft.value = text;
-    await router.push({ path: NEW_TEXT_PATH, query: { try: '1' } });
+    await router.push(newTextLocation(true));
   }
 
   /** @returns undefined when the master refused it; its text is then open with the reasons */

@@ -3,7 +3,8 @@ import { useDocumentVisibility, useEventListener, useIntervalFn } from '@vueuse/
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef } from 'vue';
 import { useTopic } from '../../../connection/live/useTopic.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
-import { playerIdentity, type PlayerIdentity } from '../../../players/player-identity.ts';
+import { useMarks } from '../../../marks/useMarks.ts';
+import type { PlayerIdentity } from '../../../players/player-identity.ts';
 import { PRESENCE_GLOB, presenceTopic } from '../../../topics/names/presence-topic.ts';
 import { useToastsOf } from '../../../ui/toasts/toasts.ts';
 import type { GraphEditor } from '../../editing/graph-editor.ts';
@@ -34,6 +35,7 @@ const EXPIRE_MS = 5_000;
 /** Publishes that this session is open here, and receives the records of other users. [EX-49] */
 export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const { client, clients, isConnected } = useConnection();
+  const { markOf } = useMarks();
   const toasts = useToastsOf('presence');
   const visibility = useDocumentVisibility();
   const isSeen = computed(() => visibility.value === 'visible');
@@ -139,7 +141,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
         ...one,
         name: nameOf(one.clientId),
         kind: clients.find(one.clientId)?.description ?? '',
-        look: playerIdentity(one.clientId, nameOf(one.clientId)),
+        look: markOf(one.clientId, nameOf(one.clientId)),
       }));
     }),
     savedBy(revision) {

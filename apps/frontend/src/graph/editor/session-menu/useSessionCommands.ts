@@ -5,8 +5,10 @@ import {
   FilePlus,
   FolderOpen,
   Import,
+  Info,
   Pencil,
   Play,
+  RotateCw,
   Save,
   SaveAll,
   Square,
@@ -22,9 +24,8 @@ import { completeSession } from '../../model/complete-session.ts';
 import { knownModules } from '../../../sessions/file/known-modules.ts';
 import { saveFile } from '../../../files/save-file.ts';
 import { exportSession } from '../../../sessions/file/session-file.ts';
-import { newTextLocation, sessionTextLocation } from '../../../locations/session-location.ts';
+import { sessionLocation, sessionTextLocation } from '../../../locations/session-location.ts';
 import { copyName, sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';
-import { graphLocation } from '../../../locations/graph-location.ts';
 import type { GraphEditor } from '../../editing/graph-editor.ts';
 import { findDraft, saveDraft } from '../../model/changes/draft.ts';
 import type { Drafts } from '../useDraft.ts';
@@ -34,7 +35,7 @@ import { chooseFiles } from './choose-files.ts';
 import type { SessionCommand } from './session-command.ts';
 
 /** Open dialog of the session menu. */
-export type SessionQuestion = 'open' | 'saveAs' | 'rename';
+export type SessionQuestion = 'open' | 'saveAs' | 'rename' | 'details';
 
 export interface SessionCommands {
   readonly list: ComputedRef<readonly SessionCommand[]>;
@@ -74,7 +75,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
   /** Creates a session and shows it. @returns undefined when the master refused it; the reason is shown */
   async function make(spec: Init<Session>): Promise<Session | undefined> {
     const made = await saving.attempt(() => actions.calls.create(spec));
-    if (made) await router.push(graphLocation(made.id));
+    if (made) await router.push(sessionLocation(made.id));
     return made;
   }
   const ownCopy = (as: string): Init<Session> => ({
@@ -106,7 +107,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
     }
     const isRemoved = await actions.remove(session, (restored) => {
       if (draft !== undefined) saveDraft(localStorage, draft);
-      void router.push(graphLocation(restored.id));
+      void router.push(sessionLocation(restored.id));
     });
     if (!isRemoved) {
       drafts.resume();
@@ -117,7 +118,6 @@ export function useSessionCommands(parts: Parts): SessionCommands {
   }
 
   const id = (): string => editor.session.value.id;
-  const isNew = (): boolean => isGone() && (editor.session.value.extension?.revision ?? 0) === 0;
   const list = computed((): readonly SessionCommand[] => [
     {
       id: 'new',
@@ -164,6 +164,14 @@ export function useSessionCommands(parts: Parts): SessionCommands {
       run: () => void life.act('stop'),
     },
     {
+      id: 'restart',
+      text: 'Restart',
+      title: 'Restart this session',
+      icon: RotateCw,
+      isDisabled: !life.can('restart'),
+      run: () => void life.act('restart'),
+    },
+    {
       id: 'save-as',
       text: 'Save as…',
       title: 'Save this session as another one',
@@ -176,7 +184,15 @@ export function useSessionCommands(parts: Parts): SessionCommands {
       text: 'Rename',
       title: 'Rename this session',
       icon: Pencil,
+      shortcut: 'F2',
       run: () => (question.value = 'rename'),
+    },
+    {
+      id: 'details',
+      text: 'Details…',
+      title: 'Description and restart of this session',
+      icon: Info,
+      run: () => (question.value = 'details'),
     },
     {
       id: 'duplicate',
@@ -190,7 +206,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
       text: 'Edit as JSON',
       title: 'Edit this session as JSON',
       icon: FileBraces,
-      run: () => void router.push(isNew() ? newTextLocation(id()) : sessionTextLocation(id())),
+      run: () => void router.replace(sessionTextLocation(id())),
     },
     {
       id: 'import',
@@ -224,6 +240,6 @@ export function useSessionCommands(parts: Parts): SessionCommands {
     taken,
     copyName: copy,
     saveAs,
-    open: async ({ id }) => void (await router.push(graphLocation(id))),
+    open: async ({ id }) => void (await router.push(sessionLocation(id))),
   };
 }

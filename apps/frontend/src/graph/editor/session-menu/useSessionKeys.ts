@@ -9,11 +9,12 @@ const KEYS: Readonly<Record<string, string>> = {
   'shift enter': 'stop',
 };
 
-/** Handles Ctrl S and other session shortcuts, wherever the focus is; otherwise browsers save the page. */
+/** Handles F2, Ctrl S and other session shortcuts, wherever the focus is; otherwise browsers save the page. */
 export function useSessionKeys(commands: () => readonly SessionCommand[]): void {
   useEventListener(window, 'keydown', (event: KeyboardEvent) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return;
-    const id = KEYS[`${event.shiftKey ? 'shift ' : ''}${event.key.toLowerCase()}`];
+    if (event.altKey || event.defaultPrevented) return;
+    const key = `${event.shiftKey ? 'shift ' : ''}${event.key.toLowerCase()}`;
+    const id = event.ctrlKey || event.metaKey ? KEYS[key] : key === 'f2' ? 'rename' : undefined;
     if (id === undefined) return;
     // An open dialog blocks the commands of the page.
     event.preventDefault();

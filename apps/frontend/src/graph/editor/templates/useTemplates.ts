@@ -6,7 +6,10 @@ import { completeExample } from '../../../sessions/examples/complete-example.ts'
 import { knownModules } from '../../../sessions/file/known-modules.ts';
 import { completeSession } from '../../model/complete-session.ts';
 import { drawnSize } from '../../nodes/drawn-size.ts';
+import { freeName } from '../../../sessions/text/session-spec.ts';
+import { writtenTopics } from '../../../sessions/words/shared-topics.ts';
 import { addSession } from '../../model/add-session.ts';
+import { topicsOf } from '../../model/commands/free-topic.ts';
 import type { Point } from '../../model/graph.ts';
 import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { Template } from './templates.ts';
@@ -34,7 +37,7 @@ const SESSION = 'ubii.sessions.Session';
 const isDefaultName = (name: string): boolean => /^Session(?: \d+)?$/.test(name);
 
 export function useTemplates(editor: GraphEditor): Templates {
-  const { client } = useConnection();
+  const { client, sessions } = useConnection();
   const pointer = useExamplePointer();
   const list = shallowRef<readonly SeenTemplate[]>([]);
 
@@ -66,15 +69,23 @@ export function useTemplates(editor: GraphEditor): Templates {
       const { graph } = editor;
       const isEmpty = graph.value.nodes.size === 0;
       const isUnnamed = isEmpty && isDefaultName(graph.value.details.name);
+      const others = (sessions.list.value ?? []).filter(({ id }) => id !== editor.session.value.id);
+      const name = freeName(template.title, new Set(others.map((one) => one.name)));
       const added = addSession(graph.value, withPointer(seen, template.pointerTopic, topic), {
         uuid: randomUuid,
         position,
         sizeOf: drawnSize,
         label: `Add ${template.title}`,
-        ...(isUnnamed && { as: { name: template.title, description: seen.description } }),
+        ...(isUnnamed && { as: { name, description: seen.description } }),
       });
       if (added.kind === 'broken') return added.reason;
-      editor.apply(added.command);
+      // Two sessions from one example must not write to each other.
+      const before = topicsOf(graph.value);
+      const written = others.flatMap((one) => [...writtenTopics(one)]);
+      const topics = written.filter((one) => !before.has(one));
+      const ownTopics = { kind: 'ownTopics', topics } as const;
+      const commands = [added.command, ownTopics];
+      editor.apply({ kind: 'all', label: `Add ${template.title}`, commands });
       if (!isEmpty) editor.select(added.ids);
       return undefined;
     },

@@ -12,7 +12,15 @@ import { numbersOf, randomCommand } from '../testing/random-command.ts';
 import { aGraphOf, aModule, aSessionOf, ref, wiresIn } from '../testing/small-graph.ts';
 import { withIds } from '../with-ids.ts';
 import { changesBetween } from './changes-between.ts';
-import { draftIds, draftText, findDraft, parseDraft, removeDraft, saveDraft } from './draft.ts';
+import {
+  draftIds,
+  draftText,
+  findDraft,
+  newDraftNames,
+  parseDraft,
+  removeDraft,
+  saveDraft,
+} from './draft.ts';
 import { keepEditorData } from './keep-editor-data.ts';
 import { mergeGraphs } from './merge-graphs.ts';
 
@@ -277,6 +285,14 @@ describe('drafts', () => {
     expect([...draftIds(items)].sort()).toEqual(['other', 'session']);
     removeDraft(items, 'session');
     expect(findDraft(items, 'session')).toBeUndefined();
+  });
+
+  it('name the sessions that only they have', () => {
+    const items = storage();
+    saveDraft(items, draft);
+    const edited = { ...session, name: 'Session' };
+    saveDraft(items, { ...draft, sessionId: 'new', revision: 0, edited });
+    expect(newDraftNames(items)).toEqual(['Session']);
   });
 
   it('say when there is no room, and that a text is none', () => {

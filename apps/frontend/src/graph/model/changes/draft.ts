@@ -77,6 +77,14 @@ export function removeDraft(storage: DraftStorage, sessionId: string): void {
   }
 }
 
+/** Returns the names of sessions that exist only as drafts. */
+export function newDraftNames(storage: DraftStorage): readonly string[] {
+  return [...draftIds(storage)].flatMap((id) => {
+    const draft = findDraft(storage, id);
+    return draft?.revision === 0 ? [draft.edited.name] : [];
+  });
+}
+
 /** Returns the ids of sessions with drafts. */
 export function draftIds(storage: DraftStorage): ReadonlySet<string> {
   try {

@@ -17,7 +17,9 @@ import {
 } from './edit-node.ts';
 import type { CommandKind, CommandOf, GraphCommand } from './graph-command.ts';
 import { GraphEdit, type GraphPatch } from './graph-edit.ts';
+import { followName, ownTopics, withOwnTopics } from './own-topics.ts';
 import { revealTopic } from './reveal-topic.ts';
+import { nothingElsewhere } from './topics-elsewhere.ts';
 import { hideTopic, placeTopics, renameTopic, setVia, showTopic } from './topic-commands.ts';
 
 /** Result of a command. */
@@ -29,9 +31,16 @@ export interface Applied {
   readonly redo: GraphPatch;
 }
 
-/** Applies a command and returns a new graph; the given graph itself if nothing changes. */
-export function applyCommand(graph: Graph, command: GraphCommand): Applied {
-  const edit = new GraphEdit(graph);
+/**
+ * Applies a command and returns a new graph; the given graph itself if nothing changes.
+ * @param elsewhere returns the topics that others use, which new wires avoid
+ */
+export function applyCommand(
+  graph: Graph,
+  command: GraphCommand,
+  elsewhere = nothingElsewhere,
+): Applied {
+  const edit = new GraphEdit(graph, elsewhere);
   const label = commandLabel(graph, command);
   run(edit, command);
   return {
@@ -48,9 +57,10 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
     for (const command of commands) run(edit, command);
   },
   patch: (edit, { patch }) => edit.apply(patch),
-  add: (edit, { nodes, wires = [] }) => {
+  add: (edit, { nodes, wires: given = [] }) => {
     placeTopics(edit, nodes);
     edit.putNodes(nodes);
+    const wires = withOwnTopics(edit, given);
     const legal = wires.filter(({ from, to }) => isLegal(edit.graph, from, to));
     edit.putWires(legal);
     for (const wire of legal) replaceValue(edit, wire);
@@ -97,7 +107,12 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
   setFrame: (edit, { nodes, frame }) => {
     putInto(edit, nodes, frame);
   },
-  setDetails: (edit, { changes }) => edit.setDetails({ ...edit.graph.details, ...changes }),
+  ownTopics,
+  setDetails: (edit, { changes }) => {
+    const { details } = edit.graph;
+    edit.setDetails({ ...details, ...changes });
+    followName(edit, details.name);
+  },
 };
 
 /** Prevents frames from containing themselves, directly or indirectly. */

@@ -41,6 +41,8 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
       return `Change the topic ${name(command.node)} to ${command.topic || 'none'}`;
     case 'setVia':
       return `Change the topic of a wire to ${command.topic || 'none'}`;
+    case 'ownTopics':
+      return 'Use topics of its own';
     case 'showTopic':
       return `Show the topic ${graph.wires.get(command.wire)?.via ?? ''}`.trimEnd();
     case 'hideTopic':

@@ -48,7 +48,7 @@ function connectModules(
   wished: string | undefined,
 ): void {
   const written = writtenTopics(edit.graph, from);
-  const topic = wished ?? written[0] ?? freeTopic(edit.graph, from);
+  const topic = wished ?? written[0] ?? freeTopic(edit.graph, from, edit.elsewhere.used);
   const isWrittenByOthers = viaWires(edit.graph, topic).some(
     (wire) => wire.from.node !== from.node || wire.from.port !== from.port,
   );

@@ -2,6 +2,7 @@ import type { Graph } from '../graph.ts';
 import { applyCommand } from './apply-command.ts';
 import type { GraphCommand } from './graph-command.ts';
 import { GraphEdit, isEmptyPatch, type GraphPatch } from './graph-edit.ts';
+import { nothingElsewhere } from './topics-elsewhere.ts';
 
 /** One step of the history, with its label, and the patches for undo and redo. */
 export interface Step {
@@ -31,9 +32,15 @@ export function startEditing(graph: Graph): EditState {
 /**
  * Applies a command as a step that can be undone. Does nothing if the command changes nothing.
  * @param key equal for all commands of one drag
+ * @param elsewhere returns the topics that others use
  */
-export function perform(state: EditState, command: GraphCommand, key?: string): EditState {
-  const { graph, inverse, redo } = applyCommand(state.graph, command);
+export function perform(
+  state: EditState,
+  command: GraphCommand,
+  key?: string,
+  elsewhere = nothingElsewhere,
+): EditState {
+  const { graph, inverse, redo } = applyCommand(state.graph, command, elsewhere);
   if (graph === state.graph || (isEmptyPatch(redo) && isEmptyPatch(inverse.patch))) return state;
   const step: Step = { label: inverse.label, key, undo: inverse.patch, redo };
   const last = state.past.at(-1);

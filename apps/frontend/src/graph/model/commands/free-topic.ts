@@ -9,21 +9,31 @@ export function topicsOf(graph: Graph): Set<string> {
   return topics;
 }
 
-/** Returns an unused topic for an output of a module. */
-export function freeTopic(graph: Graph, { node, port }: PortRef): string {
+const NO_TOPICS: ReadonlySet<string> = new Set();
+
+/** First level of the topics that the editor makes for a session of this name. */
+export const sessionPart = (name: string): string => topicPart(name || 'session');
+
+/**
+ * Returns an unused topic for an output of a module.
+ * @param used topics that others use
+ */
+export function freeTopic(graph: Graph, { node, port }: PortRef, used = NO_TOPICS): string {
   const source = graph.nodes.get(node);
   const name = source?.kind === 'module' ? source.module.name : '';
-  const parts = [graph.details.name || 'session', name || 'module', ioName(port)];
-  return unusedTopic(topicsOf(graph), `/${parts.map(topicPart).join('/')}`);
+  const parts = [name || 'module', ioName(port)].map(topicPart);
+  const wished = `/${[sessionPart(graph.details.name), ...parts].join('/')}`;
+  return unusedTopic(new Set([...topicsOf(graph), ...used]), wished);
 }
 
 /**
  * Returns a short topic for an output of a module, for display: the user may change it. Wires between modules use
  * longer topics, because two users may add them at the same time.
  */
-export function proposedTopic(graph: Graph, ref: PortRef): string {
-  const short = `/${topicPart(graph.details.name || 'session')}/${topicPart(ioName(ref.port))}`;
-  return topicsOf(graph).has(short) ? freeTopic(graph, ref) : short;
+export function proposedTopic(graph: Graph, ref: PortRef, used = NO_TOPICS): string {
+  const short = `/${sessionPart(graph.details.name)}/${topicPart(ioName(ref.port))}`;
+  const isUsed = used.has(short) || topicsOf(graph).has(short);
+  return isUsed ? freeTopic(graph, ref, used) : short;
 }
 
 /** Returns the topic, with the first number appended that makes it unused. */

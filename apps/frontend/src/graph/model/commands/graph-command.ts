@@ -73,6 +73,8 @@ export type GraphCommand =
   | { readonly kind: 'renameTopic'; readonly node: string; readonly topic: string }
   /** Changes the topic between two modules, for all wires that share it. */
   | { readonly kind: 'setVia'; readonly wire: string; readonly topic: string }
+  /** Replaces topics that others use by topics of this session. */
+  | { readonly kind: 'ownTopics'; readonly topics: readonly string[] }
   /** Adds a node for the topic of a wire between modules. */
   | { readonly kind: 'showTopic'; readonly wire: string; readonly position?: Point | undefined }
   /** Replaces the node of a topic that one module writes and others read by wires. */

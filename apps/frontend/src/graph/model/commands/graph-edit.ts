@@ -1,6 +1,11 @@
 import type { Graph, GraphNode, SessionDetails, Wire } from '../graph.ts';
 import { frameLeft } from '../nesting.ts';
 import { wiresOf } from '../wires-of.ts';
+import {
+  nothingElsewhere,
+  type TopicsElsewhere,
+  type FindTopicsElsewhere,
+} from './topics-elsewhere.ts';
 
 /** New state of elements of a graph; undefined: removed. */
 export interface GraphPatch {
@@ -16,9 +21,18 @@ export class GraphEdit {
   readonly #nodes = new Set<string>();
   readonly #wires = new Set<string>();
 
-  constructor(graph: Graph) {
+  readonly #findElsewhere: FindTopicsElsewhere;
+  #elsewhere: TopicsElsewhere | undefined;
+
+  constructor(graph: Graph, findElsewhere = nothingElsewhere) {
     this.#before = graph;
     this.#graph = graph;
+    this.#findElsewhere = findElsewhere;
+  }
+
+  /** Topics that others use: looked up once, by the first command that needs them. */
+  get elsewhere(): TopicsElsewhere {
+    return (this.#elsewhere ??= this.#findElsewhere());
   }
 
   /** Current state. */

@@ -32,17 +32,19 @@ export function fittingPorts(graph: Graph, ref: PortRef): PortRef[] {
  * Returns the nodes that a wire dropped on empty canvas can lead to, best first; modules with their first fitting port.
  * [SE-70]
  * @param topics topics with a publisher; topics of the graph are offered, too
+ * @param used topics that others use, which no new topic is named after
  */
 export function fittingNodes(
   graph: Graph,
   ref: PortRef,
   library: readonly ProcessingModule[],
   topics: readonly KnownTopic[],
+  used?: ReadonlySet<string>,
 ): NodeOffer[] {
   const own = endOf(graph, ref);
   if (own === undefined) return [];
   const offers = [
-    ...plainOffers(graph, own),
+    ...plainOffers(graph, own, used),
     ...library.flatMap((module) => moduleOffer(graph, own, module) ?? []),
     ...topicsToOffer(graph, topics).flatMap((topic) => topicOffer(graph, own, topic) ?? []),
   ];
@@ -63,12 +65,12 @@ function topicsToOffer(graph: Graph, topics: readonly KnownTopic[]): KnownTopic[
   return [...all.values()];
 }
 
-function plainOffers(graph: Graph, own: WireEnd): NodeOffer[] {
+function plainOffers(graph: Graph, own: WireEnd, used?: ReadonlySet<string>): NodeOffer[] {
   if (own.node.kind !== 'module') return [];
   const { port, format } = own;
   const dataType = format ?? '';
   if (port.direction === 'out') {
-    const topic = proposedTopic(graph, own.ref);
+    const topic = proposedTopic(graph, own.ref, used);
     const isNewTopic = fitsNode(graph, own, topicNode(topic)) !== undefined;
     return [
       ...(isNewTopic ? [{ kind: 'topic', label: topic, topic, isNew: true, format } as const] : []),

@@ -66,6 +66,10 @@ function topicAt(graph: Graph, { node, ref }: WireEnd): string | undefined {
 // eslint-disable-next-line ubii/no-native-patterns -- our own pattern, linear
 const UUID = new RegExp(UUID_PATTERN, 'i');
 
+/** True when a level of the topic identifies a client or device. */
+export const isOfClient = (topic: string): boolean =>
+  topic.split('/').some((part) => UUID.test(part));
+
 /** Glob for the same topic of all clients or devices; undefined when no level identifies a client or device. */
 export function globOfAlike(topic: string): string | undefined {
   const parts = topic.split('/');

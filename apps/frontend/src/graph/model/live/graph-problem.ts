@@ -13,7 +13,8 @@ export interface Remedy {
 
 /** Advice about a topic without a value: replaces the message of the problem, with an action if there is one. */
 export type TopicAdvice =
-  Remedy | { readonly message: string; readonly text?: undefined; readonly run?: undefined };
+  | Remedy
+  | { readonly message: string; readonly text?: undefined; readonly run?: undefined };
 
 /** Problem of a graph, with its element. */
 export interface GraphProblem {
@@ -28,6 +29,8 @@ export interface GraphProblem {
   readonly wires: readonly string[];
   /** True when another problem reports the same and this element is affected, too. */
   readonly isEcho?: boolean;
+  /** What follows at the node, a few words: `Waits for value`. */
+  readonly consequence?: string;
   readonly remedy?: Remedy;
   /** Other sessions that are involved. */
   readonly others?: readonly SessionRef[];

@@ -53,6 +53,13 @@ describe('problems that can be seen', () => {
       { code: 'topic_written_elsewhere', isError: false, others },
     ]);
     expect(atTopic.all[0]?.message).toContain('"Other"');
+    expect(atTopic.all[0]?.remedy).toBeUndefined();
+    const asked: (readonly string[])[] = [];
+    const useOwnTopics = (topics: readonly string[]) => void asked.push(topics);
+    const [problem] = graphProblems(graphOf(alone), alone, { ...around, useOwnTopics }).all;
+    expect(problem?.remedy?.text).toBe('Use topics of its own');
+    problem?.remedy?.run?.();
+    expect(asked).toEqual([['/t']]);
     const chain = aSessionOf([double('a'), double('b')], { 'a.o': '/t', 'b.i': '/t' });
     const graph = graphOf(chain);
     const { ofPort, ofWire } = graphProblems(graph, chain, around);

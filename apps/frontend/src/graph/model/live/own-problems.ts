@@ -5,16 +5,19 @@ import type { Graph, ModuleNode } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
 import { cyclesIn } from './cycles.ts';
 import type { GraphProblem, TopicAdvice } from './graph-problem.ts';
-import { writtenElsewhere, type OtherWriters } from './other-sessions.ts';
+import { moduleFaults, type RunState } from './module-faults.ts';
+import { writtenElsewhere, type OtherWriters, type UseOwnTopics } from './other-sessions.ts';
 
 /** Known modules and nodes; undefined while unknown. */
-export interface Surroundings {
+export interface Surroundings extends RunState {
   /** Names of modules that the library or a node offers. */
   readonly modules: ReadonlySet<string> | undefined;
   /** Ids of nodes that can run modules now. */
   readonly nodes: ReadonlySet<string> | undefined;
   /** Topics that other running sessions write. */
   readonly writers: OtherWriters;
+  /** Replaces topics that other sessions write by own ones. */
+  readonly useOwnTopics?: UseOwnTopics;
   /** Returns advice about a topic without a value. */
   readonly remedyOf?: (topic: string) => TopicAdvice | undefined;
   /** Whether a topic has no value only because the pad is not touched, which is no problem. */
@@ -26,8 +29,9 @@ export function ownProblems(graph: Graph, around: Surroundings): GraphProblem[] 
   return [
     ...misfits(graph),
     ...moduleProblems(graph, around),
+    ...moduleFaults(graph, around),
     ...doubleWriters(graph),
-    ...writtenElsewhere(graph, around.writers),
+    ...writtenElsewhere(graph, around.writers, around.useOwnTopics),
     ...cycles(graph),
   ];
 }

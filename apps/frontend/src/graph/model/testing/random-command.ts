@@ -153,6 +153,10 @@ const MAKERS: { readonly [K in CommandKind]: Maker<K> } = {
     topic: topic(next),
   }),
   setVia: (graph, next) => ({ kind: 'setVia', wire: wire(graph, next), topic: topic(next) }),
+  ownTopics: (graph, next) => ({
+    kind: 'ownTopics',
+    topics: [graph.wires.get(wire(graph, next))?.via ?? topic(next)],
+  }),
   showTopic: (graph, next) => ({ kind: 'showTopic', wire: wire(graph, next) }),
   hideTopic: (graph, next) => ({ kind: 'hideTopic', node: nodeId(graph, next) }),
   group: (graph, next) => ({

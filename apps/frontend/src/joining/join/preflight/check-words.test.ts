@@ -50,7 +50,7 @@ describe('what a preflight found, in words [AC-30]', () => {
     expect(channelCheck({ isOpen: false, reason: 'silent' }, 'android', http).text).toContain(
       'VPN',
     );
-    expect(channelCheck(undefined, 'android', http).text).toContain('a connection to the master');
+    expect(channelCheck(undefined, 'android', http).text).toContain('a connection to the host');
   });
 
   it('tells a clock that is off, and says nothing of one it could not compare', () => {

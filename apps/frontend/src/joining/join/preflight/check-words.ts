@@ -20,7 +20,7 @@ export function masterCheck(tripMs: number | undefined, page: URL): Check {
     return {
       id,
       state: 'good',
-      title: 'Master reached',
+      title: 'Host reached',
       text: `${hostname}, port ${port || (protocol === 'https:' ? '443' : '80')}`,
       value: formatMs(tripMs),
     };
@@ -31,8 +31,8 @@ export function masterCheck(tripMs: number | undefined, page: URL): Check {
   return {
     id,
     state: 'failed',
-    title: 'Master not reached',
-    text: `${hostname} does not answer.${name} Use the same Wi-Fi as the host, and turn mobile data and VPN off. Guest networks often separate devices (client isolation): use another network or a hotspot. On the host, a firewall may block port ${port || '443'}, or the master has stopped.`,
+    title: 'Host not reached',
+    text: `${hostname} does not answer.${name} Use the same Wi-Fi as the host, and turn mobile data and VPN off. Guest networks often separate devices (client isolation): use another network or a hotspot. On the host, a firewall may block port ${port || '443'}, or Ubi-Interact has stopped.`,
   };
 }
 
@@ -52,7 +52,7 @@ export function secureCheck(isSecure: boolean, page: URL): Check {
       id,
       state: 'good',
       title: 'Secure page',
-      text: 'The master runs on this computer',
+      text: 'The page comes from this computer',
       value: 'local',
     };
   }
@@ -85,7 +85,7 @@ export function channelCheck(
       id,
       state: 'failed',
       title: 'Live connection',
-      text: 'Needs a connection to the master.',
+      text: 'Needs a connection to the host.',
     };
   }
   if (probe.isOpen) {
@@ -130,7 +130,7 @@ export function clockCheck(probe: ChannelProbe | undefined): Check {
   const { offsetMs, errorMs } = probe;
   const value = `±${formatMs(errorMs)}`;
   if (Math.abs(offsetMs) <= CLOCK_OFF_MS) {
-    return { id, state: 'good', title, text: 'Synchronized with the master', value };
+    return { id, state: 'good', title, text: 'Synchronized with the host', value };
   }
   const seconds = Math.round(Math.abs(offsetMs) / 1000);
   const off = seconds < 120 ? `${seconds} s` : `${Math.round(seconds / 60)} min`;
@@ -138,7 +138,7 @@ export function clockCheck(probe: ChannelProbe | undefined): Check {
     id,
     state: 'warning',
     title,
-    text: `${off} ${offsetMs > 0 ? 'behind' : 'ahead of'} the master. This device shows wrong times until its clock is set. Nothing else is affected.`,
+    text: `${off} ${offsetMs > 0 ? 'behind' : 'ahead of'} the host. This device shows wrong times until its clock is set. Nothing else is affected.`,
     value,
   };
 }

@@ -23,7 +23,7 @@ export interface Check {
 /** Initial state of all checks. */
 export function openChecks(): readonly Check[] {
   return [
-    { id: 'master', state: 'checking', title: 'Master', text: 'Checking' },
+    { id: 'master', state: 'checking', title: 'Host', text: 'Checking' },
     { id: 'secure', state: 'checking', title: 'Secure page', text: 'Checking' },
     { id: 'channel', state: 'checking', title: 'Live connection', text: 'Opening' },
     { id: 'clock', state: 'checking', title: 'Clock', text: 'Comparing' },

@@ -37,6 +37,13 @@ describe('marks in the code', () => {
     expect(texts([run], [type(3, 'another')])).toHaveLength(2);
   });
 
+  it('tell what JSON.parse throws beside what types say', () => {
+    const run = { ...mark(4, 'SyntaxError: unexpected token: oops'), isOfRun: true };
+    const types = [type(2, 'Input "valu" is not declared.'), type(3, "';' expected.", true)];
+    expect(texts([run], types.slice(0, 1))).toHaveLength(2);
+    expect(texts([run], types)).toContain(run.message);
+  });
+
   it('come errors first, then by place', () => {
     const late = { ...mark(1, 'a hint'), severity: 'warning' as const };
     expect(texts([late, mark(3, 'third')], [type(2, 'second')])).toEqual([

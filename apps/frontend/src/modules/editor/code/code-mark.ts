@@ -24,10 +24,8 @@ export function firstCauses(
   types: readonly TypeMark[],
 ): readonly CodeMark[] {
   const syntax = types.filter(({ isSyntax }) => isSyntax);
-  const own =
-    syntax.length > 0 ? marks.filter(({ message }) => !message.startsWith('SyntaxError')) : marks;
-  const isBroken =
-    syntax.length > 0 || own.some(({ message }) => message.startsWith('SyntaxError'));
+  const own = syntax.length > 0 ? marks.filter((mark) => !isSyntaxError(mark)) : marks;
+  const isBroken = syntax.length > 0 || own.some(isSyntaxError);
   const told = isBroken ? syntax : types;
   const wrongLines = new Set(
     [...told, ...own.filter(({ isOfRun }) => !isOfRun)]
@@ -43,3 +41,7 @@ export function firstCauses(
     (a, b) => a.severity.localeCompare(b.severity) || a.line - b.line || a.column - b.column,
   );
 }
+
+/** A run throws errors of this name as well, such as JSON.parse for a text that is no JSON. */
+const isSyntaxError = ({ message, isOfRun = false }: CodeMark): boolean =>
+  !isOfRun && message.startsWith('SyntaxError');

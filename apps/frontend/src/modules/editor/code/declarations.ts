@@ -1,4 +1,5 @@
 import { parseDataFormat } from '@ubii/proto';
+import { defaultProblem } from '../draft/io-default.ts';
 import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
 
 /** TypeScript declarations visible to every module, in terms of the data formats. [PM-10] to [PM-14] */
@@ -97,10 +98,13 @@ function member(io: IoDraft, isOptional: boolean, type: string): string {
   return `  ${JSON.stringify(io.name)}${isOptional ? '?' : ''}: ${type};`;
 }
 
-function inputType({ format, isList }: IoDraft): string {
+function inputType(io: IoDraft): string {
+  const { format, isList, defaultJson } = io;
   const known = parseDataFormat(format);
   if (known === undefined) return isList ? '{ elements: any[] }' : 'any';
-  return isList ? `InputList<'${known}'>` : `InputRecord<'${known}'> | undefined`;
+  if (isList) return `InputList<'${known}'>`;
+  const isFilled = defaultJson !== undefined && defaultProblem(io) === undefined;
+  return `InputRecord<'${known}'>${isFilled ? '' : ' | undefined'}`;
 }
 
 function outputType({ format, isList }: IoDraft): string {

@@ -98,7 +98,7 @@ export function applyTheme(): void {
   probe.remove();
   monaco.editor.defineTheme('ubii', {
     base: isDark ? 'vs-dark' : 'vs',
-    inherit: true,
+    inherit: false,
     rules,
     colors,
   });

@@ -40,6 +40,8 @@ defaults.setDiagnosticsOptions({
   diagnosticCodesToIgnore: [7043, 7044, 7045, 80001, 80004, 80005],
 });
 defaults.setEagerModelSync(true);
+// Code actions of TypeScript edit its own files or turn checks off: code-fixes.ts has those of modules.
+defaults.setModeConfiguration({ ...defaults.modeConfiguration, codeActions: false });
 
 /** Sets the declarations that the worker uses. */
 export function setDeclarations(declarations: string, state: string): void {

@@ -1,5 +1,6 @@
 import { DEFAULT_RUNTIME_LIMITS, moduleProblems } from '@ubii/pm-sandbox';
 import { parseDataFormat } from '@ubii/proto';
+import { defaultProblem } from './io-default.ts';
 import { moduleOf, type ModuleDraft } from './module-draft.ts';
 
 /** Problems in the fields of a draft: a sentence by path, such as `inputs[0].name`. */
@@ -38,6 +39,10 @@ export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): D
       }
     });
   }
+  draft.inputs.forEach((io, index) => {
+    const problem = defaultProblem(io);
+    if (problem !== undefined) problems.set(`inputs[${index}].default`, problem);
+  });
   const { kind, hertz, minDelayMs } = draft.mode;
   if (kind === 'frequency' && !(hertz > 0 && hertz <= MAX_HERTZ)) {
     problems.set('mode.hertz', `Enter a frequency above 0 and up to ${MAX_HERTZ} Hz, such as 30.`);

@@ -1,9 +1,12 @@
+import { textOfDefault } from './io-default.ts';
 import type { IoDraft, ModeDraft, ModuleDraft } from './module-draft.ts';
 
-function ioWords({ name, format, isList, description, choices = [] }: IoDraft): string {
+function ioWords(io: IoDraft): string {
+  const { name, format, isList, description, choices = [] } = io;
   const words = `${name}: ${isList ? 'list of ' : ''}${format || 'any format'}`;
   const oneOf = choices.length > 0 ? `one of ${choices.join(', ')}` : undefined;
-  return [words, oneOf, description].filter(Boolean).join('; ');
+  const standard = io.defaultJson === undefined ? undefined : `default ${textOfDefault(io)}`;
+  return [words, standard, oneOf, description].filter(Boolean).join('; ');
 }
 
 function modeText({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): string {

@@ -17,8 +17,8 @@ export interface IoDraft {
   /** Short name of a data format, the module's own text for unknown formats, or empty for any. */
   readonly format: string;
   readonly isList: boolean;
-  /** Of an input: value that the callbacks use without a connection. [PM-5] */
-  readonly defaultJson?: string;
+  /** Of an input: its value while it has no record, as typed. [PM-5] */
+  readonly defaultJson?: string | undefined;
   /** Meaning of its values, with unit and range. [PM-6] */
   readonly description?: string | undefined;
   /** Of a string input: the accepted texts. [PM-7] */

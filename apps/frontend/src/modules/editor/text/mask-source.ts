@@ -39,7 +39,7 @@ function endOfTemplate(text: string, start: number): number {
 function endOfBraces(text: string, start: number): number {
   let depth = 0;
   for (let at = start; at < text.length;) {
-    const next = endOfToken(text, at, '');
+    const next = endOfToken(text, at, () => '');
     if (next === at + 1) {
       if (text[at] === '{') depth++;
       if (text[at] === '}' && --depth === 0) return next;
@@ -49,7 +49,8 @@ function endOfBraces(text: string, start: number): number {
   return text.length;
 }
 
-function endOfToken(text: string, at: number, before: string): number {
+/** @param before returns the end of the code in front, which tells a regular expression from a division */
+function endOfToken(text: string, at: number, before: () => string): number {
   switch (text[at]) {
     case '"':
     case "'":
@@ -65,14 +66,18 @@ function endOfToken(text: string, at: number, before: string): number {
         const end = text.indexOf('*/', at + 2);
         return end < 0 ? text.length : end + 2;
       }
-      return BEFORE_REGEXP.test(before.trimEnd()) ? endOfRegExp(text, at) : at + 1;
+      return BEFORE_REGEXP.test(before().trimEnd()) ? endOfRegExp(text, at) : at + 1;
     }
     default:
       return at + 1;
   }
 }
 
-const blank = (text: string): string => text.replace(/[^\n]/g, ' ');
+const blank = (text: string): string =>
+  text.length > 1 ? text.replace(/[^\n]/g, ' ') : text === '\n' ? text : ' ';
+
+/** Longest code in front of a slash that `BEFORE_REGEXP` looks at. */
+const MAX_BEFORE = 24;
 
 /**
  * Blanks the contents of brackets, strings, templates, regular expressions and comments, so that only top-level code
@@ -83,17 +88,23 @@ const blank = (text: string): string => text.replace(/[^\n]/g, ' ');
 export function maskSource(text: string, keepsBrackets = false): string {
   let mask = '';
   let depth = 0;
-  let tail = '';
+  /** Code before the last comment. */
+  let kept = '';
+  let codeStart = 0;
   for (let at = 0; at < text.length;) {
-    const end = endOfToken(text, at, tail);
+    const before = (): string =>
+      (kept + text.slice(Math.max(codeStart, at - MAX_BEFORE), at)).slice(-MAX_BEFORE);
+    const end = endOfToken(text, at, before);
     const token = text.slice(at, end);
     const isLetter = end === at + 1;
     if (isLetter && '([{'.includes(token)) depth++;
     const isOutside = isLetter && (keepsBrackets || depth === 0);
     if (isLetter && ')]}'.includes(token)) depth = Math.max(0, depth - 1);
     mask += isOutside ? token : blank(token);
-    const isComment = token.startsWith('//') || token.startsWith('/*');
-    if (!isComment) tail = (tail + token).slice(-24);
+    if (token.startsWith('//') || token.startsWith('/*')) {
+      kept = before();
+      codeStart = end;
+    }
     at = end;
   }
   return mask;

@@ -64,6 +64,17 @@ export function placeOf(text: string, offset: number): TextPlace {
   return { line: before.split('\n').length, column: offset - lineStart + 1 };
 }
 
+/** Returns the offset of a position; beyond the end of the text, its length. */
+export function offsetOf(text: string, { line, column }: TextPlace): number {
+  let start = 0;
+  for (let skipped = 1; skipped < line; skipped += 1) {
+    const end = text.indexOf('\n', start);
+    if (end < 0) return text.length;
+    start = end + 1;
+  }
+  return start + column - 1;
+}
+
 /** Extracts the callbacks of a text, and reports everything that would be lost. */
 export function splitText(text: string): ModuleText {
   const mask = maskSource(text);

@@ -48,9 +48,15 @@ export function resultPlace(
 const sectionOf = (text: string, callback: Callback): TextSection | undefined =>
   splitText(text).sections.find((one) => one.callback === callback);
 
+/** Returns the offset after the opening brace of a function's body; `undefined` for an arrow function without one. */
+export function bodyOffset(source: string): number | undefined {
+  const brace = source.indexOf('{', maskSource(source).trimEnd().length);
+  return brace < 0 ? undefined : brace + 1;
+}
+
 function returnOffset(source: string): number | undefined {
-  const body = source.indexOf('{', maskSource(source).trimEnd().length) + 1;
-  if (body === 0) return undefined;
+  const body = bodyOffset(source);
+  if (body === undefined) return undefined;
   return [...maskSource(source.slice(body)).matchAll(RETURN)]
     .map(({ index }) => body + index)
     .findLast((start) => !NO_VALUE.test(source.slice(start)));

@@ -2,13 +2,12 @@ import { constantRecord } from '@ubii/pm-sandbox';
 import {
   DATA_FORMATS,
   fromJson,
-  isMessageType,
   parseDataFormat,
-  toJson,
   type IOMapping,
   type JsonValue,
 } from '@ubii/proto';
 import { capitalised } from '@ubii/words';
+import { initialJson, neutralJson } from '../draft/io-default.ts';
 import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
 
 /** Source of an input's values in the try-out. */
@@ -31,14 +30,6 @@ export interface ValueLeaf {
 
 /** Most members of a form; larger values are easier to write as JSON. */
 const MAX_LEAVES = 16;
-
-/** Neutral value of a data format as JSON. */
-export function neutralJson(formatText: string): JsonValue {
-  const format = parseDataFormat(formatText) ?? 'double';
-  const { messageType, createDefault } = DATA_FORMATS[format];
-  const value = createDefault();
-  return isMessageType(messageType) ? toJson(messageType, value as never) : (value as JsonValue);
-}
 
 /** Whether a form can set values of this format: not for bytes, nor for messages of the master. */
 export function hasForm(formatText: string): boolean {
@@ -73,9 +64,9 @@ export function withLeaf(value: JsonValue, path: string, leaf: ValueLeaf['value'
   return { ...object, [name]: withLeaf(object[name] ?? {}, rest.join('.'), leaf) };
 }
 
-/** Returns the initial state of an input. */
+/** Returns the initial state of an input: its default, if it has one. */
 export function newTryInput(io: IoDraft): TryInput {
-  const value = neutralJson(io.format);
+  const value = initialJson(io);
   const format = parseDataFormat(io.format) ?? 'double';
   return {
     source: hasForm(io.format) ? 'form' : 'json',

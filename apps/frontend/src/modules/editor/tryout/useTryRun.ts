@@ -146,14 +146,15 @@ export function useTryRun(
     { immediate: true },
   );
 
+  const declared = computed(() => draft().inputs);
   const given = computed(() =>
-    draft().inputs.map((io) => {
+    declared.value.map((io) => {
       const input = inputOf(io.name);
       return { io, read: input ? recordsOf(io, input) : { records: [] } };
     }),
   );
   const lives = computed(() =>
-    draft().inputs.flatMap((io) => {
+    declared.value.flatMap((io) => {
       const input = inputOf(io.name);
       return input?.source === 'topic' && input.topic !== ''
         ? [io.isList ? { glob: input.topic } : input.topic]

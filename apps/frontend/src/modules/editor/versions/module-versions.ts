@@ -5,11 +5,18 @@ import {
   type ModuleVersion,
   type ProcessingModule,
 } from '@ubii/proto';
+import type { ModuleDraft } from '../draft/module-draft.ts';
 
 /** Earlier versions of a module, or the reason why there are none. */
 export type VersionList =
   | { readonly kind: 'list'; readonly versions: readonly ModuleVersion[] }
   | { readonly kind: 'none'; readonly sentence: string };
+
+/** Earlier version to compare. */
+export interface ChosenVersion {
+  readonly version: ModuleVersion;
+  readonly draft: ModuleDraft;
+}
 
 /** Display texts of the origins of versions. */
 export const VERSION_ORIGINS: Readonly<Record<ModuleVersionOrigin, string>> = {

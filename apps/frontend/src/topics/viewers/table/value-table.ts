@@ -1,5 +1,6 @@
 import { TouchEventType, type DataFormat, type TopicRecord } from '@ubii/proto';
 import { formatFixed, formatImage } from '../../values/format-value.ts';
+import { reachOf } from '../../values/reach.ts';
 
 /** Value as a table. Numbers are right-aligned, other texts left-aligned. */
 export interface ValueTable {
@@ -15,26 +16,41 @@ export const MAX_ROWS = 500;
 
 const numbers = (...names: string[]) => names.map((name) => ({ name, isNumber: true }));
 const text = (name: string) => ({ name, isNumber: false });
-const fixed = (value: number | undefined): string =>
-  value === undefined ? '' : formatFixed(value, 3);
+type Cell = string | number | undefined;
 
 function list<T>(
   elements: readonly T[],
   columns: ValueTable['columns'],
-  read: (element: T) => readonly string[],
+  read: (element: T) => readonly Cell[],
 ): ValueTable {
+  const cells = elements.slice(0, MAX_ROWS).map(read);
   return {
     columns,
-    rows: elements.slice(0, MAX_ROWS).map(read),
+    rows: writeColumns(cells, (column) => cells.map((row) => row[column])),
     count: elements.length,
     head: '#',
   };
 }
 
+/** Formats cells; the numbers of a column alike. */
+function writeColumns(
+  rows: readonly (readonly Cell[])[],
+  cellsOf: (column: number) => readonly Cell[],
+): readonly (readonly string[])[] {
+  const reaches = (rows[0] ?? []).map((_cell, column) =>
+    reachOf(cellsOf(column).filter((cell) => typeof cell === 'number')),
+  );
+  return rows.map((row) =>
+    row.map((cell, column) =>
+      typeof cell === 'number' ? formatFixed(cell, 3, reaches[column]) : (cell ?? ''),
+    ),
+  );
+}
+
 function matrix(rows: readonly (readonly number[])[]): ValueTable {
   return {
     columns: numbers(...rows[0]!.map((_part, column) => String(column))),
-    rows: rows.map((row) => row.map(fixed)),
+    rows: writeColumns(rows, () => rows.flat()),
     count: rows.length,
     head: 'row',
   };
@@ -58,7 +74,7 @@ export function valueTable({ format, value }: TopicRecord): ValueTable | undefin
       ]);
     case 'doubleList':
     case 'floatList':
-      return list(value.elements, numbers('value'), (one) => [fixed(one)]);
+      return list(value.elements, numbers('value'), (one) => [one]);
     case 'int32List':
       return list(value.elements, numbers('value'), (one) => [formatFixed(one, 0)]);
     case 'boolList':
@@ -66,21 +82,16 @@ export function valueTable({ format, value }: TopicRecord): ValueTable | undefin
     case 'stringList':
       return list(value.elements, [text('value')], (one) => [one]);
     case 'vector2List':
-      return list(value.elements, numbers('x', 'y'), ({ x, y }) => [x, y].map(fixed));
+      return list(value.elements, numbers('x', 'y'), ({ x, y }) => [x, y]);
     case 'vector3List':
-      return list(value.elements, numbers('x', 'y', 'z'), ({ x, y, z }) => [x, y, z].map(fixed));
+      return list(value.elements, numbers('x', 'y', 'z'), ({ x, y, z }) => [x, y, z]);
     case 'vector4List':
-      return list(value.elements, numbers('x', 'y', 'z', 'w'), ({ x, y, z, w }) =>
-        [x, y, z, w].map(fixed),
-      );
+      return list(value.elements, numbers('x', 'y', 'z', 'w'), ({ x, y, z, w }) => [x, y, z, w]);
     case 'object2DList':
       return list(
         value.elements,
         [text('id'), ...numbers('x', 'y', 'width', 'height')],
-        ({ id, pose, size }) => [
-          id,
-          ...[pose?.position?.x, pose?.position?.y, size?.x, size?.y].map(fixed),
-        ],
+        ({ id, pose, size }) => [id, pose?.position?.x, pose?.position?.y, size?.x, size?.y],
       );
     case 'object3DList':
       return list(
@@ -88,7 +99,7 @@ export function valueTable({ format, value }: TopicRecord): ValueTable | undefin
         [text('id'), ...numbers('x', 'y', 'z', 'size x', 'size y', 'size z')],
         ({ id, pose, size }) => {
           const at = pose?.position;
-          return [id, ...[at?.x, at?.y, at?.z, size?.x, size?.y, size?.z].map(fixed)];
+          return [id, at?.x, at?.y, at?.z, size?.x, size?.y, size?.z];
         },
       );
     case 'touchEventList':
@@ -98,7 +109,9 @@ export function valueTable({ format, value }: TopicRecord): ValueTable | undefin
         ({ id, type, position, force }) => [
           id,
           TOUCHES[type] ?? String(type),
-          ...[position?.x, position?.y, force].map(fixed),
+          position?.x,
+          position?.y,
+          force,
         ],
       );
     case 'image2DList':

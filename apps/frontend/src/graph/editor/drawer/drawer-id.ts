@@ -1,0 +1,2 @@
+/** Id of the open drawer. */
+export const DRAWER_ID = 'session-drawer';

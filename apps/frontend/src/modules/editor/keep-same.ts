@@ -1,0 +1,13 @@
+/**
+ * Returns the previous value if the next one is equal, so that what depends on it is not drawn again with each key.
+ * @param plain returns a value as plain data, for comparison
+ */
+export function keepSame<T>(
+  before: T | undefined,
+  next: T,
+  plain: (value: T) => unknown = (value) => value,
+): T {
+  return before !== undefined && JSON.stringify(plain(before)) === JSON.stringify(plain(next))
+    ? before
+    : next;
+}
