@@ -35,8 +35,38 @@ export class GraphPage {
   }
 
   async open(sessionId: string): Promise<void> {
-    await this.page.goto(`/sessions/${sessionId}/graph`);
+    // As in a browser in which it was left open: the graph is fitted into the room beside it.
+    await this.page.addInitScript(() => {
+      // Not in the empty page before, which has no storage.
+      if (origin !== 'null') localStorage.setItem('ubii.graph.palette', 'true');
+    });
+    await this.page.goto(`/sessions/${sessionId}`);
     await expect(this.canvas).toBeVisible();
+  }
+
+  /** Keeps topics and modules open beside the canvas, unless they are: this browser remembers it. */
+  async openPalette(): Promise<void> {
+    const add = this.page.getByRole('button', { name: 'Add', exact: true });
+    await expect(add).toBeVisible();
+    if (!(await this.palette.isVisible())) {
+      await add.click();
+      await this.page.getByRole('button', { name: 'Keep open at the side' }).click();
+    }
+    await expect(this.palette).toBeVisible();
+  }
+
+  /** Focuses a node, and shows all nodes in the room that its inspector leaves. */
+  async fitBesideInspector(node: string): Promise<void> {
+    await this.node(node).focus();
+    await expect(this.inspector).toBeVisible();
+    await this.page.keyboard.press('Home');
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+  }
+
+  /** Chooses what is done with the graph as a whole. */
+  async chooseTool(name: string): Promise<void> {
+    await this.page.getByRole('button', { name: 'More graph tools' }).click();
+    await this.page.getByRole('menuitem', { name }).click();
   }
 
   /** Undoes all that was done since the page was opened, selects nothing, and shows all nodes as at first. */
@@ -63,11 +93,12 @@ export class GraphPage {
     await field.press('Enter');
   }
 
-  /** Writes the description of the session, which the inspector shows while nothing is selected. */
+  /** Writes the description of the session, in its details. */
   async describe(text: string): Promise<void> {
-    await this.canvas.focus();
-    await this.page.keyboard.press('Escape');
-    await this.inspector.getByLabel('Description').fill(text);
+    await this.choose('Details…');
+    const dialog = this.page.getByRole('dialog');
+    await dialog.getByLabel('Description').fill(text);
+    await dialog.getByRole('button', { name: 'Done' }).click();
   }
 
   /**

@@ -15,16 +15,22 @@ export class JoinPage {
   readonly heading: Locator;
   readonly name: Locator;
   readonly code: Locator;
-  readonly checkCode: Locator;
   readonly join: Locator;
+  /** What hinders this phone; absent while all is well. */
+  readonly row: Locator;
 
   constructor({ page }: { readonly page: Page }) {
     this.page = page;
     this.heading = page.getByRole('heading', { level: 1 });
-    this.name = page.getByLabel('Your name here');
+    this.name = page.getByLabel('Name', { exact: true });
     this.code = page.getByLabel('Code', { exact: true });
-    this.checkCode = page.getByRole('button', { name: 'Check the code' });
     this.join = page.getByRole('button', { name: 'Join', exact: true });
+    this.row = page.locator('[data-join-row]');
+  }
+
+  /** All checks, behind the Details of the row. */
+  async openChecks(): Promise<void> {
+    await this.row.getByRole('button', { name: 'Details' }).click();
   }
 
   /** One measured fact, by its id of AC-30. */
@@ -32,8 +38,9 @@ export class JoinPage {
     return this.page.locator(`[data-check="${id}"]`);
   }
 
+  /** Types a code, which is checked after its last character. */
   async type(code: string): Promise<void> {
+    await this.code.fill('');
     await this.code.fill(code);
-    await this.checkCode.click();
   }
 }

@@ -8,6 +8,8 @@ export class ModuleEditor {
   readonly about: Locator;
   readonly tryIt: Locator;
   readonly versions: Locator;
+  /** An earlier version beside the code, in place of the code. */
+  readonly comparison: Locator;
   readonly save: Locator;
   readonly problems: Locator;
 
@@ -18,6 +20,9 @@ export class ModuleEditor {
     this.about = page.getByRole('region', { name: 'About the module' });
     this.tryIt = page.getByRole('region', { name: 'Try it' });
     this.versions = page.getByRole('region', { name: 'Versions' });
+    this.comparison = page.getByRole('region', {
+      name: /^Version \d+ and the code in the editor$/,
+    });
     this.save = page.getByRole('button', { name: 'Save', exact: true });
     this.problems = page.getByRole('region', { name: 'Problems in the code' });
   }
@@ -28,7 +33,7 @@ export class ModuleEditor {
 
   async create(template: string): Promise<void> {
     await this.page.goto('/modules');
-    await this.page.getByRole('button', { name: 'New', exact: true }).click();
+    await this.page.getByRole('button', { name: 'New module', exact: true }).click();
     await this.page.getByRole('dialog').getByRole('button', { name: template }).click();
     await expect(this.about.getByLabel('Name', { exact: true })).not.toHaveValue('');
   }

@@ -56,8 +56,7 @@ export class RecordingsPage {
 
   /** Chooses where records go that are played. */
   async playInto(target: 'This page only' | 'Live topics'): Promise<void> {
-    await this.page.getByRole('combobox', { name: 'Play into' }).click();
-    await this.page.getByRole('option', { name: target }).click();
+    await this.page.getByRole('radio', { name: target }).click();
   }
 
   /** The head of a track, with its value at the playhead. */

@@ -18,15 +18,11 @@ export class SessionsPage {
     await this.page.goto('/sessions');
   }
 
-  /**
-   * Starts an example and goes on from its graph to its page. There is a list of examples where there are no
-   * sessions, and beside a new text.
-   */
+  /** Starts an example from the list of examples, which is where there are no sessions. */
   async startExample(name: string): Promise<void> {
     await this.page.getByRole('button', { name: `Start ${name}`, exact: true }).click();
-    await expect(this.page).toHaveURL(/\/graph$/);
-    await this.page.getByRole('link', { name: 'Open session page' }).click();
-    await expect(this.page.getByRole('heading', { level: 1, name, exact: true })).toBeVisible();
+    await expect(this.page).toHaveURL(/\/sessions\/[^/]+$/);
+    await expect(this.page.getByRole('button', { name: `${name}, rename` })).toBeVisible();
   }
 
   row(name: string): Locator {

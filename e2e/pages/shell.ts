@@ -1,5 +1,13 @@
 import { expect, type Locator, type Page } from '@playwright/test';
 
+const TOOLS: ReadonlySet<string> = new Set([
+  'Publish',
+  'Services',
+  'Bridges',
+  'Performance',
+  'Studies',
+]);
+
 /** The shell around every page: navigation, connection, palette. */
 export class Shell {
   readonly page: Page;
@@ -13,7 +21,7 @@ export class Shell {
   constructor(page: Page) {
     this.page = page;
     this.navigation = page.getByRole('navigation', { name: 'Pages' }).filter({ visible: true });
-    this.connection = page.getByRole('link', { name: 'Connection details' });
+    this.connection = page.getByRole('button', { name: /^Connection, / });
     this.disconnectedStrip = page
       .getByRole('alert')
       .filter({ has: page.getByRole('button', { name: /^(Retry now|Connect|Use this tab)$/ }) });
@@ -21,9 +29,13 @@ export class Shell {
     this.palette = page.getByRole('dialog').filter({ has: page.getByRole('combobox') });
   }
 
-  /** Goes to a page by the navigation. */
+  /** Goes to a page by the navigation, of which the tools are folded. */
   async go(to: string): Promise<void> {
-    await this.navigation.getByRole('link', { name: to, exact: true }).click();
+    const link = this.navigation.getByRole('link', { name: to, exact: true });
+    const tools = this.navigation.getByRole('button', { name: 'Tools' });
+    if (TOOLS.has(to) && (await tools.getAttribute('aria-expanded')) === 'false')
+      await tools.click();
+    await link.click();
   }
 
   /** Opens the command palette with the keyboard. */
@@ -42,6 +54,15 @@ export class Shell {
   /** Waits until the page is a client of the master and has measured the way to it. */
   async expectConnected(): Promise<void> {
     await expect(this.connection).toContainText(/\d\s*ms/);
+  }
+
+  /** Modules that run in this tab, as the numbers of the connection say. */
+  async expectModulesHere(count: number): Promise<void> {
+    await this.connection.click();
+    const numbers = this.page.getByRole('dialog', { name: 'Connection' });
+    await expect(numbers).toContainText(new RegExp(`Modules in this tab\\s*${count},`));
+    await this.page.keyboard.press('Escape');
+    await expect(numbers).toBeHidden();
   }
 
   /** Pixels that stick out to the right of the screen. */

@@ -5,7 +5,8 @@ import type { OldSchema } from './old-schema.ts';
 
 /** A frame of the topic-data channel, decoded with the published message formats. */
 export type RawFrame =
-  { readonly text: string } | { readonly message: Readonly<Record<string, unknown>> };
+  | { readonly text: string }
+  | { readonly message: Readonly<Record<string, unknown>> };
 
 /**
  * Speaks the protocol by hand, for clients that cannot be installed here: what they send is written

@@ -175,14 +175,17 @@ test('a session with problems is accessible at a desk and on a phone', async ({ 
     },
   });
   const { page } = await enter(room);
-  await page.goto(`/sessions/${session!.id}`);
+  await page.goto(`/sessions/${session!.id}/log`);
   await expect(page.getByRole('list', { name: /^Events/ })).toContainText('again');
-  await expect(page.getByText('has no value, so the input')).toBeVisible();
+  await expect(page.getByText('has no value, so the input').first()).toBeVisible();
+  await expectAccessibleEverywhere(page);
+  await page.goto(`/sessions/${session!.id}/statistics`);
+  await expect(page.getByRole('row', { name: /^noisy/ })).toBeVisible();
   await expectAccessibleEverywhere(page);
   await page.goto(`/sessions/${session!.id}/text`);
   await expect(page.getByRole('textbox', { name: 'Session as JSON' })).toBeVisible();
   await expectAccessibleEverywhere(page);
-  await page.goto(`/sessions/${session!.id}/graph`);
+  await page.goto(`/sessions/${session!.id}`);
   await expect(page.getByRole('toolbar', { name: 'Graph tools' })).toBeVisible();
   await expectAccessibleEverywhere(page);
   await page.getByRole('group', { name: 'Module noisy' }).click();
@@ -243,7 +246,7 @@ test('a module that is written and tried is accessible at a desk and on a phone'
     }
   });
   await page.goto('/modules');
-  await page.getByRole('button', { name: 'New', exact: true }).click();
+  await page.getByRole('button', { name: 'New module', exact: true }).click();
   await expect(page.getByRole('dialog')).toBeVisible();
   await expectAccessibleEverywhere(page);
 });
@@ -267,6 +270,14 @@ test('what opens over a page is accessible at a desk and on a phone', async ({ r
     await page.keyboard.press('Escape');
     await expect(shell.palette).toBeHidden();
   });
+  await test.step('numbers of the connection', async () => {
+    await shell.connection.click();
+    const numbers = page.getByRole('dialog', { name: 'Connection' });
+    await expect(numbers).toContainText('Round trip');
+    await expectAccessibleEverywhere(page);
+    await page.keyboard.press('Escape');
+    await expect(numbers).toBeHidden();
+  });
 });
 
 test('a graph that is begun on a tablet is accessible', async ({ master, room }) => {
@@ -280,10 +291,12 @@ test('a graph that is begun on a tablet is accessible', async ({ master, room })
     isMobile: true,
     colorScheme: 'dark',
   });
-  await page.goto(`/sessions/${session!.id}/graph`);
+  await page.goto(`/sessions/${session!.id}`);
   await expect(page.getByRole('region', { name: 'Getting started' })).toBeVisible();
   await expect(page.getByRole('button', { name: /^Smooth a pointer/ })).toBeVisible();
   await expectAccessible(page);
+  await page.getByRole('button', { name: 'Add', exact: true }).tap();
+  await page.getByRole('button', { name: 'Keep open at the side' }).tap();
   const add = page.getByRole('button', { name: 'Add to graph: low-pass' });
   await page.locator('[data-palette-module="low-pass"]').tap();
   await expect(add).toBeVisible();

@@ -20,7 +20,7 @@ for (const screen of ['desktop', 'phone'] as const) {
 
     await test.step('one click creates, starts and opens it', async () => {
       await sine.getByRole('button', { name: 'Start and open Sine wave' }).click();
-      await expect(page).toHaveURL(/\/sessions\/[^/]+\/graph$/);
+      await expect(page).toHaveURL(/\/sessions\/[^/]+$/);
       await expect(page.getByText('Running').filter({ visible: true }).first()).toBeVisible();
       if (screen === 'desktop') {
         await expect(new GraphPage({ page }).node('Topic /examples/sine-wave/wave')).toContainText(
@@ -33,7 +33,7 @@ for (const screen of ['desktop', 'phone'] as const) {
       await page.goto('/examples');
       await expect(sine).toContainText('Running');
       await sine.getByRole('button', { name: 'Open graph of Sine wave' }).click();
-      await expect(page).toHaveURL(/\/graph$/);
+      await expect(page).toHaveURL(/\/sessions\/[^/]+$/);
       await page.goto('/examples');
       await sine.getByRole('button', { name: 'Stop Sine wave' }).click();
       await expect(sine.getByRole('button', { name: 'Start and open Sine wave' })).toBeVisible();

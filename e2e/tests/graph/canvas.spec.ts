@@ -257,10 +257,10 @@ test('the canvas is moved and zoomed, and draws what is near and lines up', asyn
 
   await graph.startAgain();
   await test.step('the canvas is moved and zoomed by keys and by the middle button', async () => {
+    await graph.fitBesideInspector('Module source');
     const before = await graph.box('Module source');
     const moved = async (): Promise<number> => (await graph.box('Module source')).x - before.x;
 
-    await graph.node('Module source').focus();
     await keyboard.press('-');
     await expect
       .poll(async () => (await graph.box('Module source')).width)

@@ -19,6 +19,7 @@ async function anEmptyEditor(page: Page): Promise<GraphPage> {
   await page.goto('/sessions/new');
   const graph = new GraphPage({ page });
   await expect(page.getByRole('region', { name: 'Getting started' })).toBeVisible();
+  await graph.openPalette();
   return graph;
 }
 
@@ -70,8 +71,8 @@ test('the pointer of a phone is smoothed, from an empty editor and by an example
 
     await test.step('nothing covers what is pulled next', async () => {
       await expect(graph.passing).toBeHidden();
-      // Over the map, which lets a wire through.
-      await graph.drag(graph.socket(module, 'Output smoothed'), await graph.spot(0.94, 0.9));
+      // Over what floats there, which lets a wire through.
+      await graph.drag(graph.socket(module, 'Output smoothed'), await graph.spot(0.94, 0.8));
       const search = page.getByRole('combobox', { name: 'Connect to a new node' });
       await expect(search).toBeVisible();
       await search.press('Enter');
@@ -177,7 +178,7 @@ test('an example that is started from the list of sessions takes the pointer of 
   room,
 }) => {
   const { page } = await room.atDesk('Anna');
-  await page.goto('/sessions/new/text');
+  await page.goto('/sessions');
   await page.getByRole('button', { name: 'Start Smooth a pointer' }).click();
   const graph = new GraphPage({ page });
   await expect(async () => {

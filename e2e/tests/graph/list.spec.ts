@@ -12,7 +12,7 @@ test('palette, list and canvas share the room of the window', async ({ master, r
     const list = graph.palette.getByRole('region', { name: /^Modules/ }).locator('.list');
     const isLong = await list.evaluate((one) => one.scrollHeight > one.clientHeight);
     expect(isLong, 'the modules are more than there is room for').toBe(true);
-    await graph.inspector.hover();
+    await graph.canvas.hover({ position: { x: 400, y: 700 } });
     await page.mouse.wheel(0, 1000);
     const main = page.getByRole('main');
     expect(await main.evaluate((one) => one.scrollHeight - one.clientHeight)).toBe(0);
@@ -40,7 +40,7 @@ test('palette, list and canvas share the room of the window', async ({ master, r
     await ines.page.goto('/examples/mouse-pointer');
     await ines.page.getByRole('application', { name: 'Pointer pad' }).tap();
 
-    await page.getByRole('button', { name: 'Show as a list' }).click();
+    await graph.chooseTool('Show as a list');
     const list = page.getByRole('list', { name: 'Nodes of the graph' });
     const { innerWidth } = await page.evaluate(() => ({ innerWidth: window.innerWidth }));
 

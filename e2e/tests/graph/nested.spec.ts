@@ -26,7 +26,7 @@ test('frames hold nodes and other frames', async ({ room, master }) => {
     const area = frame.locator('[data-over]');
 
     await test.step('around what is selected', async () => {
-      await graph.node('Module loose').focus();
+      await graph.fitBesideInspector('Module loose');
       await keyboard.press('Control+g');
       await expect(frame).toBeVisible();
     });
@@ -99,6 +99,7 @@ test('frames hold nodes and other frames', async ({ room, master }) => {
     const yOf = async (node: string): Promise<number> => (await graph.box(node)).y;
 
     await test.step('the inner one takes a node in, and is dragged into the outer one', async () => {
+      await graph.fitBesideInspector('Module two');
       const inner = await graph.box('Frame Inner');
       await graph.pull(await graph.grip('Module two'), { x: inner.x + 60, y: inner.y + 60 });
       await mouse.up();

@@ -46,7 +46,7 @@ test('a pen drags nodes, pulls wires, moves the canvas and asks for the menu', a
 
   await test.step('on nothing it moves the canvas', async () => {
     const before = await place();
-    const spot = await graph.spot(0.5, 0.85);
+    const spot = await graph.spot(0.5, 0.7);
     await pen.drag(spot, { x: spot.x - 70, y: spot.y - 40 });
     await expect.poll(async () => (await place()).x - before.x).toBeCloseTo(-70, -1);
   });

@@ -70,7 +70,7 @@ test('a session is edited and used in the list on a phone', async ({ room, maste
     const wave = await room.program('wave');
     wave.publish('/wave/height', 'double', 4);
     wave.publish('/wave/place', 'vector2', { x: 1, y: 2 });
-    await page.goto(`/sessions/${await aSession(master)}/graph`);
+    await page.goto(`/sessions/${await aSession(master)}`);
 
     await test.step('a module is added', async () => {
       await page.getByRole('button', { name: 'Add', exact: true }).tap();
@@ -127,7 +127,7 @@ test('a session is edited and used in the list on a phone', async ({ room, maste
   });
 
   await test.step('on a phone, a session that runs is touched below its list', async () => {
-    await page.goto(`/sessions/${await aSession(master, 'position-color')}/graph`);
+    await page.goto(`/sessions/${await aSession(master, 'position-color')}`);
     const position = list.getByRole('button', { name: /^Input position/ });
     const pad = page.getByRole('application', { name: 'Touch pad' });
 

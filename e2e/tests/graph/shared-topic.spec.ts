@@ -67,15 +67,26 @@ test('two sessions that write one topic name each other, where it is and in the 
     const row = page.getByRole('listitem').filter({ hasText: 'Writes /both/sine' });
     await expect(row).toHaveCount(2);
     await row.getByRole('link', { name: 'Second' }).last().click();
-    await expect(
-      page.getByRole('list', { name: 'Topics written by several sessions' }),
-    ).toContainText('The session "First" runs and writes /both/sine, too');
+    const problems = page.getByRole('list', { name: 'Problems', exact: true });
+    await page.getByRole('button', { name: 'Log', exact: true }).click();
+    await expect(problems).toContainText('The session "First" runs and writes /both/sine, too');
     await callService(master.endpoints, {
       topic: SERVICES.sessionRuntimeStop.topic,
       session: { id: first },
     });
-    await expect(
-      page.getByRole('list', { name: 'Topics written by several sessions' }),
-    ).toBeHidden();
+    await expect(problems).toBeHidden();
+  });
+
+  await test.step('one click gives the session a topic of its own', async () => {
+    await start(first);
+    await graph.open(second);
+    await graph.problems('Topic /both/sine').click();
+    await page.getByRole('button', { name: 'Use topics of its own' }).click();
+    await expect(graph.node('Topic /Second/sine')).toBeVisible();
+    await page.goto('/sessions');
+    await expect(page.getByRole('listitem').filter({ hasText: 'Second' }).first()).toBeVisible();
+    await expect(page.getByRole('listitem').filter({ hasText: 'Writes /both/sine' })).toHaveCount(
+      0,
+    );
   });
 });

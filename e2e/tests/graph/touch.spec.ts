@@ -43,7 +43,7 @@ test('a graph is edited with fingers on a tablet', async ({ room, master }) => {
 
     await test.step('one finger pans, and drags a node', async () => {
       const before = (await lowPass.boundingBox())!;
-      const spot = await graph.spot(0.5, 0.95);
+      const spot = await graph.spot(0.5, 0.8);
       await fingers.drag(spot, { x: spot.x, y: spot.y - 60 });
       await expect
         .poll(async () => (await lowPass.boundingBox())!.y - before.y)

@@ -60,7 +60,7 @@ const DEEDS: readonly Deed[] = [
   {
     does: 'arranges all',
     undo: /^Arrange all$/,
-    act: (graph) => graph.page.getByRole('button', { name: 'Arrange all' }).click(),
+    act: (graph) => graph.chooseTool('Arrange all'),
   },
   {
     does: 'pulls a wire to something new',

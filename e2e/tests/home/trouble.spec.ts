@@ -1,3 +1,4 @@
+import type { Locator } from '@playwright/test';
 import type { UbiiClient } from '@ubii/client-web';
 import { expect, test } from '../../fixtures/test.ts';
 
@@ -13,6 +14,14 @@ function makeNoise(robot: UbiiClient): () => void {
   return () => clearInterval(noise);
 }
 
+/** The row of a problem, which may be one of those that are counted only. */
+async function find(row: Locator): Promise<Locator> {
+  const more = row.page().getByRole('button', { name: /^and \d+ more$/ });
+  await expect(row.or(more).first()).toBeVisible();
+  if (await more.isVisible()) await more.click();
+  return row;
+}
+
 test('home helps against what takes too much', async ({ room }) => {
   const robot = await room.program('Robot');
   const { page } = await room.atDesk('Anna');
@@ -21,14 +30,15 @@ test('home helps against what takes too much', async ({ room }) => {
 
   await test.step('home names the client with too high a load, with cause and remedy; one press throttles, another lifts it [EX-31, EX-47]', async () => {
     const stop = makeNoise(robot);
-    const noisy = rows.filter({ hasText: /Robot publishes .* records per second/ });
+    const noisy = await find(rows.filter({ hasText: /Robot publishes .* records per second/ }));
     await expect(noisy).toContainText('Publish less often');
+    await expect(page.getByRole('img', { name: /over the last ten minutes/ })).toHaveCount(1);
     await expect(noisy.getByRole('link', { name: 'Open client' })).toHaveAttribute(
       'href',
       `/clients/${robot.id}`,
     );
     await noisy.getByRole('button', { name: 'Throttle' }).click();
-    const throttled = rows.filter({ hasText: /Robot is throttled/ });
+    const throttled = await find(rows.filter({ hasText: /Robot is throttled/ }));
     await expect(throttled).toContainText('by Anna');
     await throttled.getByRole('button', { name: 'Remove throttle' }).click();
     await expect(throttled).toHaveCount(0);
@@ -48,13 +58,13 @@ test('home helps against what takes too much', async ({ room }) => {
       ],
     });
     await robot.call('sessionRuntimeStart', { id });
-    const slow = rows.filter({ hasText: 'later than its mode requires' });
+    const slow = await find(rows.filter({ hasText: 'later than its mode requires' }));
     await expect(slow).toContainText('Lower its frequency');
     await slow.getByRole('button', { name: 'Stop session' }).click();
-    const sessions = page.getByRole('list', { name: 'Sessions' });
-    await expect(sessions).toContainText('Stopped');
+    const running = page.getByRole('region', { name: 'Running' });
+    await expect(running).toContainText('Nothing runs.');
     await page.getByRole('button', { name: 'Undo' }).click();
-    await expect(sessions).toContainText(/Running|Degraded/);
+    await expect(running.getByRole('link', { name: /Slow one/ })).toBeVisible();
   });
 });
 
@@ -84,7 +94,7 @@ test('a throttled page shows actor, reason and remedy once, on every page [EX-33
 
   await test.step('it is told again when it happens again', async () => {
     await throttle(0);
-    await expect(page.getByRole('list', { name: 'Problems' })).not.toContainText('throttled');
+    await expect(page.getByRole('listitem').filter({ hasText: 'is throttled' })).toHaveCount(0);
     await throttle(20);
     await expect(warning).toContainText('throttled');
   });

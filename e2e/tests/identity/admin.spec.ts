@@ -23,11 +23,17 @@ function printedAddress(master: MasterProcess): string {
   return address;
 }
 
+/** What a role may do, as the page says it. */
+const MAY = {
+  admin: 'May do everything',
+  participant: 'May use and change everything except codes',
+};
+
 /** The role, as the page says it. */
-async function expectRole({ page }: Pick<Person, 'page'>, role: string): Promise<void> {
+async function expectRole({ page }: Pick<Person, 'page'>, role: keyof typeof MAY): Promise<void> {
   await page.getByRole('button', { name: /^This browser/ }).click();
   const dialog = page.getByRole('dialog', { name: 'This browser' });
-  await expect(dialog).toContainText(`Role: ${role}`);
+  await expect(dialog).toContainText(MAY[role]);
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
 }
@@ -70,7 +76,7 @@ test('the bare address is for participants, who enter the code where an admin is
   const { page } = desk;
   const join = new JoinPage(desk);
   const button = page.getByRole('main').getByRole('link', {
-    name: 'Become an admin with the code shown in the terminal',
+    name: 'Enter the code shown in the terminal',
   });
   await page.goto('/');
   await new Shell(page).expectConnected();
@@ -79,7 +85,7 @@ test('the bare address is for participants, who enter the code where an admin is
   await page.goto('/settings/master');
   await expect(page.getByText('Only admins can see the start options')).toBeVisible();
   await page.goto('/connect');
-  await expect(page.getByText('Phones cannot reach this master')).toBeVisible();
+  await expect(page.getByText('Phones cannot reach this computer')).toBeVisible();
   await page.goto('/settings/audit');
   await expect(page.getByText('only admins can read it')).toBeVisible();
   await expect(page.getByRole('alert')).toHaveCount(0);

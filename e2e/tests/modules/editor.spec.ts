@@ -166,9 +166,9 @@ test('a module is written, tried, saved, used by a session, changed under it and
     await expect(list.getByRole('listitem')).toHaveCount(2);
     await list.getByRole('button').last().click();
     await expect(
-      editor.versions.locator('.view-line').filter({ hasText: 'factor' }).first(),
+      editor.comparison.locator('.view-line').filter({ hasText: 'factor' }).first(),
     ).toBeVisible();
-    await editor.versions.getByRole('button', { name: 'Restore' }).click();
+    await editor.comparison.getByRole('button', { name: 'Restore' }).click();
     await editor.expectCode('const factor = 2;');
     await editor.saveIt();
     await expectAnswer(program, 5, 10);
@@ -197,9 +197,9 @@ test('a stored module is opened, changed on both sides, renamed and tried', asyn
       await expect(anna.page.getByRole('heading', { level: 1 })).toBeAttached();
     }
     const modules = new ModulesPage(anna);
+    expect(loaded).toEqual([]);
     await modules.link('doubler').click();
     await expect(modules.detail).toContainText('Twice the number.');
-    expect(loaded).toEqual([]);
     await editor.open('doubler');
     await editor.expectCode('2 * inputs.value.double');
     expect(loaded.length).toBeGreaterThan(0);

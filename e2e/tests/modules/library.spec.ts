@@ -70,7 +70,7 @@ test('a library of modules is searched, and takes and gives modules @smoke', asy
       await anna.page.goto('/sessions/new/text');
       const text = { name: 'Doubles', processingModules: [{ name: 'doubler' }] };
       await session.write(JSON.stringify(text), 'Create');
-      await expect(session.module('doubler')).toContainText('twice');
+      await expect(session.graph.node('Module doubler')).toContainText('twice');
       await anna.page.goto('/modules/doubler');
       const users = modules.detail.getByRole('region', { name: 'Sessions that use this module' });
       await expect(users).toContainText('Doubles');
@@ -106,7 +106,8 @@ test('a tab that was let run modules still does after a reload [PM-60]', async (
   await new SessionsPage(anna).open();
   await new SessionsPage(anna).startExample('Smoothing chain');
   await session.place('clock', /^Ben/);
+  await session.show('Statistics');
   await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
   await new Shell(ben.page).go('Home');
-  await expect(ben.page.getByRole('banner')).toContainText('1 here');
+  await new Shell(ben.page).expectModulesHere(1);
 });

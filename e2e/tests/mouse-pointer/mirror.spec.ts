@@ -36,7 +36,7 @@ test('one session from this page mirrors the pointer on the master, in this tab 
         );
       }
       if (place === 'This tab') {
-        await expect(anna.page.getByRole('banner')).toContainText('1 here');
+        await new Shell(anna.page).expectModulesHere(1);
       }
     });
   }

@@ -165,9 +165,15 @@ test('the publish page fits a phone, and its hints move no control', async ({ ro
 
   await test.step('the page is found from the palette and from a topic, and fits a phone', async () => {
     await phone.goto('/topics/%2Flab%2Fangle');
-    await phone.getByRole('link', { name: 'Publish on this topic' }).click();
-    const publish = new PublishPage({ page: phone });
-    await expect(publish.topic).toHaveValue('/lab/angle');
+    await phone.getByRole('button', { name: 'Publish', exact: true }).click();
+    const head = phone.getByRole('region', { name: 'Publish', exact: true });
+    await expect(head.getByRole('textbox', { name: 'double' })).toHaveValue('0.5');
+    const got: unknown[] = [];
+    await robot.subscribe('/lab/angle').onRecord(({ value }) => got.push(value)).ready;
+    await head.getByRole('textbox', { name: 'double' }).fill('0.75');
+    await expect.poll(() => got.at(-1)).toBe(0.75);
+    await head.getByRole('button', { name: 'More' }).click();
+    await expect(head.getByRole('textbox', { name: 'Record as JSON' })).toHaveValue(/0\.75/);
     const shell = new Shell(phone);
     expect(await shell.overflowPx()).toBe(0);
     await phone.goto('/');
@@ -175,6 +181,10 @@ test('the publish page fits a phone, and its hints move no control', async ({ ro
     await shell.palette.getByRole('combobox').fill('publish a record');
     await phone.keyboard.press('Enter');
     await expect(phone).toHaveURL(/\/publish$/);
+    await shell.button('Search or run a command').click();
+    await shell.palette.getByRole('combobox').fill('publish to angle');
+    await phone.keyboard.press('Enter');
+    await expect(head.getByRole('textbox', { name: 'double' })).toHaveValue('0.75');
   });
 
   await test.step('hints about the topic move no control', async () => {

@@ -41,6 +41,7 @@ test('addresses of sessions lead to them, and say so when they cannot', async ({
       await expect(anna.page.getByRole('heading', { name: 'Sessions' })).toBeVisible();
       await expect(sessions.list).toHaveCount(0);
       await anna.page.goBack();
+      await anna.openPalette();
       await anna.drag(anna.paletteModule('statistics'), await anna.spot(0.6, 0.4));
       await anna.rename('Mean');
       await expect(anna.life).toContainText('Save 2 changes');
@@ -53,10 +54,14 @@ test('addresses of sessions lead to them, and say so when they cannot', async ({
       await expect(anna.title).toHaveText('Mean');
     });
     await test.step('as JSON it is the same session', async () => {
-      await anna.page.getByRole('link', { name: 'JSON', exact: true }).click();
-      await expect(new SessionPage(desk).text).toHaveValue(/"Mean"/);
-      await anna.page.getByRole('link', { name: 'Graph', exact: true }).click();
-      await expect(anna.node('Module statistics')).toBeVisible();
+      const session = new SessionPage(desk);
+      await session.show('JSON');
+      await expect(session.text).toHaveValue(/"Mean"/);
+      await expect(anna.page).toHaveURL(`${address}/text`);
+      await session.text.press('Escape');
+      await expect(session.text).toBeHidden();
+      await expect(session.tab('JSON')).toBeFocused();
+      await expect(anna.page).toHaveURL(address);
     });
     await test.step('saved, it keeps its address and its undo', async () => {
       await anna.life.getByRole('button', { name: /^Save(?! and)/ }).click();
@@ -77,7 +82,7 @@ test('addresses of sessions lead to them, and say so when they cannot', async ({
   });
 
   await test.step('the address of a session that is gone says so, and what can be done', async () => {
-    for (const view of ['', '/text', '/graph']) {
+    for (const view of ['', '/log', '/text', '/graph']) {
       await anna.page.goto(`/sessions/00000000-0000-4000-8000-000000000000${view}`);
       await expect(anna.page.getByText('No session has this address')).toBeVisible();
       await expect(anna.page.getByRole('link', { name: 'All sessions' })).toBeVisible();
@@ -117,17 +122,18 @@ test('addresses of sessions lead to them, and say so when they cannot', async ({
       await anna.page.keyboard.press('Control+s');
       await expect(anna.life).not.toContainText('Save 1 change');
     });
-    await test.step('so do those of its page and of its text', async () => {
+    await test.step('so do that of its JSON, and the one of earlier versions', async () => {
       await master.stop();
       await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
       await master.restart();
       await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
       await expect(anna.node('Module statistics')).toBeVisible();
       const session = new SessionPage(desk);
-      await anna.page.goto(`/sessions/${id}`);
-      await expect(session.module('statistics')).toBeVisible();
       await anna.page.goto(`/sessions/${id}/text`);
       await expect(session.text).toHaveValue(/"statistics"/);
+      await anna.page.goto(`/sessions/${id}/graph?a=b#c`);
+      await expect(anna.node('Module statistics')).toBeVisible();
+      await expect(anna.page).toHaveURL(new RegExp(`/sessions/${id}\\?a=b#c$`));
     });
   });
 });

@@ -13,38 +13,40 @@ test('the sessions of one person begin with an example, and are handled with mou
   await test.step('somebody who has no session starts an example, and sees what flows', async () => {
     await sessions.open();
     await sessions.startExample('Smoothing chain');
-    await expect(session.heading).toHaveText('Smoothing chain');
     await session.expectState('Running');
+    await session.show('Statistics');
     await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
     await expect(session.fact('clock', 'p95')).toHaveText(/ms$/);
 
-    await test.step('a mapping leads to its topic', async () => {
-      const output = session.module('clock').getByRole('list', { name: 'Outputs of clock' });
-      await output.getByRole('link').first().click();
-      await expect(anna.page).toHaveURL(/\/topics\/./);
-      await expect(anna.page.getByRole('article', { name: /^Topic / })).toContainText('double');
+    await test.step('a module leads to its node', async () => {
+      await session.module('clock').getByRole('button', { name: 'clock' }).click();
+      await expect(session.graph.inspector.getByRole('heading', { name: 'clock' })).toBeVisible();
     });
 
     await test.step('Home says what runs', async () => {
       await new Shell(anna.page).go('Home');
-      await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
-        'One session is running',
+      await expect(anna.page.getByRole('heading', { level: 1 })).toContainText('One session runs');
+      await expect(anna.page.getByRole('list', { name: 'Running' })).toContainText(
+        'Smoothing chain',
       );
-      await expect(sessions.row('Smoothing chain')).toContainText('Running');
     });
   });
 
   await test.step('a session is found, renamed, duplicated, deleted and brought back', async () => {
+    await new Shell(anna.page).go('Sessions');
     await sessions.link('Smoothing chain').click();
     await session.expectState('Running');
-    await session.choose('Rename');
-    const dialog = anna.page.getByRole('dialog');
-    await dialog.getByRole('textbox', { name: 'Name' }).fill('My chain');
-    await dialog.getByRole('button', { name: 'Rename' }).click();
-    await expect(session.heading).toHaveText('My chain');
+    await page.keyboard.press('F2');
+    const name = page.getByRole('textbox', { name: 'Name of the session' });
+    await name.fill('Not this');
+    await name.press('Escape');
+    await expect(session.graph.title).toHaveText('Smoothing chain');
+    await session.graph.rename('My chain');
+    await expect(session.graph.title).toHaveText('My chain');
+    await session.expectState('Applied');
 
     await session.choose('Duplicate');
-    await expect(session.heading).toHaveText('My chain copy');
+    await expect(session.graph.title).toHaveText('My chain copy');
     await session.expectState('Not started');
 
     await new Shell(anna.page).go('Sessions');
@@ -78,7 +80,7 @@ test('the sessions of one person begin with an example, and are handled with mou
     await sessions.link('My chain').click();
     await session.expectState('Running');
     await page.keyboard.press('g');
-    await page.keyboard.press('n');
+    await page.keyboard.press('s');
     await expect(page).toHaveURL(/\/sessions$/);
     await sessions.link('My chain').focus();
     await page.keyboard.press('Space');
@@ -118,7 +120,7 @@ test('a session is paused, resumed, stopped and started again, and others see it
   await expect(row).toContainText('Stopped');
   await session.act('Start');
   await session.expectState('Running');
-  await session.act('Restart');
+  await session.choose('Restart');
   await expect(row).toContainText('Running');
   await session.expectState('Running');
 });
@@ -131,27 +133,34 @@ test('sessions outlive a restart of the master', async ({ master, room }) => {
   await sessions.startExample('Smoothing chain');
   await session.expectState('Running');
   const again = anna.page.getByRole('switch', { name: /^Resume when the master restarts/ });
+  const details = anna.page.getByRole('dialog', { name: 'Smoothing chain' });
   anna.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await test.step('a session that was started here runs again after a restart of the master [SE-24]', async () => {
+    await session.choose('Details…');
     await expect(again).toBeChecked();
+    await details.getByRole('button', { name: 'Done' }).click();
     await master.stop();
     await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
     await master.restart();
     await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
     await session.expectState('Running');
+    await session.show('Statistics');
     await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
   });
 
   await test.step('a session that was made here is there after a restart of the master, and opens as it was [SE-21]', async () => {
+    await session.choose('Details…');
     await again.click();
     await expect(again).not.toBeChecked();
+    await details.getByRole('button', { name: 'Done' }).click();
+    await session.expectState('Applied');
     await new Shell(anna.page).go('Sessions');
     await master.stop();
     await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
     await master.restart();
     await expect(sessions.row('Smoothing chain')).toContainText('Stopped');
     await sessions.link('Smoothing chain').click();
-    await expect(session.heading).toHaveText('Smoothing chain');
+    await expect(session.graph.title).toHaveText('Smoothing chain');
     await session.act('Start');
     await session.expectState('Running');
 

@@ -72,8 +72,10 @@ test('pages are reached by navigation, address and keyboard', async ({ room }) =
 
     await test.step('pairs of keys go to pages', async () => {
       await page.keyboard.press('g');
-      await page.keyboard.press('t');
-      await expect(page).toHaveURL(/\/topics$/);
+      await page.keyboard.press('m');
+      await expect(page).toHaveURL(/\/modules$/);
+      // There the keyboard goes on.
+      await expect(page.getByRole('heading', { level: 1 })).toBeFocused();
     });
   });
 });
@@ -91,6 +93,7 @@ test('where no phone can reach the master, a phone opens in this browser', async
   await expect(dialog.locator('[data-join-code]')).toHaveCount(0);
 
   const opened = context.waitForEvent('page');
+  await dialog.getByRole('button', { name: 'Options' }).click();
   await dialog.getByRole('button', { name: 'Open a phone in this browser' }).click();
   const phone = await opened;
   await expect(phone).toHaveURL(/\/devices\/smart-device$/);
@@ -102,7 +105,7 @@ test('where no phone can reach the master, a phone opens in this browser', async
   await expect(dialog).toBeHidden();
 
   await test.step('it is a client of its own, with a name of its own', async () => {
-    const clients = page.getByRole('table', { name: 'Clients' });
+    const clients = page.getByRole('list', { name: 'Here' });
     await expect(clients.getByRole('link', { name: 'Ben 2', exact: true })).toBeVisible();
     await expect(clients.getByRole('link', { name: 'Ben', exact: true })).toBeVisible();
     await expect(phone.getByRole('button', { name: 'Change your name' })).toContainText('Ben 2');

@@ -27,7 +27,8 @@ test('the palette finds pages, settings and services', async ({ room }) => {
   await test.step('the palette finds pages of the settings, sessions to pause, services and modules', async () => {
     for (const [typed, found] of [
       ['limits', 'Settings, Limits'],
-      ['topic_list', 'topic_list'],
+      ['/topic_list', 'topic_list'],
+      ['start smooth a', 'Smooth a pointer'],
       ['diagnostics', 'Save diagnostics'],
       ['clock', 'clock'],
     ] as const) {

@@ -41,7 +41,7 @@ test('panels are made, arranged, and there again after a reload and in another b
   const ben = new PanelsPage(await room.atDesk());
   await ben.page.goto(pathname + hash);
   await expect(ben.panels).toHaveCount(2);
-  await expect(ben.panel('/lab/angle')).toContainText('0.750');
+  await expect(ben.panel('/lab/angle')).toContainText('0.75');
   await expect(ben.panel('/lab/state')).toContainText('"idle"');
 });
 

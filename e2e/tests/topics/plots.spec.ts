@@ -66,7 +66,7 @@ test('a plot draws, hides and follows lines', async ({ room }) => {
     await plot.plot.hover({ position: { x: 200, y: 100 } });
     await plot.page.mouse.up();
     await expect(plot.legend.getByRole('listitem')).toHaveCount(3);
-    await expect(plot.line('heel')).toContainText('2.000');
+    await expect(plot.line('heel')).toContainText('2.00');
   });
 });
 
@@ -75,7 +75,7 @@ test('a plot tells and saves its numbers', async ({ room }) => {
   robot.publish('/lab/level', 'double', 4.5);
   const plot = new PlotPage((await room.atDesk()).page);
   await plot.open('/lab/level');
-  await expect(plot.line('value')).toContainText('4.500');
+  await expect(plot.line('value')).toContainText('4.50');
 
   await test.step('a record is found from the plot, with the times of both clocks', async () => {
     await plot.plot.focus();
@@ -108,7 +108,7 @@ test('a plot tells and saves its numbers', async ({ room }) => {
     for (const [i, value] of [1.5, Number.NaN, -2].entries()) {
       robot.publish('/lab/level', 'double', value, { immediate: true, timestampMs: takenMs + i });
     }
-    await expect(plot.line('value')).toContainText('−2.000');
+    await expect(plot.line('value')).toContainText('−2.00');
     const table = await plot.save('Save the shown values as CSV');
     expect(table.suggestedFilename()).toBe('lab-level.csv');
     const rows = (await readFile(await table.path(), 'utf8')).trimEnd().split('\r\n');

@@ -19,7 +19,7 @@ test('a camera has its objects detected on the phone itself or on the master, in
   await page.getByRole('radio', { name: 'On this device' }).tap();
   await expect(found).toBeVisible();
   expect(await running()).toEqual(['Objects in the pictures of Mara']);
-  await page.getByRole('radio', { name: 'On the master' }).tap();
+  await page.getByRole('radio', { name: 'On the host' }).tap();
   const nodeOf = async (): Promise<string | undefined> =>
     (await robot.call('sessionRuntimeGetList')).elements[0]?.processingModules[0]?.nodeId;
   const { id: masterId } = await robot.call('serverConfiguration');

@@ -48,7 +48,7 @@ test('objects in pictures are found on the master and, moved while it runs, in a
     });
 
     await test.step('in this tab, with models that the master serves', async () => {
-      await anna.page.goto(`/sessions/${id}`);
+      await anna.page.goto(`/sessions/${id}/log`);
       await session.place('object-detection', /^This tab/);
       photo = 'chelsea.jpg';
       await expect.poll(() => newest?.by).not.toBe(master);

@@ -84,7 +84,7 @@ test('pictures of two cameras are seen by who is named, and none is left when th
 
   await test.step('a session of each looks at its own pictures, on the master', async () => {
     for (const phone of [mara, tom]) {
-      await phone.page.getByRole('radio', { name: 'On the master' }).tap();
+      await phone.page.getByRole('radio', { name: 'On the host' }).tap();
       await expect(phone.page.getByText(/^\d+ objects? found\.$/)).toBeVisible();
       await expect(watchers(phone)).toContainText('The master receives these pictures.');
     }

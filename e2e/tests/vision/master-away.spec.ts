@@ -31,10 +31,7 @@ test('the last results stay while the master is away, marked as old, and nothing
   await expect(way).toContainText('Detect');
   await expect(looked).toContainText('–');
   await expect(page.locator('[data-label]')).toHaveCount(0);
-  await expect(aside).toContainText(
-    'No pictures are sent: this page is not connected to the master.',
-  );
-  await expect(page.getByRole('link', { name: '– running' })).toBeVisible();
+  await expect(aside).toContainText('No pictures are sent: this page is not connected.');
 
   await master.restart();
   await expect(

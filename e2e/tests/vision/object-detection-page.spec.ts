@@ -107,7 +107,7 @@ test('while a model loads, the page, the session and the graph show how far it i
   const loading = { name: 'Loading centernet-coco for object-detection' };
   await expect(anna.page.getByRole('progressbar', loading)).toBeVisible();
   const [session] = (await robot.call('sessionRuntimeGetList')).elements;
-  await ben.page.goto(`/sessions/${session!.id}`);
+  await ben.page.goto(`/sessions/${session!.id}/statistics`);
   await expect(ben.page.getByRole('progressbar', loading)).toBeVisible();
   const graph = new GraphPage(ben);
   await graph.open(session!.id);

@@ -13,7 +13,7 @@ const WAVE = {
   ],
 };
 
-test('a running session is described, and takes values when they are applied', async ({ room }) => {
+test('a running session is described, and takes values at once', async ({ room }) => {
   const robot = await room.program('Robot');
   const { id } = await robot.call('sessionRuntimeStart', WAVE);
   const anna = new GraphPage(await room.atDesk('Anna'));
@@ -28,7 +28,7 @@ test('a running session is described, and takes values when they are applied', a
     await expect(hint).toBeHidden();
   });
 
-  await test.step('a value that a running session does not have yet says so, and applies by a click or by keys', async () => {
+  await test.step('a value applies while the session runs, without a button [SE-15]', async () => {
     const constants = async (): Promise<unknown[]> => {
       const { ioMappings } = await robot.call('sessionRuntimeGet', { id });
       return ioMappings.flatMap(({ inputMappings }) =>
@@ -37,29 +37,30 @@ test('a running session is described, and takes values when they are applied', a
     };
     const clock = anna.node('Module clock');
     const field = clock.getByRole('textbox', { name: 'Value of waveHz' });
-    const unapplied = clock.getByText('Not applied yet');
+    await expect(anna.life).toContainText('Applied');
     await field.fill('3');
     await field.press('Enter');
-    await expect(unapplied).toBeVisible();
-    expect(await constants()).toEqual([]);
-    await clock.getByRole('button', { name: 'Apply now' }).click();
-    await expect(unapplied).toBeHidden();
     await expect.poll(constants).toEqual([{ double: 3 }]);
+    await expect(anna.life).toContainText('Applied');
 
-    await test.step('Ctrl Enter in the field commits and applies', async () => {
-      await field.fill('4');
-      await field.press('Control+Enter');
-      await expect.poll(constants).toEqual([{ double: 4 }]);
-      await expect(unapplied).toBeHidden();
+    await test.step('undo applies, too', async () => {
+      await anna.canvas.focus();
+      await anna.page.keyboard.press('Control+z');
+      await expect.poll(constants).toEqual([]);
     });
 
-    await test.step('what goes back to what runs needs no apply', async () => {
-      await field.fill('5');
-      await field.press('Enter');
-      await expect(unapplied).toBeVisible();
+    await test.step('what restarts a module waits for a button that says so', async () => {
+      await anna.life.getByRole('button', { name: /^Runs on / }).click();
+      await anna.page.getByRole('combobox', { name: 'Where clock runs' }).click();
+      await anna.page.getByRole('option', { name: /^This tab/ }).click();
+      await anna.page.keyboard.press('Escape');
       await field.fill('4');
       await field.press('Enter');
-      await expect(unapplied).toBeHidden();
+      await expect(clock.getByText('Not applied yet')).toBeVisible();
+      await anna.life.getByRole('button', { name: 'Apply, 1 module restarts' }).click();
+      await expect(clock.getByText('Not applied yet')).toBeHidden();
+      await expect.poll(constants).toEqual([{ double: 4 }]);
+      await expect(anna.life).toContainText('Applied');
     });
   });
 });
