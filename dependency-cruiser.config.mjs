@@ -10,7 +10,7 @@ const comment =
 const FRONTEND = [
   ['styles', 'theme', 'patterns', 'connection', 'formats', 'files', 'json', 'players', 'pad'],
   ['ui', 'locations'],
-  ['page', 'message-form', 'tab-node', 'install', 'asset-sets'],
+  ['page', 'marks', 'message-form', 'tab-node', 'install', 'asset-sets', 'load-charts'],
   ['topics', 'sessions'],
   ['clients', 'bridges', 'devices', 'modules', 'publish', 'calls', 'performance'],
   ['graph', 'joining'],
