@@ -32,7 +32,7 @@ export async function runTests(kind, args = []) {
       '--no-isolate',
       ...args,
     ],
-    { env: kind === 'unit' ? { NODE_OPTIONS: nodeOptions() } : {} },
+    { env: { NO_COLOR: '1', ...(kind === 'unit' && { NODE_OPTIONS: nodeOptions() }) } },
   );
   const counts = readCounts(report, code);
   if (code !== 0) throw Object.assign(new StepFailed(output), { counts });

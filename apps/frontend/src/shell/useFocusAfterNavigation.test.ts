@@ -39,7 +39,7 @@ async function open() {
 describe('after navigating', () => {
   let shell: Awaited<ReturnType<typeof open>>;
   beforeEach(async () => {
-    vi.useFakeTimers();
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
     shell = await open();
   });
   afterEach(() => {

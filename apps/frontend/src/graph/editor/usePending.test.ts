@@ -10,7 +10,7 @@ import type { PendingChanges } from '../live/useGraphContext.ts';
 import { usePending } from './usePending.ts';
 import type { Saving } from './useSave.ts';
 
-beforeEach(() => void vi.useFakeTimers());
+beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
 afterEach(() => void vi.useRealTimers());
 
 interface World {

@@ -6,7 +6,7 @@ import { useStudyDraft, type StudyDraft } from './useStudyDraft.ts';
 
 let scope: EffectScope;
 beforeEach(() => {
-  vi.useFakeTimers();
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
   scope = effectScope();
 });
 afterEach(() => {
