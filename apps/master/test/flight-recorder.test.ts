@@ -1,4 +1,10 @@
-import { AccessRole, RecordingKind, type Init } from '@ubii/proto';
+import {
+  AccessRole,
+  decodeRecord,
+  RecordingKind,
+  unpackFlightRecords,
+  type Init,
+} from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { TestMaster, type TestClient } from '../src/testing/index.ts';
 import { joinAs } from './access-world.ts';
@@ -44,6 +50,35 @@ describe('the flight recorder', () => {
     const { recording } = await master.call(keep);
     const { summary } = await contentOf(master, recording!.id);
     expect(summary.topics.map(({ topic }) => topic).sort()).toEqual(['/pose', '/stays']);
+  });
+
+  it('[RC-36] sends what it holds of topics to those that may receive all of them', async () => {
+    const master = new TestMaster({ flightRecorder: FLIGHT });
+    const ada = await master.legacy('ada');
+    const read = async (topics: string[], sinceMs = 0) => {
+      const request = { flightRecordsRequest: { topics, sinceMs } };
+      return master.call({ topic: `${SERVICES}flight_recorder_records`, ...request });
+    };
+    const valuesOf = async (topics: string[], sinceMs?: number) => {
+      const { flightRecords } = await read(topics, sinceMs);
+      const found = [...unpackFlightRecords(flightRecords!)];
+      return found.map(({ record }) => decodeRecord(record).value);
+    };
+    ada.publish('/x', 'double', 1);
+    ada.publish('/y', 'double', 2);
+    await master.pass(1_000);
+    const nowMs = master.clock.nowMs();
+    ada.publish('/x', 'double', 3);
+    expect(await valuesOf(['/x', '/x', '/nothing'])).toEqual([1, 3]);
+    expect(await valuesOf(['/x', '/y'], nowMs)).toEqual([3]);
+    expect((await read(Array.from({ length: 65 }, () => '/x'))).error!.message).toContain('65');
+    const reads = await Promise.all([read(['/x']), read(['/x']), read(['/x'])]);
+    expect(reads.map(({ error }) => error?.code)).toEqual([
+      ...[undefined, undefined, 'resource_exhausted'],
+    ]);
+    const settings = { flightRecorderSettings: { isOn: false } };
+    await master.call({ topic: `${SERVICES}flight_recorder_set`, ...settings });
+    expect(await valuesOf(['/x'])).toEqual([]);
   });
 
   it('[RC-31] leaves out images when they are not wanted', async () => {

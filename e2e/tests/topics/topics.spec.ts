@@ -2,11 +2,13 @@ import { readFile } from 'node:fs/promises';
 import { expect, test } from '../../fixtures/test.ts';
 import { TopicsPage } from '../../pages/topics-page.ts';
 
-test('values that were published before the page opened are there, and new ones come by themselves @smoke @firefox', async ({
+test('values that were published before the page opened are there, in plots too, and new ones come by themselves @smoke @firefox', async ({
   room,
 }) => {
   const robot = await room.program('Robot');
-  robot.publish('/lab/arm/angle', 'double', 0.25);
+  for (const value of [0.75, 0.5, 0.25]) {
+    robot.publish('/lab/arm/angle', 'double', value, { immediate: true });
+  }
   robot.publish('/lab/arm/name', 'string', 'left arm');
   const topics = new TopicsPage(await room.atDesk());
   await topics.open();
@@ -18,6 +20,11 @@ test('values that were published before the page opened are there, and new ones 
   await expect(topics.value('angle')).toContainText('1.75');
   robot.publish('/lab/leg/angle2', 'double', 3);
   await expect(topics.row('leg')).toBeVisible();
+  await topics.row('angle').click();
+  // What was before, of the flight recorder. [RC-36]
+  for (const value of ['1.750', '0.250', '0.500', '0.750']) {
+    await expect(topics.page.getByRole('cell', { name: value, exact: true })).toBeVisible();
+  }
 });
 
 test('the tree shows the topics that are there, while clients come and leave', async ({ room }) => {

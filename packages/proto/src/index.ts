@@ -2,6 +2,7 @@ export * from './generated/messages.ts';
 export { decode, encode, isMessageType, type MessageType } from './codec.ts';
 export { DecodeError } from './decode-error.ts';
 export type { Init } from './init.ts';
+export { unpackFlightRecords, type FlightRecord } from './flight-records.ts';
 export {
   FIRST_EXTENSION_FIELD,
   messageDescriptor,

@@ -122,6 +122,7 @@ export const SERVICE_GROUPS: readonly ServiceGroup[] = [
       'recordingEstimate',
       'flightRecorderGet',
       'flightRecorderSet',
+      'flightRecorderRecords',
       'flightRecorderKeep',
       'replayList',
       'replayStart',

@@ -2424,6 +2424,34 @@ export interface FlightRecorderSettings {
 }
 
 /**
+ * Records of these topics, oldest first; the oldest ones are left out when they would be too many bytes. Rule RC-36.
+ *
+ * `ubii.extension.FlightRecords`
+ */
+export interface FlightRecords {
+  /** When each record came, epoch milliseconds of the clock of the master. */
+  timesMs: number[];
+  /** Length of each record, bytes. */
+  lengths: number[];
+  /** The records one behind the other, each an encoded ubii.topicData.TopicDataRecord. */
+  records: Uint8Array;
+}
+
+/**
+ * Asks for what the flight recorder holds of some topics. Rule RC-36.
+ *
+ * `ubii.extension.FlightRecordsRequest`
+ */
+export interface FlightRecordsRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** The topics, without wildcards. */
+  topics: string[];
+  /** Records that came before this moment are left out, epoch milliseconds; 0 for all. */
+  sinceMs: number;
+}
+
+/**
  * What a token is good for, or what the caller may do.
  *
  * `ubii.extension.JoinCheck`
@@ -4755,6 +4783,8 @@ export interface ServiceReply {
   recordingEstimate?: RecordingEstimate | undefined;
   /** The flight recorder as it is now. Rule RC-30. */
   flightRecorder?: FlightRecorder | undefined;
+  /** Records that the flight recorder holds. Rule RC-36. */
+  flightRecords?: FlightRecords | undefined;
   /** A replay. Rule RP-1. */
   replay?: Replay | undefined;
   /** All replays. Rule RP-7. */
@@ -4865,6 +4895,8 @@ export interface ServiceRequest {
   flightRecorderSettings?: FlightRecorderSettings | undefined;
   /** What to keep of the flight recorder. Rule RC-32. */
   flightRecorderKeepRequest?: FlightRecorderKeepRequest | undefined;
+  /** Of which topics to read what the flight recorder holds. Rule RC-36. */
+  flightRecordsRequest?: FlightRecordsRequest | undefined;
   /** A replay to start. Rule RP-1. */
   replayStartRequest?: ReplayStartRequest | undefined;
   /** A change of a replay. Rule RP-5. */
@@ -5305,6 +5337,8 @@ export interface MessageTypes {
   'ubii.extension.FlightRecorder': FlightRecorder;
   'ubii.extension.FlightRecorderKeepRequest': FlightRecorderKeepRequest;
   'ubii.extension.FlightRecorderSettings': FlightRecorderSettings;
+  'ubii.extension.FlightRecords': FlightRecords;
+  'ubii.extension.FlightRecordsRequest': FlightRecordsRequest;
   'ubii.extension.JoinCheck': JoinCheck;
   'ubii.extension.JoinCheckRequest': JoinCheckRequest;
   'ubii.extension.JoinRefusal': JoinRefusal;

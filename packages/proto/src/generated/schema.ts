@@ -780,6 +780,14 @@ message ubii.extension.FlightRecorderSettings
 2 minutes double
 3 max_bytes double
 4 with_images bool
+message ubii.extension.FlightRecords
+1 times_ms double *
+2 lengths int32 *
+3 records bytes
+message ubii.extension.FlightRecordsRequest
+1 client_id string
+2 topics string *
+3 since_ms double
 message ubii.extension.JoinCheck
 1 role ubii.extension.AccessRole
 2 problem ubii.extension.JoinProblem
@@ -1557,6 +1565,7 @@ message ubii.services.ServiceReply
 1052 recording_marker ubii.extension.RecordingMarker type
 1053 recording_estimate ubii.extension.RecordingEstimate type
 1054 flight_recorder ubii.extension.FlightRecorder type
+1055 flight_records ubii.extension.FlightRecords type
 1070 replay ubii.extension.Replay type
 1071 replay_list ubii.extension.ReplayList type
 1080 personal_data ubii.extension.PersonalData type
@@ -1609,6 +1618,7 @@ message ubii.services.ServiceRequest
 1054 recording_selection ubii.extension.RecordingSelection type
 1055 flight_recorder_settings ubii.extension.FlightRecorderSettings type
 1056 flight_recorder_keep_request ubii.extension.FlightRecorderKeepRequest type
+1057 flight_records_request ubii.extension.FlightRecordsRequest type
 1070 replay_start_request ubii.extension.ReplayStartRequest type
 1071 replay_change_request ubii.extension.ReplayChangeRequest type
 1072 replay_request ubii.extension.ReplayRequest type

@@ -1,6 +1,6 @@
 import { withoutPayload, withPayload } from './define-service.ts';
 
-/** Services on recordings of topics and on the flight recorder. [RC-3] to [RC-6], [RC-15], [RC-20], [RC-30] to [RC-32], [RC-63], [PD-3], [PD-4] */
+/** Services on recordings of topics and on the flight recorder. [RC-3] to [RC-6], [RC-15], [RC-20], [RC-30] to [RC-32], [RC-36], [RC-63], [PD-3], [PD-4] */
 export const RECORDING_SERVICES = {
   recordingList: withoutPayload(
     '/services/ubii/recording_list',
@@ -71,6 +71,12 @@ export const RECORDING_SERVICES = {
     'flightRecorderKeepRequest',
     'recording',
     'Keeps what the flight recorder holds as a recording.',
+  ),
+  flightRecorderRecords: withPayload(
+    '/services/ubii/flight_recorder_records',
+    'flightRecordsRequest',
+    'flightRecords',
+    'Reads what the flight recorder holds of some topics.',
   ),
   personalDataGet: withoutPayload(
     '/services/ubii/personal_data_get',

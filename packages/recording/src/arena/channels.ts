@@ -49,6 +49,10 @@ export class Channels {
     return this.#byTopic.get(topic)?.values() ?? [];
   }
 
+  ofTopics(topics: readonly string[]): NamedChannel[] {
+    return topics.flatMap((topic) => [...this.ofTopic(topic)].map(nameOf));
+  }
+
   /** The channel of a source that gets a record. */
   take(source: ChannelSource): Channel {
     const known = source.channel;

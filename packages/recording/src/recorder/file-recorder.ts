@@ -1,6 +1,7 @@
-import type { Recording, RecordingMarker } from '@ubii/proto';
+import type { FlightRecords, Recording, RecordingMarker } from '@ubii/proto';
 import type { NamedChannel } from '../arena/channels.ts';
 import type { RecordSpans, SharedRecords } from '../arena/shared-records.ts';
+import type { FoundSpans } from './find-records.ts';
 import type { FlightSnapshot } from './flight-recorder.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { MarkerJob, Recorder, RecorderState, RecordingJob } from './recorder.ts';
@@ -25,6 +26,8 @@ export interface FileRecorder extends Pick<
   addEvent(event: RecordingEvent, targets: number): void;
   /** Marks what runs. @param isFlightOn the flight recorder is marked as well */
   mark(job: MarkerJob, isFlightOn: boolean): Promise<RecordingMarker>;
+  /** Reads records of the flight recorder. */
+  find(search: FoundSpans): Promise<FlightRecords>;
   /** Writes what the flight recorder held. */
   keep(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording>;
   /** Calls `listener` when a recording starts or ends, and each second while one runs. For one listener. */

@@ -173,6 +173,12 @@ export class FlightRecorder {
     };
   }
 
+  /** When the time begins that is held, epoch milliseconds. [RC-35] */
+  get startMs(): number {
+    this.#pass();
+    return this.#startMs();
+  }
+
   toMessage(): FlightMessage {
     this.#pass();
     const memory = this.#memory;

@@ -14,6 +14,7 @@ export {
 export { clientEvent, clockEvent, deviceEvent, eventOf, gapEvent, sessionEvent } from './facts.ts';
 export { MAX_TIME_MS } from '../records/event-schemas.ts';
 export { msOf, nsOf } from './nanoseconds.ts';
+export type { RecordSearch } from './find-records.ts';
 export type { RecorderContext } from './recorder-engine.ts';
 export { recordHere } from './local-recorder.ts';
 export type { RecorderLimits } from './recorder-limits.ts';

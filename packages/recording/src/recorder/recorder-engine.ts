@@ -1,4 +1,10 @@
-import { RecordingKind, ServiceError, type Recording, type RecordingMarker } from '@ubii/proto';
+import {
+  RecordingKind,
+  ServiceError,
+  type FlightRecords,
+  type Recording,
+  type RecordingMarker,
+} from '@ubii/proto';
 import { RecordingWriter } from '../writing/recording-writer.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { Cancel, Clock } from '@ubii/timing';
@@ -9,6 +15,7 @@ import {
   type RecordSpans,
   type SharedRecords,
 } from '../arena/shared-records.ts';
+import { findRecords, type FoundSpans } from './find-records.ts';
 import type { FlightSnapshot } from './flight-recorder.ts';
 import { writeFlight } from './write-flight.ts';
 import type { FileRecorder, FileState } from './file-recorder.ts';
@@ -177,6 +184,12 @@ export class RecorderEngine implements FileRecorder {
     }
     this.#emit();
     return marker;
+  }
+
+  find(search: FoundSpans): Promise<FlightRecords> {
+    return this.#inOrder(() =>
+      Promise.resolve(findRecords(this.#reader?.read(search.spans) ?? [], search)),
+    );
   }
 
   async keep(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording> {

@@ -1,6 +1,7 @@
 import type {
   FlightRecorder,
   FlightRecorderSettings,
+  FlightRecords,
   Recording,
   RecordingBudget,
   RecordingMarker,
@@ -9,6 +10,7 @@ import type {
 } from '@ubii/proto';
 import type { ChannelSource } from '../arena/channels.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
+import type { RecordSearch } from './find-records.ts';
 
 /** A recording to start, or to keep of the flight recorder. */
 export interface RecordingJob {
@@ -132,6 +134,8 @@ export interface Recorder {
   mark(job: MarkerJob): Promise<RecordingMarker>;
   setFlight(job: FlightJob): Promise<FlightRecorder>;
   flight(): Promise<FlightRecorder>;
+  /** Reads what the flight recorder holds of some topics, without the values that stood before. */
+  find(search: RecordSearch): Promise<FlightRecords>;
   /** Writes what the flight recorder holds. */
   keep(job: RecordingJob): Promise<Recording>;
   /** Takes a file that was uploaded as `id` into the list. Deletes it when it is no recording. */

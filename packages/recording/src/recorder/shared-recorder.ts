@@ -1,9 +1,15 @@
-import type { FlightRecorder as FlightMessage, Recording, RecordingMarker } from '@ubii/proto';
+import type {
+  FlightRecorder as FlightMessage,
+  FlightRecords,
+  Recording,
+  RecordingMarker,
+} from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { ChannelSource } from '../arena/channels.ts';
 import { FLIGHT_TARGET } from '../arena/flight-target.ts';
 import { RecordMemory, type MemoryBounds } from '../arena/record-memory.ts';
 import { SharedReader, type RecordSpans } from '../arena/shared-records.ts';
+import type { RecordSearch } from './find-records.ts';
 import { FlightRecorder } from './flight-recorder.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import { gapEvent } from './facts.ts';
@@ -52,6 +58,7 @@ const MIN_BYTES = 1024 * 1024;
 /** Between two reports while the flight recorder takes records. [RC-8] */
 const REPORT_MS = 1000;
 const TOO_SLOW = 'The recorder could not take records as fast as they came.';
+const NO_RECORDS: FlightRecords = { timesMs: [], lengths: [], records: new Uint8Array() };
 const NOTHING = { from: 0, to: 0 };
 const NO_SPANS: RecordSpans = { small: NOTHING, large: NOTHING };
 
@@ -188,6 +195,15 @@ export class SharedRecorder implements Recorder {
   flight(): Promise<FlightMessage> {
     this.#tellLosses();
     return Promise.resolve(this.#flight.toMessage());
+  }
+
+  async find(search: RecordSearch): Promise<FlightRecords> {
+    const memory = this.#memory;
+    const channels = memory === undefined ? [] : memory.channels.ofTopics(search.topics);
+    if (memory === undefined || channels.length === 0) return NO_RECORDS;
+    this.#open(memory);
+    const sinceMs = Math.max(search.sinceMs, this.#flight.startMs);
+    return this.#context.files.find({ ...search, sinceMs, channels, spans: memory.spans });
   }
 
   keep(job: RecordingJob): Promise<Recording> {

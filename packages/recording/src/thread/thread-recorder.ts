@@ -1,8 +1,14 @@
 import type { Worker } from 'node:worker_threads';
-import { ServiceError, type Recording, type RecordingMarker } from '@ubii/proto';
+import {
+  ServiceError,
+  type FlightRecords,
+  type Recording,
+  type RecordingMarker,
+} from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { NamedChannel } from '../arena/channels.ts';
 import type { RecordSpans, SharedRecords } from '../arena/shared-records.ts';
+import type { FoundSpans } from '../recorder/find-records.ts';
 import type { FlightSnapshot } from '../recorder/flight-recorder.ts';
 import type { FileRecorder, FileState } from '../recorder/file-recorder.ts';
 import type {
@@ -122,6 +128,10 @@ export class ThreadRecorder implements FileRecorder {
 
   mark(job: MarkerJob, isFlightOn: boolean): Promise<RecordingMarker> {
     return this.#call('mark', job, isFlightOn);
+  }
+
+  find(search: FoundSpans): Promise<FlightRecords> {
+    return this.#call('find', search);
   }
 
   keep(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording> {

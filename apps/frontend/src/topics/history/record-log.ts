@@ -4,7 +4,7 @@ import { valueBytes } from '../values/value-bytes.ts';
 
 /** A record in the history. */
 export interface KeptRecord {
-  /** Sequence number of the record since the topic was opened, from 1. */
+  /** Sequence number of the record since the topic was opened, from 1; 0 and less for those before. */
   readonly number: number;
   /** Timestamp of the publisher, epoch milliseconds; `undefined` without one. */
   readonly timestampMs: number | undefined;
@@ -31,10 +31,15 @@ export class RecordLog {
   /** Oldest first, from `#start`; the unused part before it is removed from time to time. */
   #entries: KeptRecord[] = [];
   #start = 0;
-  #count = 0;
+  #count: number;
   #bytes = 0;
 
-  /** Number of records added, which is the number of the newest one. */
+  /** @param before records that come before number 1: theirs are 0 and less */
+  constructor(before = 0) {
+    this.#count = -before;
+  }
+
+  /** Number of the newest record. */
   get count(): number {
     return this.#count;
   }
@@ -54,6 +59,11 @@ export class RecordLog {
 
   get oldest(): KeptRecord | undefined {
     return this.#entries[this.#start];
+  }
+
+  /** All that are kept, oldest first. */
+  kept(): readonly KeptRecord[] {
+    return this.#entries.slice(this.#start);
   }
 
   at(number: number): KeptRecord | undefined {

@@ -10,6 +10,8 @@ function setUp() {
   const feeds = new TopicFeeds({
     limits: DEFAULT_LIMITS,
     publishedMs: () => undefined,
+    past: () => Promise.resolve([]),
+    pause: () => Promise.resolve(),
     subscribe(topic, onRecord) {
       listeners.set(topic, onRecord);
       return () => void listeners.delete(topic);

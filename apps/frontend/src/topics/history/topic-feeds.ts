@@ -1,4 +1,5 @@
-import type { TopicRecord } from '@ubii/proto';
+import type { FlightRecord, TopicRecord } from '@ubii/proto';
+import { fillPast } from './fill-past.ts';
 import type { HistoryLimits } from './history-limits.ts';
 import { nowMs } from './page-clock.ts';
 import { TopicHistory } from './topic-history.ts';
@@ -9,6 +10,10 @@ export interface FeedPorts {
   subscribe(topic: string, onRecord: (record: TopicRecord) => void): () => void;
   /** Publishing time of a topic's newest record, this computer's clock; `undefined` when unknown. */
   publishedMs(topic: string): number | undefined;
+  /** Records that came before the page, oldest first; the times are of this computer's clock. */
+  past(topic: string): Promise<readonly FlightRecord[]>;
+  /** Gives the page a turn. */
+  pause(): Promise<void>;
   readonly limits: HistoryLimits;
 }
 
@@ -75,12 +80,19 @@ export class TopicFeed implements FeedLook {
   #begin(): void {
     const all = lookedAt.get(this.topic) ?? new Set();
     lookedAt.set(this.topic, all.add(this));
+    if (this.history.count === 0) void this.#fillPast();
     let isFirst = true;
     this.#end = this.#ports.subscribe(this.topic, (record) => {
       const arrivalMs = isFirst ? this.#firstArrivalMs(record) : nowMs();
       isFirst = false;
       if (arrivalMs !== undefined) this.history.add(record, arrivalMs);
     });
+  }
+
+  /** Takes what came before the page, as far as it can be had. */
+  async #fillPast(): Promise<void> {
+    const past = await this.#ports.past(this.topic);
+    await fillPast(this.history, past, () => this.#ports.pause());
   }
 
   /**

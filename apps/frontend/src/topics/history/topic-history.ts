@@ -20,7 +20,7 @@ export const MAX_LINES = 200;
 
 /** A record in a list. */
 export interface RecordLine {
-  /** Sequence number of the record since the topic was opened, from 1. */
+  /** Sequence number of the record since the topic was opened, from 1; 0 and less for those before. */
   readonly number: number;
   /** Time of measurement, by the publisher's clock if the record has it: epoch milliseconds. */
   readonly timeMs: number;
@@ -43,7 +43,7 @@ const MAX_COLUMNS = 2 * MAX_FIELDS;
 export class TopicHistory {
   readonly #limits: HistoryLimits;
   readonly #clock = new SampleClock();
-  readonly #log = new RecordLog();
+  #log: RecordLog;
   #format: DataFormat | undefined;
   #series: ValueSeries | undefined;
   #ring: SeriesRing | undefined;
@@ -53,10 +53,11 @@ export class TopicHistory {
   readonly #wanted = new Set<string>();
   #latest: TopicRecord | undefined;
   #latestLocalMs = 0;
-  readonly #reach = new Reach();
+  #reach = new Reach();
 
-  constructor(limits: HistoryLimits = DEFAULT_LIMITS) {
+  constructor(limits: HistoryLimits = DEFAULT_LIMITS, before = 0) {
     this.#limits = limits;
+    this.#log = new RecordLog(before);
   }
 
   get limits(): HistoryLimits {
@@ -145,12 +146,45 @@ export class TopicHistory {
     return field && this.#ring.line(field.line);
   }
 
+  /** Returns an empty history for so many records that came before the topic was opened. */
+  before(count: number): TopicHistory {
+    const earlier = new TopicHistory(this.#limits, count);
+    for (const path of this.#wanted) earlier.#wanted.add(path);
+    return earlier;
+  }
+
+  /** Puts the records of `earlier` before its own, unless its values are too large to keep: then there is nothing to plot. */
+  beginWith(earlier: TopicHistory): void {
+    const kept = this.#log.kept();
+    if (kept.some(({ value }) => value === undefined)) return;
+    for (const { format, value, timestampMs, clientId, arrivalMs, localMs } of kept) {
+      const record = { format, value, timestampMs, clientId } as TopicRecord;
+      earlier.#take(record, arrivalMs, localMs);
+    }
+    if (this.#latest === undefined) {
+      this.#latest = earlier.#latest;
+      this.#latestLocalMs = earlier.#latestLocalMs;
+    }
+    for (const path of this.#wanted) earlier.lineOf(path);
+    this.#log = earlier.#log;
+    this.#format = earlier.#format;
+    this.#series = earlier.#series;
+    this.#ring = earlier.#ring;
+    this.#fields = earlier.#fields;
+    this.#events = earlier.#events;
+    this.#reach = earlier.#reach;
+  }
+
   /** @param arrivalMs epoch milliseconds, this computer's clock */
   add(record: TopicRecord, arrivalMs: number): void {
+    this.#take(record, arrivalMs, this.#clock.toLocalMs(record.timestampMs, arrivalMs));
+  }
+
+  #take(record: TopicRecord, arrivalMs: number, localMs: number): void {
     if (record.format !== this.#format) this.#begin(record);
     else if (this.count % LOOK_EVERY === 0) this.#lookForFields(record);
     this.#latest = record;
-    this.#latestLocalMs = this.#clock.toLocalMs(record.timestampMs, arrivalMs);
+    this.#latestLocalMs = localMs;
     this.#reach.add(sparkNumbers(record.format, record.value), this.#latestLocalMs);
     this.#events?.add(record, this.#latestLocalMs);
     const sinceMs = this.#latestLocalMs - this.#limits.maxAgeMs;

@@ -1,8 +1,18 @@
+import type { UbiiClient } from '@ubii/client-web';
+import { unpackFlightRecords } from '@ubii/proto';
 import { useLocalStorage } from '@vueuse/core';
-import { computed, inject, provide, type InjectionKey, type WritableComputedRef } from 'vue';
+import {
+  computed,
+  inject,
+  provide,
+  type InjectionKey,
+  type Ref,
+  type WritableComputedRef,
+} from 'vue';
 import { subscribeRecords } from '../../connection/live/subscribe-records.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { DEFAULT_LIMITS, readLimits, storedLimits, type HistoryLimits } from './history-limits.ts';
+import { PastRecords } from './past-records.ts';
 import { FeedScope, TopicFeeds, type FeedPorts, type FeedSource } from './topic-feeds.ts';
 
 const FEEDS: InjectionKey<FeedSource> = Symbol('topic feeds');
@@ -16,6 +26,23 @@ export function useHistoryLimits(): WritableComputedRef<HistoryLimits> {
   });
 }
 
+/** One for each connection: all plots ask together. */
+const pasts = new WeakMap<UbiiClient, PastRecords>();
+
+function pastOf(client: UbiiClient, clockOffsetMs: Readonly<Ref<number>>): PastRecords {
+  const known = pasts.get(client);
+  if (known) return known;
+  const past = new PastRecords(async (topics) => {
+    const found = await client.call('flightRecorderRecords', { topics: [...topics] });
+    return Array.from(unpackFlightRecords(found), ({ timeMs, record }) => ({
+      timeMs: timeMs - clockOffsetMs.value,
+      record,
+    }));
+  });
+  pasts.set(client, past);
+  return past;
+}
+
 /** Implements the ports with the connection. */
 export function useFeedPorts(): FeedPorts {
   const { client, topics } = useConnection();
@@ -27,6 +54,8 @@ export function useFeedPorts(): FeedPorts {
     subscribe(topic, onRecord) {
       return subscribeRecords(client, topic, {}, onRecord).close;
     },
+    past: (topic) => pastOf(client, topics.clockOffsetMs).of(topic),
+    pause: () => new Promise((resolve) => void setTimeout(resolve)),
     publishedMs(topic) {
       const publishedMs = topics.rates.value?.get(topic)?.statistic.publishedMs ?? 0;
       return publishedMs > 0 ? publishedMs - topics.clockOffsetMs.value : undefined;

@@ -97,6 +97,24 @@ export const RECORDING_LIMITS = {
     'storage',
     'Most memory that the flight recorder can be set to keep.',
   ),
+  flightReads: limit(
+    16,
+    'reads',
+    'rates',
+    'Reads of the flight recorder at the same time. Each looks through all that it holds, one after the other.',
+  ),
+  flightReadsPerClient: limit(
+    2,
+    'reads',
+    'rates',
+    'Reads of the flight recorder of one client at the same time.',
+  ),
+  flightReadBytes: limit(
+    4 * MIB,
+    'bytes',
+    'rates',
+    'Records of one read of the flight recorder: a minute of a topic at 1000 Hz. Each topic has an equal share.',
+  ),
   runningReplays: limit(
     4,
     'replays',

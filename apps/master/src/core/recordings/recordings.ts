@@ -24,12 +24,14 @@ import type {
   RecorderState,
   RecordingJob,
   RecordingPage,
+  RecordSearch,
 } from '@ubii/recording/recorder';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { NodeRecordings } from './node-recordings.ts';
 import { budgetOf } from './budget.ts';
 import { estimate } from './estimate.ts';
 import { FlightOrders } from './flight-orders.ts';
+import { FlightReads } from './flight-reads.ts';
 import { presentEvents } from './present-facts.ts';
 import type { MayBeginWith, RecordCollector } from './record-collector.ts';
 import { RecordedClocks } from './recorded-clocks.ts';
@@ -95,6 +97,7 @@ export interface RecordingPlan {
 export class Recordings {
   readonly #context: RecordingsContext;
   readonly #flight: FlightOrders;
+  readonly #reads: FlightReads;
   readonly #marks: RecordingMarks;
   readonly #room: RecordingRoom;
   readonly #uploads: RecordingUploads;
@@ -115,6 +118,7 @@ export class Recordings {
     this.#clocks = new RecordedClocks(context);
     this.#room = new RecordingRoom(recorder, limits);
     this.#flight = new FlightOrders({ ...context, present: () => this.#present() });
+    this.#reads = new FlightReads(context);
     this.#marks = new RecordingMarks({ ...context, flight: this.#flight });
     this.#uploads = new RecordingUploads({
       ...context,
@@ -218,6 +222,11 @@ export class Recordings {
   /** [RC-31] */
   setFlight(wanted: FlightRecorderSettings): Promise<FlightRecorder> {
     return this.#flight.change(wanted);
+  }
+
+  /** Reads what the flight recorder holds of some topics; nothing while it is off. [RC-36] */
+  findInFlight(clientId: string, search: Pick<RecordSearch, 'topics' | 'sinceMs'>) {
+    return this.#reads.read(clientId, search);
   }
 
   /** Drops what the flight recorder holds; it goes on. [RC-34] */

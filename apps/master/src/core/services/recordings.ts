@@ -100,6 +100,13 @@ export const RECORDING_SERVICES = [
     auditObject: (_core, { isOn, minutes }) => (isOn ? `on, ${minutes} min` : 'off'),
     handle: ({ recordings }, settings) => recordings.setFlight(settings),
   }),
+  // [RC-36]
+  define('flightRecorderRecords', {
+    // Those that may receive all topics.
+    roles: READERS,
+    subject: ({ clientId }) => clientId,
+    handle: ({ recordings }, { clientId, ...search }) => recordings.findInFlight(clientId, search),
+  }),
   // [RC-32]
   define('flightRecorderKeep', {
     roles: PARTICIPANTS,

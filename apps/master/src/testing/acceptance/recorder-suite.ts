@@ -1,8 +1,10 @@
 import {
+  decodeRecord,
   encodeRecord,
   RecordingKind,
   RecordingState,
   ServiceError,
+  unpackFlightRecords,
   type RecordingMarker,
 } from '@ubii/proto';
 import type { RecordingSource } from '@ubii/recording';
@@ -231,6 +233,36 @@ export function recorderSuite(name: string, open: () => RecorderParts): void {
       expect(await recorder.flight()).toMatchObject({ ...settings, recordCount: 3, topicCount: 1 });
       const off = await recorder.setFlight({ ...settings, isOn: false, present: [] });
       expect(off).toMatchObject({ isOn: false, heldBytes: 0, recordsPerSecond: [] });
+      await recorder.close();
+    });
+
+    it('[RC-36] finds what the flight recorder holds of some topics, the newest of each', async () => {
+      const { recorder } = open();
+      const settings = { isOn: true, minutes: 5, maxBytes: 1e6, withImages: true };
+      await recorder.setFlight({ ...settings, present: [] });
+      for (const topic of ['/x', '/y', '/z']) addAll(recorder, recordsToKeep(topic, 3, 1));
+      recorder.endTopic('/x');
+      const find = async (topics: string[], sinceMs = 0, maxBytes = 1e6) => {
+        const found = await recorder.find({ topics, sinceMs, maxBytes });
+        return Array.from(unpackFlightRecords(found), ({ record, timeMs }) => {
+          const { topic, value } = decodeRecord(record);
+          return { topic, value, timeMs };
+        });
+      };
+      const all = await find(['/y', '/x', '/nothing']);
+      expect(all.map(({ topic }) => topic).sort()).toEqual(['/x', '/x', '/x', '/y', '/y', '/y']);
+      expect(all.map(({ value }) => value)).toEqual([0, 0, 1, 1, 2, 2]);
+      expect(all.map(({ timeMs }) => timeMs - START_MS)).toEqual([0, 0, 1, 1, 2, 2]);
+      const newest = [{ topic: '/y', value: 2, timeMs: START_MS + 2 }];
+      expect(await find(['/y'], START_MS + 2)).toEqual(newest);
+      const { length } = recordsToKeep('/y', 1)[0]!.record;
+      expect(await find(['/y', '/x'], 0, 2 * length)).toEqual([
+        { ...newest[0], topic: '/x' },
+        ...newest,
+      ]);
+      expect(await find(['/nothing'])).toEqual([]);
+      await recorder.setFlight({ ...settings, isOn: false, present: [] });
+      expect(await find(['/y'])).toEqual([]);
       await recorder.close();
     });
 
