@@ -17,7 +17,7 @@ import { sessionOf } from '../model/session-of.ts';
 import { keepEditorData } from '../model/changes/keep-editor-data.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
 import { graphNews, type GraphNews } from '../model/changes/graph-news.ts';
-import { sameValue } from '../model/changes/same-value.ts';
+import { sameValue } from '../../formats/same-value.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
 import { rebase } from './rebase.ts';

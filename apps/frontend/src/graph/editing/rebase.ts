@@ -1,6 +1,6 @@
 import { mergeGraphs } from '../model/changes/merge-graphs.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
-import { sameValue } from '../model/changes/same-value.ts';
+import { sameValue } from '../../formats/same-value.ts';
 import { perform, startEditing, type EditState } from '../model/commands/edit-state.ts';
 import type { Graph } from '../model/graph.ts';
 

@@ -3,7 +3,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { isAlive } from '../../sessions/state/session-state.ts';
 import { runningWriters } from '../../sessions/words/shared-topics.ts';
-import { sameValue } from '../model/changes/same-value.ts';
+import { sameValue } from '../../formats/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
 import type { GraphProblem, TopicAdvice } from '../model/live/graph-problem.ts';
 import { isMissing, type Surroundings } from '../model/live/own-problems.ts';

@@ -6,7 +6,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { rootLabel } from '../../topics/names/topic-path.ts';
 import { useFindPublisher } from '../../topics/names/useFindPublisher.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
-import { sameValue } from '../model/changes/same-value.ts';
+import { sameValue } from '../../formats/same-value.ts';
 import { topicNodeId } from '../model/make-node.ts';
 import { portOf } from '../model/port-format.ts';
 import { wiresOf } from '../model/wires-of.ts';

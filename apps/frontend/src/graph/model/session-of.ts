@@ -1,6 +1,6 @@
 import type { IOMapping, Session } from '@ubii/proto';
 import { editorDataText } from './editor-data-text.ts';
-import { sameValue } from './changes/same-value.ts';
+import { sameValue } from '../../formats/same-value.ts';
 import { parseEditorData } from './editor-data.ts';
 import { graphOf } from './graph-of.ts';
 import type { Graph, ModuleNode } from './graph.ts';

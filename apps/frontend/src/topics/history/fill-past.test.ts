@@ -48,10 +48,13 @@ describe('the past of a topic', () => {
   it('ends where new records begin, by the clock of their publisher', async () => {
     const startMs = Date.UTC(2026, 0);
     const history = new TopicHistory();
-    history.add(live(3, startMs + 30), startMs + 50);
-    const past = [10, 20, 30].map((ms) => flight(ms / 10, startMs + ms + 5, '/a', startMs + ms));
+    history.add(live(4, startMs + 30), startMs + 50);
+    const past = [10, 20, 30, 40].map((ms) => {
+      const timestampMs = startMs + Math.min(30, ms);
+      return flight(ms / 10, startMs + ms + 5, '/a', timestampMs);
+    });
     await fillPast(history, past, turn);
-    expect(valuesOf(history).map(([, value]) => value)).toEqual([1, 2, 3]);
+    expect(valuesOf(history).map(([, value]) => value)).toEqual([1, 2, 3, 4]);
   });
 
   it('is all there is of a topic that is silent', async () => {

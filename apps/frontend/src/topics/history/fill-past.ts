@@ -1,4 +1,5 @@
 import { decodeRecord, type FlightRecord, type TopicRecord } from '@ubii/proto';
+import { sameValue } from '../../formats/same-value.ts';
 import type { KeptRecord } from './record-log.ts';
 import type { TopicHistory } from './topic-history.ts';
 
@@ -28,7 +29,7 @@ export async function fillPast(
     if (record.format !== undefined) decoded.push({ record, timeMs });
   });
   const first = history.records.oldest;
-  const before = first === undefined ? decoded : decoded.filter((one) => isBefore(one, first));
+  const before = first === undefined ? decoded : thoseBefore(decoded, first);
   if (before.length === 0) return;
   const earlier = history.before(before.length);
   await inTurns(before, pause, ({ record, timeMs }) => earlier.add(record, timeMs));
@@ -36,10 +37,15 @@ export async function fillPast(
 }
 
 /** The last of the past have come as new ones, too. */
-function isBefore({ record, timeMs }: PastRecord, first: KeptRecord): boolean {
-  const isTimed = record.timestampMs !== undefined && first.timestampMs !== undefined;
-  if (!isTimed || record.clientId !== first.clientId) return timeMs < first.localMs;
-  return record.timestampMs < first.timestampMs;
+function thoseBefore(past: readonly PastRecord[], first: KeptRecord): readonly PastRecord[] {
+  // Several may have been measured in the same millisecond.
+  const at = past.findLastIndex(({ record }) => isSame(record, first));
+  return at >= 0 ? past.slice(0, at) : past.filter(({ timeMs }) => timeMs < first.localMs);
+}
+
+function isSame(record: TopicRecord, { timestampMs, clientId, value }: KeptRecord): boolean {
+  if (timestampMs === undefined || record.timestampMs !== timestampMs) return false;
+  return record.clientId === clientId && sameValue(record.value, value);
 }
 
 async function inTurns<T>(

@@ -8,7 +8,7 @@ import {
   type MappedModule,
   type OutputTarget,
 } from '../read-mappings.ts';
-import { sameValue } from './same-value.ts';
+import { sameValue } from '../../../formats/same-value.ts';
 import { wishedNode } from './wished-node.ts';
 
 /** Effect of a change on a running session [SE-15]: applied live, a module starts, restarts or ends, or none. */

@@ -2,7 +2,7 @@ import { plural } from '@ubii/words';
 
 import { nodeName, portName } from '../commands/command-label.ts';
 import type { Graph, GraphNode } from '../graph.ts';
-import { sameValue } from './same-value.ts';
+import { sameValue } from '../../../formats/same-value.ts';
 import { wishedNode } from './wished-node.ts';
 
 /** A change of a graph, in words, and its node. */

@@ -9,7 +9,7 @@ import { breakLoops } from '../nesting.ts';
 import { wiresAt } from '../wires-of.ts';
 import type { Conflict } from './conflict.ts';
 import { mergeNode } from './merge-node.ts';
-import { sameValue } from './same-value.ts';
+import { sameValue } from '../../../formats/same-value.ts';
 import { mergeMembers, threeWay } from './three-way.ts';
 
 /** Result of merging the changes of two users. */

@@ -1,4 +1,4 @@
-import { sameValue } from './same-value.ts';
+import { sameValue } from '../../../formats/same-value.ts';
 
 /** Result of a three-way merge of one value. */
 export type ThreeWay<T> =

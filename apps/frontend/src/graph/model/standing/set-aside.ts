@@ -3,7 +3,7 @@ import type { IOMapping, ProcessingModule, TopicInputMapping } from '@ubii/proto
 import * as v from 'valibot';
 import { storedValue } from '../../../json/read-stored.ts';
 import { message } from '../../../json/schemas.ts';
-import { sameValue } from '../changes/same-value.ts';
+import { sameValue } from '../../../formats/same-value.ts';
 import type { Standing } from '../graph.ts';
 
 /** Input with a replaced mapping while a module is bypassed. */
