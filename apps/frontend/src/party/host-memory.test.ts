@@ -13,6 +13,7 @@ const memory = {
     settings: { race: { laps: 2 } },
   },
   round: { id: 'r', game: 'race', seed: 1, startsAtMs: 2, seats: [0] },
+  sinceMs: 2,
   state: { id: 'r', step: 4, state: { carts: [] }, places: [[0]], isOver: false },
 };
 

@@ -52,6 +52,7 @@ const MEMORY = v.object({
       sessionId: v.optional(v.string()),
     }),
   ),
+  sinceMs: v.optional(finite),
   arePhotosHidden: v.optional(v.boolean()),
   state: v.optional(
     v.object({ id: v.string(), step: finite, state: v.unknown(), places, isOver: v.boolean() }),

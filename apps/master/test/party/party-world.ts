@@ -103,8 +103,12 @@ export class PartyWorld {
   async openScreen({
     identity = this.#screenIdentity,
     clock = this.world.clock,
-  }: { identity?: IdentityStorage; clock?: Clock } = {}): Promise<void> {
-    const { client } = await this.world.connect('screen', { identity, clock });
+    line,
+  }: { identity?: IdentityStorage; clock?: Clock; line?: Line } = {}): Promise<void> {
+    const { client } = await this.world.connect('screen', {
+      ...{ identity, clock },
+      ...(line && { transports: this.#transportsOver(line) }),
+    });
     this.#screen = client;
     this.host = new PartyHost({
       client,
@@ -123,8 +127,9 @@ export class PartyWorld {
         handleTrouble: (sentence) => this.troubles.push(sentence),
       },
     });
-    const started = this.host.start();
-    await this.pass(700);
+    let isStarted = false;
+    const started = this.host.start().then(() => (isStarted = true));
+    await this.until(() => isStarted);
     await started;
     await this.pass(100);
   }

@@ -13,6 +13,7 @@ import {
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { createGrant } from '../access-world.ts';
 import { buildPartyLibrary, PartyWorld } from './party-world.ts';
+import type { Line } from './slow-line.ts';
 
 let library: FakeAssets;
 let party: PartyWorld;
@@ -231,6 +232,52 @@ describe('the big screen', () => {
     await party.openScreen({ identity: createMemoryIdentity() });
     expect(party.room.players.map(({ name }) => name)).toEqual(['Mara', 'Theo']);
     expect(party.superseded).toHaveLength(1);
+  });
+
+  it('leads alone when it began last, whatever the other one sent meanwhile', async () => {
+    let delayMs = 0;
+    const openScreen = async (line?: Line): Promise<string> => {
+      await party.openScreen({ identity: createMemoryIdentity(), ...(line && { line }) });
+      return party.host.view.hostId;
+    };
+    const first = await openScreen({ toMasterMs: () => delayMs, toPhoneMs: () => delayMs });
+    expect(party.superseded).toEqual([first]);
+    delayMs = 100;
+    const { host } = party;
+    const stop = party.world.clock.every(20, () =>
+      host.apply({ type: 'lock', by: 'host', on: !host.view.room.isLocked }),
+    );
+    const second = await openScreen();
+    await party.pass(3000);
+    stop();
+    expect(party.superseded).toEqual([first, second]);
+    // Again: on the screen that was superseded
+    const third = await openScreen();
+    await party.pass(3000);
+    expect(party.superseded).toEqual([first, second, third]);
+  });
+
+  it('takes over what has happened on the screen that led before', async () => {
+    const own = party.memory;
+    await party.openScreen({ identity: createMemoryIdentity() });
+    await addPhones('Mara', 'Theo');
+    await party.openScreen({ identity: createMemoryIdentity() });
+    party.host.apply({ type: 'fill', by: 'host', players: 3 });
+    // Each browser has its own storage
+    party.memory = own;
+    await party.openScreen({ identity: createMemoryIdentity() });
+    expect(party.room.players).toHaveLength(3);
+  });
+
+  it('can be left while it opens', async () => {
+    const { host, view } = party;
+    await host.end();
+    const opening = party.openScreen({ identity: createMemoryIdentity() });
+    while (party.host === host) await party.world.pass(1);
+    party.closeScreen();
+    await opening;
+    await party.pass(3000);
+    expect(party.view).toBe(view);
   });
 });
 

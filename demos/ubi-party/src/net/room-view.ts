@@ -21,6 +21,8 @@ export interface RoomView {
   readonly room: Room;
   /** The client of the big screen. */
   readonly hostId: string;
+  /** When it began to lead, milliseconds since the Unix epoch, master's clock: of two, the later one leads. */
+  readonly sinceMs?: number;
   readonly round?: RoundView;
   /** Photos that the host has removed from the big screen. */
   readonly hiddenPhotos?: HiddenPhotos;

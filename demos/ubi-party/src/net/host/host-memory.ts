@@ -6,6 +6,8 @@ import type { RoundView } from '../room-view.ts';
 export interface HostMemory {
   readonly room: Room;
   readonly round?: RoundView;
+  /** When the screen that stored it began to lead, as in `RoomView`. */
+  readonly sinceMs?: number;
   /** The host hides all photos. */
   readonly arePhotosHidden?: boolean;
   /** The newest state of the round that is played. */

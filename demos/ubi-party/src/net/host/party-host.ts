@@ -28,8 +28,7 @@ import { EMPTY_MEMORY } from './host-memory.ts';
 import type { PartyHostOptions } from './party-host-options.ts';
 import { PhoneWishes } from './phone-wishes.ts';
 import { Presence } from './presence.ts';
-import { roomOfBefore } from './room-of-before.ts';
-import { RoomTeller } from './room-teller.ts';
+import { RoomTeller, sinceMsOf } from './room-teller.ts';
 import { RoundLeader } from './round-leader.ts';
 import { publishSettings, settingTopics } from './setting-topics.ts';
 
@@ -52,6 +51,7 @@ export class PartyHost {
   readonly #wishes: PhoneWishes;
   readonly #audience: Audience;
   readonly #ends: (() => void)[] = [];
+  readonly #storedSinceMs: number;
   #room: Room;
   #savedRoom: Room | undefined;
   #savedAtMs = -Infinity;
@@ -60,8 +60,10 @@ export class PartyHost {
   constructor(options: PartyHostOptions) {
     this.#options = options;
     this.#client = options.client;
-    const { room, round, state, arePhotosHidden = false } = options.storage.load() ?? EMPTY_MEMORY;
+    const memory = options.storage.load() ?? EMPTY_MEMORY;
+    const { room, round, state, arePhotosHidden = false, sinceMs = 0 } = memory;
     this.#room = toRoom(room);
+    this.#storedSinceMs = sinceMs;
     this.#photos = new PhotoBoard(
       {
         client: options.client,
@@ -75,7 +77,7 @@ export class PartyHost {
     this.#delays = new DelayWatch({ client, clock, keys });
     this.#teller = new RoomTeller({
       client,
-      nowMs: () => this.#nowMs(),
+      clock,
       handleSuperseded: (byId) => {
         this.close();
         options.listener.handleSuperseded?.(byId);
@@ -116,9 +118,11 @@ export class PartyHost {
     const { id } = this.#client;
     const { hidden } = this.#photos;
     const { round } = this.#rounds;
+    const { sinceMs } = this.#teller;
     return {
       room: this.#room,
       hostId: id,
+      ...(sinceMs !== undefined && { sinceMs }),
       lags,
       ...(round && { round }),
       ...((hidden.all || hidden.ids.length > 0) && { hiddenPhotos: hidden }),
@@ -127,31 +131,39 @@ export class PartyHost {
 
   /** Begins to lead, with what was stored. The client is connected. */
   async start(): Promise<void> {
-    const client = this.#client;
+    const rooms = this.#teller.open();
+    this.#ends.push(() => rooms.close());
+    try {
+      this.#adopt(await rooms.before);
+      if (!this.#isClosed) await this.#hearPhones();
+    } catch (cause) {
+      if (!this.#isClosed) throw cause;
+    }
+    if (this.#isClosed) return;
+    this.#teller.lead();
+    const stopState = this.#client.onState(({ status }) => {
+      if (status === 'connected') void this.#handleConnected();
+    });
+    const stopTicks = this.#options.clock.every(TICK_MS, () => this.#tick());
+    this.#ends.push(stopState, stopTicks, this.#delays.start());
+    await this.#handleConnected();
+    this.#tell();
+  }
+
+  async #hearPhones(): Promise<void> {
     const wishes = this.#wishes.open();
     const audience = this.#audience.open();
-    const here = client.subscribe({ glob: '/*/party/here' }, { format: 'double' });
+    const here = this.#client.subscribe({ glob: '/*/party/here' }, { format: 'double' });
     here.onRecord(({ topic, value }) => {
       const key = phoneOf(topic, 'here');
       if (key !== undefined) this.#handleHere(key, value);
-    });
-    const rooms = this.#teller.open();
-    const stopState = client.onState(({ status }) => {
-      if (status === 'connected') void this.#handleConnected();
     });
     this.#ends.push(
       () => wishes.close(),
       () => audience.close(),
       () => void here.close(),
-      () => rooms.close(),
-      stopState,
-      this.#options.clock.every(TICK_MS, () => this.#tick()),
-      this.#delays.start(),
     );
-    await Promise.all([wishes.ready, audience.ready, here.ready, rooms.ready]);
-    await this.#adopt();
-    await this.#handleConnected();
-    this.#tell();
+    await Promise.all([wishes.ready, audience.ready, here.ready]);
   }
 
   /** Number of cheers dropped by the rate limit and not shown. */
@@ -230,11 +242,12 @@ export class PartyHost {
     return peopleOf(this.#room).find((one) => one.key === key);
   }
 
-  /** A screen that knows of no party continues with the one that another screen has led. */
-  async #adopt(): Promise<void> {
-    if (this.#room.players.length > 0) return;
-    const view = await roomOfBefore(this.#client, this.#options.clock);
-    if (!view) return;
+  /** Continues with the party that another screen has led, when this one knows none or has led before it. */
+  #adopt(view: RoomView | undefined): void {
+    const players: unknown = view?.room?.players;
+    if (!view || !Array.isArray(players) || players.length === 0) return;
+    const isNewer = sinceMsOf(view) > this.#storedSinceMs;
+    if (this.#room.players.length > 0 && !isNewer) return;
     this.#room = toRoom(view.room);
     this.#rounds.adopt(view.round);
   }
@@ -312,7 +325,7 @@ export class PartyHost {
   }
 
   #tell(): void {
-    if (this.#isClosed) return;
+    if (this.#isClosed || this.#teller.sinceMs === undefined) return;
     this.#rounds.tellSeats(this.#room, (key) => this.#delays.delays.of(key));
     this.#rounds.setSession((game) => this.#sessions.idOf(game));
     const view = this.view;
@@ -324,9 +337,11 @@ export class PartyHost {
     const { round, state } = this.#rounds;
     const room = this.#room;
     this.#savedRoom = room;
+    const { sinceMs } = this.#teller;
     const { all: arePhotosHidden } = this.#photos.hidden;
     this.#options.storage.save({
       room,
+      ...(sinceMs !== undefined && { sinceMs }),
       ...(arePhotosHidden && { arePhotosHidden }),
       ...(round && { round }),
       ...(state && { state }),
