@@ -47,6 +47,13 @@ test('a new user touches a living session at once, and sees what to do next @smo
     await new Shell(page).go('Home');
     await expect(page.getByRole('heading', { level: 1 })).toContainText('One session runs');
     await expect(page.getByRole('list', { name: 'Running' })).toContainText('Mirror my pointer');
+    const left = page.getByRole('region', { name: 'Next steps' });
+    await expect(left.getByRole('link', { name: 'Start an example' })).toBeVisible();
+    await left.getByRole('button', { name: 'Use your phone' }).click();
+    await page.keyboard.press('Escape');
+    await expect(left).not.toContainText('phone');
+    await left.getByRole('button', { name: 'Dismiss' }).click();
+    await expect(left).toBeHidden();
     await new Shell(page).go('Learn');
     await page.getByRole('link', { name: 'See a living session' }).click();
     await expect(living.getByRole('application', { name: /^Your pointer/ })).toBeVisible();
