@@ -18,9 +18,9 @@ export interface Figure {
   readonly better?: 'less' | 'more';
 }
 
-/** A value as it is shown, the same in tables and sentences. */
+/** A value as it is shown, the same in tables and sentences: from 1 on, with one decimal at most. */
 export function figureReadout({ value, unit, decimals = 0 }: Figure): Readout {
-  const digits = formatNumber(value, decimals);
+  const digits = formatNumber(value, Math.abs(value) >= 1 ? Math.min(decimals, 1) : decimals);
   return unit === '' ? { digits } : { digits, unit };
 }
 
