@@ -5,6 +5,8 @@ export interface Publisher {
   readonly name: string;
   /** The client is inactive, or has left. */
   readonly isAway: boolean;
+  /** The list of clients has it: neither a master nor a client that has left. */
+  readonly isClient?: boolean;
   /** Name of its master; empty unless there are several. */
   readonly master?: string;
 }

@@ -29,6 +29,7 @@ export function useFindPublisher(): FindPublisher {
       return { name: unnamedClient(clientId), isAway: true };
     }
     const isAway = client.state !== ClientState.ACTIVE || !isPresent;
-    return { name: client.name, isAway, master: masters.labelOf(client.extension?.masterId) };
+    const master = masters.labelOf(client.extension?.masterId);
+    return { name: client.name, isAway, isClient: isPresent, master };
   };
 }

@@ -14,6 +14,15 @@ describe('ValueAxis', () => {
     expect(max).toBeGreaterThan(min);
   });
 
+  it('lies evenly around the first values, whatever the very first one was', () => {
+    const axis = new ValueAxis();
+    axis.follow({ min: 0.9, max: 0.9 }, 0);
+    axis.follow({ min: 0.2, max: 0.9 }, 10);
+    const { min, max } = axis.follow({ min: -1, max: 1 }, 20);
+    expect(min).toBeCloseTo(-1.16);
+    expect(max).toBeCloseTo(1.16);
+  });
+
   it('opens at once and stays while values move within', () => {
     const axis = new ValueAxis();
     axis.follow({ min: 0, max: 10 }, 0);

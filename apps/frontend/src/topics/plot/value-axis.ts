@@ -10,6 +10,8 @@ const CLOSE_IN_AFTER_MS = 2000;
 /** Range of a value axis: grows at once and shrinks with a delay, so that lines keep their scale. */
 export class ValueAxis {
   #range: NumberRange | undefined;
+  /** The values in the range, without the margin. */
+  #held: NumberRange | undefined;
   #roomySinceMs: number | undefined;
 
   /** @param values range in the window; `undefined` when it is empty */
@@ -18,11 +20,7 @@ export class ValueAxis {
     const range = this.#range;
     if (range === undefined || values.min < range.min || values.max > range.max) {
       this.#roomySinceMs = undefined;
-      return (this.#range = withMargin(
-        range && this.#isSimilar(range, values)
-          ? { min: Math.min(range.min, values.min), max: Math.max(range.max, values.max) }
-          : values,
-      ));
+      return this.#hold(range && this.#isSimilar(range, values) ? this.#heldWith(values) : values);
     }
     const isRoomy = values.max - values.min < CLOSE_IN_BELOW * (range.max - range.min);
     this.#roomySinceMs = isRoomy ? (this.#roomySinceMs ?? nowMs) : undefined;
@@ -32,7 +30,17 @@ export class ValueAxis {
     this.#roomySinceMs = undefined;
     const closer = withMargin(values);
     const isCloser = closer.max - closer.min < range.max - range.min;
-    return (this.#range = isCloser ? closer : range);
+    return isCloser ? this.#hold(values) : range;
+  }
+
+  #hold(values: NumberRange): NumberRange {
+    this.#held = values;
+    return (this.#range = withMargin(values));
+  }
+
+  #heldWith({ min, max }: NumberRange): NumberRange {
+    const held = this.#held ?? { min, max };
+    return { min: Math.min(held.min, min), max: Math.max(held.max, max) };
   }
 
   /** True when the values exceed the axis slightly, instead of being in a different range. */

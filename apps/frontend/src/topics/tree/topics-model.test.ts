@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
-import type { FindPublisher } from '../names/publisher.ts';
+import type { FindPublisher, Publisher } from '../names/publisher.ts';
 import { parseTopicFilter } from './topic-filter.ts';
 import { TopicsModel } from './topics-model.ts';
 
@@ -29,10 +29,10 @@ const rateOf = (topic: string, init: RateInit = {}): TopicRate => ({
   usualHz: init.hz ?? 0,
 });
 
-const CLIENTS: Record<string, { name: string; isAway: boolean }> = {
-  'id-1': { name: 'Mara', isAway: false },
-  'id-2': { name: 'Ines', isAway: true },
-  'id-3': { name: 'Theo', isAway: false },
+const CLIENTS: Record<string, Publisher> = {
+  'id-1': { name: 'Mara', isAway: false, isClient: true },
+  'id-2': { name: 'Ines', isAway: true, isClient: true },
+  'id-3': { name: 'Theo', isAway: false, isClient: true },
 };
 
 function modelOf(
@@ -65,6 +65,16 @@ describe('TopicsModel', () => {
       '3/3',
       '2/2',
     ]);
+  });
+
+  it('counts the publishers that are clients, not the master and clients that left', () => {
+    const { model } = modelOf(
+      ['id-1', 'master', 'left', ''].map((publisherId) =>
+        rateOf(`/${publisherId}/x`, { publisherId }),
+      ),
+      (id) => CLIENTS[id] ?? { name: id, isAway: false },
+    );
+    expect(model.totals).toMatchObject({ topics: 4, publishers: 1 });
   });
 
   it('sums up rates and takes the newest record of a branch', () => {

@@ -163,8 +163,8 @@ export class TopicsModel {
       bytesPerSecond += node.rate!.bytesPerSecond ?? 0;
       return node.isFound && (this.#format === undefined || statistic.dataFormat === this.#format);
     });
-    publishers.delete('');
-    this.#totals = { topics: this.#topics, publishers: publishers.size, hz, bytesPerSecond };
+    const clients = [...publishers].filter((id) => this.#findPublisher(id)?.isClient);
+    this.#totals = { topics: this.#topics, publishers: clients.length, hz, bytesPerSecond };
     // A data format may appear or disappear without a topic doing so.
     if (this.#found !== this.#tree.top.count) this.#isDirty = true;
     this.#found = this.#tree.top.count;
