@@ -144,7 +144,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     end();
     releaseTab?.();
   });
-  removeOnPageHide(() => id.value);
+  removeOnPageHide(client, () => id.value);
 
   return {
     session,

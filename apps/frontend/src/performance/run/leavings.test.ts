@@ -21,11 +21,11 @@ describe('what a run leaves', () => {
   });
 
   it('is taken away by one request', () => {
-    expect(JSON.parse(removalRequest({ kind: 'session', id: 's' }))).toMatchObject({
+    expect(removalRequest({ kind: 'session', id: 's' })).toMatchObject({
       topic: '/services/session/runtime/remove',
       session: { id: 's' },
     });
-    expect(JSON.parse(removalRequest({ kind: 'client', id: 'c' }))).toMatchObject({
+    expect(removalRequest({ kind: 'client', id: 'c' })).toMatchObject({
       topic: '/services/client/deregistration',
       client: { id: 'c' },
     });

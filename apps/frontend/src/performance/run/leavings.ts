@@ -1,4 +1,4 @@
-import { SERVICES, toJson } from '@ubii/proto';
+import { SERVICES, type Init, type ServiceRequest } from '@ubii/proto';
 import * as v from 'valibot';
 import { readStored } from '../../json/read-stored.ts';
 import { validElements } from '../../json/schemas.ts';
@@ -44,10 +44,8 @@ export function createLeavings(storage: Pick<Storage, 'getItem' | 'setItem'>): L
 }
 
 /** Body of the service request that removes it, for pages that cannot wait for a reply. */
-export function removalRequest({ kind, id }: Leaving): string {
-  const request =
-    kind === 'client'
-      ? { topic: SERVICES.clientDeregistration.topic, client: { id } }
-      : { topic: SERVICES.sessionRuntimeRemove.topic, session: { id } };
-  return JSON.stringify(toJson('ubii.services.ServiceRequest', request));
+export function removalRequest({ kind, id }: Leaving): Init<ServiceRequest> {
+  return kind === 'client'
+    ? { topic: SERVICES.clientDeregistration.topic, client: { id } }
+    : { topic: SERVICES.sessionRuntimeRemove.topic, session: { id } };
 }

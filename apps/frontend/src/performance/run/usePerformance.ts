@@ -3,6 +3,7 @@ import { systemClock } from '@ubii/timing/system';
 import { useEventListener } from '@vueuse/core';
 import { inject, onScopeDispose, provide, shallowRef, watch, type InjectionKey } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
+import { sendAtPageHide } from '../../connection/send-at-page-hide.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { Findings, TestKind } from '../measure/findings.ts';
 import type { TestRun } from '../measure/test-run.ts';
@@ -166,8 +167,7 @@ export function providePerformance(): Performance {
     // The client of a session keeps its topics until the last run has ended: it is removed on the next visit, or by the
     // master, like every client whose page is closed. [TD-40]
     for (const leaving of sessions.length > 0 ? sessions : leavings.all) {
-      const body = new Blob([removalRequest(leaving)], { type: 'application/json' });
-      navigator.sendBeacon('/services/json', body);
+      sendAtPageHide(client, removalRequest(leaving));
     }
   });
 

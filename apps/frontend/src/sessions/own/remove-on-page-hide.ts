@@ -1,17 +1,20 @@
-import { SERVICES, toJson } from '@ubii/proto';
+import type { UbiiClient } from '@ubii/client-web';
+import { SERVICES } from '@ubii/proto';
 import { useEventListener } from '@vueuse/core';
+import { sendAtPageHide } from '../../connection/send-at-page-hide.ts';
 
 /**
- * Removes a session when its page is closed or left by navigation. Such a page cannot wait for a reply.
+ * Removes a session of a client when its page is closed or left by navigation.
  *
  * @param id returns `undefined` while there is none to remove
  */
-export function removeOnPageHide(id: () => string | undefined): void {
+export function removeOnPageHide(
+  client: Pick<UbiiClient, 'authorization'>,
+  id: () => string | undefined,
+): void {
   useEventListener(window, 'pagehide', () => {
     const gone = id();
     if (gone === undefined) return;
-    const request = { topic: SERVICES.sessionRuntimeRemove.topic, session: { id: gone } };
-    const body = JSON.stringify(toJson('ubii.services.ServiceRequest', request));
-    navigator.sendBeacon('/services/json', new Blob([body], { type: 'application/json' }));
+    sendAtPageHide(client, { topic: SERVICES.sessionRuntimeRemove.topic, session: { id: gone } });
   });
 }

@@ -158,7 +158,7 @@ export function usePageSession(
     isOver = true;
     end();
   });
-  removeOnPageHide(() => id.value);
+  removeOnPageHide(client, () => id.value);
 
   return {
     session,
