@@ -43,6 +43,13 @@ export function newSessionWith(moduleName: string): RouteLocationRaw {
   return { path: pathOf(randomUuid()), state: { [NEW]: true, [MODULE]: moduleName } };
 }
 
+/** Id of the session whose page was open before this one; undefined when another page was. */
+export function sessionBefore(): string | undefined {
+  const path = historyState('back');
+  const id = typeof path === 'string' ? /^\/sessions\/([^/?#]+)/.exec(path)?.[1] : undefined;
+  return id === undefined ? undefined : decodeURIComponent(id);
+}
+
 /** State of the history after the first save of a new session. */
 export const SAVED_STATE = { newSession: false, newSessionModule: null, newSessionText: null };
 

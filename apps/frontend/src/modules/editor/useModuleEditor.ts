@@ -5,7 +5,14 @@ import { usePoll } from '../../connection/poll.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { dropDraft, keepDraft, readDraft } from './draft/draft-store.ts';
 import { draftProblems, isFatalProblem, type DraftProblems } from './draft/draft-problems.ts';
-import { draftOf, isSameDraft, moduleOf, type ModuleDraft } from './draft/module-draft.ts';
+import { editedModule, type EditedModule } from './draft/edited-module.ts';
+import {
+  draftKey,
+  draftOf,
+  isSameDraft,
+  moduleOf,
+  type ModuleDraft,
+} from './draft/module-draft.ts';
 import { reconcile } from './draft/reconcile.ts';
 import { keepSame } from './keep-same.ts';
 
@@ -19,6 +26,7 @@ export type EditorStatus = 'loading' | 'missing' | 'readonly' | 'ready';
 export interface ModuleEditor {
   readonly status: ComputedRef<EditorStatus>;
   readonly draft: Readonly<ShallowRef<ModuleDraft | undefined>>;
+  readonly module: EditedModule;
   /** Version of the master that the draft is based on; `undefined` if never saved. */
   readonly base: Readonly<ShallowRef<ModuleDraft | undefined>>;
   /** The version of another user, while a conflict is open. */
@@ -57,15 +65,19 @@ export function useModuleEditor(
   const failure = shallowRef<string>();
   const isSaving = ref(false);
 
+  const module = editedModule(() => draft.value);
+  const baseKey = computed(() => base.value && draftKey(base.value));
   const isChanged = computed(
-    () =>
-      draft.value !== undefined &&
-      (base.value === undefined || !isSameDraft(draft.value, base.value)),
+    () => draft.value !== undefined && draftKey(draft.value, module.text.value) !== baseKey.value,
   );
   const problems = computed<DraftProblems>((before) => {
     const own = base.value?.name;
     const next: DraftProblems = draft.value
-      ? draftProblems(draft.value, new Set(taken().filter((name) => name !== own)))
+      ? draftProblems(
+          draft.value,
+          new Set(taken().filter((name) => name !== own)),
+          module.text.value,
+        )
       : new Map();
     return keepSame(before, next, (one) => [...one]);
   });
@@ -134,6 +146,7 @@ export function useModuleEditor(
       return 'missing';
     }),
     draft,
+    module,
     base,
     theirs,
     isGone,

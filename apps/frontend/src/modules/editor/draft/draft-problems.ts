@@ -1,6 +1,7 @@
 import { DEFAULT_RUNTIME_LIMITS, moduleProblems } from '@ubii/pm-sandbox';
 import { parseDataFormat } from '@ubii/proto';
 import { defaultProblem } from './io-default.ts';
+import { splitText } from '../text/module-text.ts';
 import { moduleOf, type ModuleDraft } from './module-draft.ts';
 
 /** Problems in the fields of a draft: a sentence by path, such as `inputs[0].name`. */
@@ -10,10 +11,17 @@ const IDENTIFIER = /^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u;
 /** Highest frequency that the runtime supports. [PM-20] */
 export const MAX_HERTZ = DEFAULT_RUNTIME_LIMITS.maxFrequencyHz;
 
-/** @param taken names of other modules */
-export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): DraftProblems {
+/**
+ * @param taken names of other modules
+ * @param text the code of the draft, when it is split already
+ */
+export function draftProblems(
+  draft: ModuleDraft,
+  taken: ReadonlySet<string>,
+  text = splitText(draft.code),
+): DraftProblems {
   const problems = new Map<string, string>();
-  for (const { path, message } of moduleProblems(moduleOf(draft))) {
+  for (const { path, message } of moduleProblems(moduleOf(draft, text))) {
     const place = path.replace('.internalName', '.name');
     // Problems of the code are shown in the code.
     if (place !== 'onProcessingStringified' && !problems.has(place)) problems.set(place, message);

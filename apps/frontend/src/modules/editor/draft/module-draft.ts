@@ -127,8 +127,11 @@ function modeOf({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): In
   }
 }
 
-/** Converts a draft to a module. */
-export function moduleOf(draft: ModuleDraft): ProcessingModule {
+/**
+ * Converts a draft to a module.
+ * @param text its code, when it is split already
+ */
+export function moduleOf(draft: ModuleDraft, text = splitText(draft.code)): ProcessingModule {
   const { name, description, tags, authors, version, libraries, assets, optionalAssets } = draft;
   const module: ProcessingModule = {
     ...fromJson('ubii.processing.ProcessingModule', {}),
@@ -137,7 +140,7 @@ export function moduleOf(draft: ModuleDraft): ProcessingModule {
     tags: [...tags],
     authors: [...authors],
     language: ProcessingModuleLanguage.JS,
-    ...sourcesOf(splitText(draft.code)),
+    ...sourcesOf(text),
   };
   return fromInit(module, {
     inputs: draft.inputs.map(ioOf),
@@ -176,13 +179,16 @@ function fromInit(
 
 /** Whether two drafts are equivalent. */
 export function isSameDraft(a: ModuleDraft, b: ModuleDraft): boolean {
-  return fingerprint(a) === fingerprint(b);
+  return draftKey(a) === draftKey(b);
 }
 
-/** Key for comparison. Whitespace between callbacks and the order of members are ignored. */
-function fingerprint({ code, name, inputs, outputs, ...rest }: ModuleDraft): string {
-  const split = splitText(code);
-  const isSound = split.problems.length === 0;
+/**
+ * Key for comparison. Whitespace between callbacks and the order of members are ignored.
+ * @param text its code, when it is split already
+ */
+export function draftKey(draft: ModuleDraft, text = splitText(draft.code)): string {
+  const { code, name, inputs, outputs, ...rest } = draft;
+  const isSound = text.problems.length === 0;
   const ios = [inputs.map(ioOf), outputs.map(ioOf)];
-  return JSON.stringify([name.trim(), rest, ios, isSound ? sourcesOf(split) : code]);
+  return JSON.stringify([name.trim(), rest, ios, isSound ? sourcesOf(text) : code]);
 }

@@ -17,7 +17,8 @@ import { useTopic } from '../../../connection/live/useTopic.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { withEvent } from '../../../sessions/live/event-log.ts';
 import { sparkNumbers } from '../../../topics/values/value-series.ts';
-import { moduleOf, type ModuleDraft } from '../draft/module-draft.ts';
+import type { EditedModule } from '../draft/edited-module.ts';
+import { moduleOf } from '../draft/module-draft.ts';
 import { newTryInput, recordsOf, tryMapping, type TryInput } from './try-input.ts';
 import { TryRun, type TryStatus } from './try-run.ts';
 
@@ -65,7 +66,7 @@ const NO_RUNS: TryRuns = { count: 0, durationsMs: [] };
 
 /** @param mayRun whether the code parses */
 export function useTryRun(
-  draft: () => ModuleDraft,
+  { draft, about, code }: EditedModule,
   openSandboxes: () => Promise<SandboxFactory>,
   mayRun: () => boolean,
 ): TrySession {
@@ -130,13 +131,13 @@ export function useTryRun(
   }
 
   const what = (): string => {
-    const { code, inputs: takes, outputs: gives, mode } = draft();
-    return JSON.stringify([code, takes, gives, mode]);
+    const { inputs: takes, outputs: gives, mode } = about.value;
+    return JSON.stringify([code.value, takes, gives, mode]);
   };
   const inputOf = (name: string): TryInput | undefined => inputs.get(name)?.input;
 
   watch(
-    () => draft().inputs,
+    () => about.value.inputs,
     (list) => {
       for (const io of list) {
         const key = JSON.stringify(io);
@@ -146,7 +147,7 @@ export function useTryRun(
     { immediate: true },
   );
 
-  const declared = computed(() => draft().inputs);
+  const declared = computed(() => about.value.inputs);
   const given = computed(() =>
     declared.value.map((io) => {
       const input = inputOf(io.name);
@@ -166,7 +167,7 @@ export function useTryRun(
     const records = given.value.flatMap(({ read }) => ('records' in read ? read.records : []));
     for (const { topic, bytes } of records) run.topics.put(topic, bytes, client.id);
   }
-  const mapping = () => tryMapping(draft(), inputOf);
+  const mapping = () => tryMapping(about.value, inputOf);
 
   // Typed values apply at once, as if they were published.
   watch(
@@ -200,7 +201,7 @@ export function useTryRun(
     runs.value = NO_RUNS;
     opened.value = what();
     putAll(run);
-    await run.open(moduleOf(draft()), mapping());
+    await run.open(moduleOf(draft.value), mapping());
   }
   /** Creates it again; continues running if it was. */
   async function renew(): Promise<void> {
