@@ -93,7 +93,6 @@ test('where no phone can reach the master, a phone opens in this browser', async
   await expect(dialog.locator('[data-join-code]')).toHaveCount(0);
 
   const opened = context.waitForEvent('page');
-  await dialog.getByRole('button', { name: 'Options' }).click();
   await dialog.getByRole('button', { name: 'Open a phone in this browser' }).click();
   const phone = await opened;
   await expect(phone).toHaveURL(/\/devices\/smart-device$/);
