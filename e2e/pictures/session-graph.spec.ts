@@ -45,7 +45,7 @@ test('a session takes the touches of a phone and gives it colour', async ({
   await layOver(
     browser,
     await desk.page.screenshot(),
-    await phone.page.screenshot(),
+    [await phone.page.screenshot()],
     pictureFile('session-graph'),
   );
 });

@@ -293,4 +293,7 @@ test('a phone has a plain editor with the same checks', async ({ master, room })
     () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
   );
   expect(overflow).toBe(0);
+  await ben.page.getByRole('link', { name: 'Use in a session' }).tap();
+  await expect(ben.page).toHaveURL(/\/sessions\/[^/]+$/);
+  await expect(ben.page.getByText('doubler', { exact: true }).first()).toBeVisible();
 });
