@@ -39,3 +39,9 @@ it('no page has edges or a width of its own', () => {
     });
   expectNone(finds);
 });
+
+it('edges of a page would be found', () => {
+  const source =
+    '\n<template>\n  <div\n    class="mine grid"\n  />\n</template>\n<style scoped>\n.mine {\n  max-width: 720px;\n}\n</style>\n';
+  expect(ownEdges('a.vue', source, () => '').map(({ text }) => text)).toEqual(['max-width: 720px']);
+});
