@@ -45,6 +45,13 @@ export function previewTask(
   return { module, input: input.internalName, topic };
 }
 
+/** Whether two tasks run the same module on the same values. */
+export const isSameTask = (a: PreviewTask, b: PreviewTask): boolean =>
+  a.module.name === b.module.name &&
+  a.module.onProcessingStringified === b.module.onProcessingStringified &&
+  a.input === b.input &&
+  a.topic === b.topic;
+
 const { JS, CPP } = ProcessingModuleLanguage;
 /** Clients that mean no language send the number of C++. */
 const LANGUAGES: ReadonlySet<ProcessingModuleLanguage | undefined> = new Set([JS, CPP, undefined]);

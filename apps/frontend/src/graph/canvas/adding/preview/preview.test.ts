@@ -7,7 +7,7 @@ import { aGraphOf, aModule, ref } from '../../../model/testing/small-graph.ts';
 import type { Addable } from '../../addable.ts';
 import { PREVIEW_MS, previewLines } from './preview-lines.ts';
 import { PreviewRun } from './preview-run.ts';
-import { previewTask, wishedTopic } from './preview-task.ts';
+import { isSameTask, previewTask, wishedTopic } from './preview-task.ts';
 
 const START_MS = 1_750_000_000_000;
 const sum = (more: object = {}): ProcessingModule =>
@@ -127,7 +127,10 @@ describe('what can be previewed', () => {
     const item: Addable = { key: 'm', text: 'sum', hint: '', item: { kind: 'module', module } };
     const inserting = wire !== undefined;
     expect(inserting).toBe(true);
-    expect(previewTask(graph, item, '/sine', wire)?.input).toBe('value');
+    const task = previewTask(graph, item, '/sine', wire)!;
+    expect(task.input).toBe('value');
+    expect(isSameTask(task, { ...task, module: sum() })).toBe(true);
+    expect(isSameTask(task, { ...task, topic: '/other' })).toBe(false);
   });
 });
 
