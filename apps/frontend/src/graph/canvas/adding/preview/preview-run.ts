@@ -17,6 +17,8 @@ import type { PreviewTask } from './preview-task.ts';
 const MAX_RECORDS = 500;
 /** Most values kept of each output. */
 const MAX_OUTPUTS = 1000;
+/** Values may arrive so long after they were measured: until then the clock of the module waits, milliseconds. */
+const MAX_LATE_MS = 500;
 /** Longest work at a time, milliseconds; what is left over of it is left out. */
 const MAX_WORK_MS = 1000;
 
@@ -121,7 +123,7 @@ export class PreviewRun {
         const numbers = sparkNumbers(format, value);
         if (numbers.length > 0) this.#input.push({ atMs: localMs, numbers });
       }
-      if (!this.#isOver) await this.#run.moveTo(nowMs - this.#startMs);
+      if (!this.#isOver) await this.#run.moveTo(nowMs - MAX_LATE_MS - this.#startMs);
     } finally {
       this.#isBusy = false;
     }

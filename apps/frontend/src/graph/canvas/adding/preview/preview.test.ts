@@ -1,4 +1,5 @@
 import { Re2Patterns } from '@ubii/patterns/re2';
+import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { fromJson, type ProcessingModule } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
@@ -70,6 +71,62 @@ describe('a preview', () => {
     // The past is forgotten.
     expect(run.values.input.map(({ atMs }) => atMs - START_MS)).toEqual([6000]);
     expect(run.values.outputs[0]?.numbers).toHaveLength(1);
+    await run.close();
+  });
+
+  it('runs once for each value, also where a run takes time', async () => {
+    const inline = createInlineSandboxes();
+    const slow: SandboxFactory = {
+      ...inline,
+      check: (source) => inline.check(source),
+      close: () => inline.close(),
+      open(request, events) {
+        const sandbox = inline.open(request, events);
+        return {
+          create: () => sandbox.create(),
+          halt: () => sandbox.halt(),
+          destroy: () => sandbox.destroy(),
+          terminate: () => sandbox.terminate(),
+          async run(call) {
+            await new Promise((resolve) => setTimeout(resolve, 3));
+            return sandbox.run(call);
+          },
+        };
+      },
+    };
+    const run = new PreviewRun(
+      { module: sum(), input: 'value', topic: '/in' },
+      slow,
+      new Re2Patterns(),
+      START_MS,
+    );
+    await run.open();
+    const values = Array.from({ length: 20 }, (_, i) => [i * 16.6, 1] as const);
+    await run.advance(aLog(values.slice(0, 8)), START_MS + 125);
+    await run.advance(aLog(values), START_MS + 340);
+    const [total] = run.values.outputs;
+    expect(total?.newest.value).toBe(20);
+    expect(total?.numbers.map(({ atMs }) => Math.round(atMs - START_MS))).toEqual(
+      values.map(([ms]) => Math.round(ms)),
+    );
+    await run.close();
+  });
+
+  it('runs at the time of a value that arrives later than it was measured', async () => {
+    const run = aRun(sum());
+    await run.open();
+    await run.advance(aLog([[0, 1]]), START_MS + 200);
+    await run.advance(
+      aLog([
+        [0, 1],
+        [100, 1],
+        [116, 1],
+      ]),
+      START_MS + 325,
+    );
+    const [total, word] = run.values.outputs;
+    expect(total?.numbers.map(({ atMs }) => atMs - START_MS)).toEqual([0, 100, 116]);
+    expect(word?.newest.value).toBe('about 16');
     await run.close();
   });
 
