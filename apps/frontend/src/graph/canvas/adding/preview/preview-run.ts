@@ -46,8 +46,8 @@ export class PreviewRun {
   readonly #outputs = new Map<string, { newest: TopicRecord; numbers: NumbersAt[] }>();
   #format: DataFormat = 'double';
   #input: NumbersAt[] = [];
-  /** Number of the last record given to the module. */
-  #given = 0;
+  /** Number of the last record given to the module; those before the topic was opened have 0 and less. */
+  #given = -Infinity;
   #isBusy = false;
   #isOver = false;
 

@@ -28,8 +28,9 @@ const sum = (more: object = {}): ProcessingModule =>
     ...more,
   });
 
-function aLog(values: readonly (readonly [ms: number, value: number])[]): RecordLog {
-  const log = new RecordLog();
+/** @param past how many of them came before the topic was opened */
+function aLog(values: readonly (readonly [ms: number, value: number])[], past = 0): RecordLog {
+  const log = new RecordLog(past);
   for (const [ms, value] of values) {
     const localMs = START_MS + ms;
     const record = { topic: '/in', format: 'double', value, clientId: 'c' } as never;
@@ -127,6 +128,19 @@ describe('a preview', () => {
     const [total, word] = run.values.outputs;
     expect(total?.numbers.map(({ atMs }) => atMs - START_MS)).toEqual([0, 100, 116]);
     expect(word?.newest.value).toBe('about 16');
+    await run.close();
+  });
+
+  it('has what came before the topic was opened', async () => {
+    const run = aRun(sum());
+    await run.open();
+    const values = [
+      [0, 1],
+      [10, 2],
+      [20, 4],
+    ] as const;
+    await run.advance(aLog(values, 2), START_MS + 30);
+    expect(run.values.outputs[0]?.newest.value).toBe(7);
     await run.close();
   });
 
