@@ -61,6 +61,18 @@ describe('the audit log', () => {
     expect(numbers).toEqual([...numbers].sort((a, b) => b - a));
   });
 
+  it('has both names of a session that gets another one [EX-91]', async () => {
+    const { master, ben } = await createRoom();
+    const { session: added } = await addSession(ben, 'Session');
+    const renamed = { ...session, id: added!.id, name: 'Arm lights' };
+    await ben.call({ topic: '/services/session/runtime/update', session: renamed });
+    await ben.call({ topic: '/services/session/database/save', session: renamed });
+    const next = { ...renamed, name: 'Lamps' };
+    await ben.call({ topic: '/services/session/database/save', session: next });
+    const objects = (await read(master)).entries.slice(0, 3).map(({ object }) => object);
+    expect(objects).toEqual(['Arm lights → Lamps', 'Arm lights', 'Session → Arm lights']);
+  });
+
   it('has what was refused for want of rights, but nothing of strangers [EX-90]', async () => {
     const { master, ben } = await createRoom();
     await ben.call({

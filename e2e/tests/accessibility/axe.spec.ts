@@ -191,6 +191,12 @@ test('a session with problems is accessible at a desk and on a phone', async ({ 
   await page.getByRole('group', { name: 'Module noisy' }).click();
   await expect(page.getByRole('heading', { name: 'noisy', exact: true })).toBeVisible();
   await expectAccessibleEverywhere(page);
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Add', exact: true }).click();
+  await expect(page.getByRole('dialog', { name: 'Add to the graph' })).toBeVisible();
+  await expect(page.getByRole('option').first()).toBeVisible();
+  await expectAccessible(page);
+  await page.keyboard.press('Escape');
   await page.goto('/sessions');
   await expect(page.getByRole('list', { name: 'Sessions' })).toContainText('Noisy');
   await expectAccessibleEverywhere(page);

@@ -98,7 +98,7 @@ test('wires and nodes are edited on the canvas with mouse and keyboard', async (
     await graph.node('Module source').focus();
     await keyboard.press('w');
     await expect(status).toHaveText('Wire from source · result to sink · value');
-    await keyboard.press('p');
+    await keyboard.press('r');
     await expect(graph.points).toHaveCount(1);
     await expect(status).toContainText('point 1 of 1');
 

@@ -80,7 +80,7 @@ test('the pointer of a phone is smoothed, from an empty editor and by an example
     });
 
     await test.step('it is started, and seen', async () => {
-      await expect(page.getByText('Next: press Start.')).toBeVisible();
+      await expect(page.getByText('Next: press Save and start.')).toBeVisible();
       await graph.life.getByRole('button', { name: 'Start' }).click();
       await expect(graph.life).toContainText('Running');
       await seesItLive(graph, pad);
@@ -89,6 +89,23 @@ test('the pointer of a phone is smoothed, from an empty editor and by an example
         await pad.tap({ position: { x: 120, y: 120 } });
         await expect(graph.passing).toContainText(/0\.\d+, 0\.\d+/, { timeout: 2_000 });
       }).toPass();
+    });
+
+    await test.step('the palette shows what another module would give, and favourites', async () => {
+      await graph.socket(module, 'Output smoothed').focus();
+      await page.keyboard.press('l');
+      const palette = page.getByRole('dialog', { name: /^Connect / });
+      await page.keyboard.type('mirror-pointer');
+      await expect(async () => {
+        await pad.tap({ position: { x: 80, y: 90 } });
+        await expect(palette.getByRole('figure')).toContainText(/mirrored0\.\d+, 0\.\d+/, {
+          timeout: 2_000,
+        });
+      }).toPass();
+      await page.keyboard.press('Control+f');
+      await expect(palette.getByRole('option', { selected: true })).toContainText('favourite');
+      await page.keyboard.press('Escape');
+      await expect(palette).toBeHidden();
     });
   });
 

@@ -43,7 +43,8 @@ export const GRAPH_KEYS: readonly KeyText[] = [
   { keys: 'Ctrl Enter', text: 'Save and start the session; apply changes while it runs' },
   { keys: 'Ctrl Shift Enter', text: 'Stop the session' },
   { keys: 'W', text: 'Go to the next wire of a node' },
-  { keys: 'P', text: 'Add a bend point to a wire' },
+  { keys: 'P', text: 'Show the next problem' },
+  { keys: 'R', text: 'Add a bend point to a wire' },
   { keys: '[ ]', text: 'Go to the next bend point of a wire' },
   { keys: 'X', text: 'Detach a node from its wires' },
   { keys: 'I', text: 'Insert a node into the wire under it' },
@@ -61,7 +62,7 @@ export const GRAPH_KEYS: readonly KeyText[] = [
   { keys: 'Alt A D W S', text: 'Align left, right, top, bottom' },
   { keys: '+ −', text: 'Zoom in or out' },
   { keys: 'PgUp PgDn', text: 'Scroll the canvas; with Shift sideways' },
-  { keys: 'Space', text: 'and drag: move the canvas' },
+  { keys: 'Space', text: 'Pause the values on the canvas; while held, drag to move the canvas' },
   { keys: 'Alt', text: 'and drag: disconnect a node from its wires' },
   { keys: 'Shift', text: 'and drag: select with a box' },
 ];

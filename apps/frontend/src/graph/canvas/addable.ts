@@ -61,6 +61,8 @@ const SENTENCES: Readonly<Record<keyof typeof PARTS, string>> = {
 export interface AddableWish {
   /** Fixed end of a dangling wire, which the nodes must fit. */
   readonly end?: PortRef | undefined;
+  /** Names of modules that the user marked. */
+  readonly favourites?: readonly string[] | undefined;
   /** Names of modules that were used lately. */
   readonly recent?: readonly string[] | undefined;
 }
@@ -70,7 +72,7 @@ export function findAddables(
   graph: Graph,
   { modules, topics, used, nameTopic }: AddableSources,
   typed: string,
-  { end, recent }: AddableWish,
+  { end, favourites, recent }: AddableWish,
 ): Addable[] {
   const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
   const all =
@@ -81,6 +83,7 @@ export function findAddables(
   const keepsOrder = end !== undefined && typed.trim() === '';
   const options = {
     atHand: end === undefined ? formatsAtHand(graph) : undefined,
+    favourites,
     recent: keepsOrder ? undefined : recent,
   };
   return [
@@ -118,14 +121,14 @@ export function insertables(
   { modules }: AddableSources,
   typed: string,
   wireId: string,
-  recent?: readonly string[],
+  preferred: Pick<AddableWish, 'favourites' | 'recent'> = {},
 ): Addable[] {
   const wire = graph.wires.get(wireId);
   if (wire === undefined) return [];
   const fitting = modules.filter(
     (module) => insertionOf(graph, wire, moduleNode(module)) !== undefined,
   );
-  return bestFirst(looseModules(fitting), typed, { atHand: formatsAtHand(graph), recent });
+  return bestFirst(looseModules(fitting), typed, { atHand: formatsAtHand(graph), ...preferred });
 }
 
 /** Returns the module that would be added; undefined for other nodes. */

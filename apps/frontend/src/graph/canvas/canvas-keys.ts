@@ -17,6 +17,7 @@ export interface CanvasActions {
   /** @returns whether there was something to cancel */
   cancel(): boolean;
   open(node: string): void;
+  showProblem(): void;
   /** Starts a wire at a socket and opens the list of fitting ends. */
   connect(port: PortRef): void;
   /** Announces why a key had no effect. */
@@ -118,6 +119,9 @@ function plainKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
     case 'W':
       return walkWires(editor, stage, event.shiftKey ? -1 : 1);
     case 'p':
+      actions.showProblem();
+      return true;
+    case 'r':
       if (wire === undefined) return false;
       commands.addPoint(wire);
       return true;

@@ -30,6 +30,27 @@ describe('the graph editor', () => {
     expect(editor.undoLabel.value).toBeUndefined();
   });
 
+  it('adopts a session that was saved as a text as one step that can be undone', () => {
+    const editor = editorOf(withRevision(3));
+    addTopic(editor, '/b');
+    const before = editor.graph.value;
+    const { extension } = withRevision(4);
+    editor.adopt({ ...aSession({ name: 'As text' }), extension: extension! });
+    expect(editor.graph.value.details.name).toBe('As text');
+    expect(editor.graph.value.nodes.has('topic:/b')).toBe(false);
+    expect(editor.changes.value).toBe(0);
+    expect(editor.undoLabel.value).toBe('Apply JSON');
+    editor.undo();
+    expect(editor.graph.value).toEqual(before);
+    // What the master has is the text.
+    expect(editor.changes.value).toBe(1);
+    editor.redo();
+    expect(editor.changes.value).toBe(0);
+    editor.undo();
+    editor.undo();
+    expect(editor.undoLabel.value).toBeUndefined();
+  });
+
   it('selects only what is there', () => {
     const editor = editorOf(aSession());
     addTopic(editor, '/b');

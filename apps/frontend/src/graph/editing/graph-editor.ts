@@ -20,7 +20,7 @@ import { graphNews, type GraphNews } from '../model/changes/graph-news.ts';
 import { sameValue } from '../../formats/same-value.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
-import { rebase } from './rebase.ts';
+import { patchBetween, rebase } from './rebase.ts';
 import { isSameGraph } from './same-graph.ts';
 
 /** Selected nodes, or the selected wire. */
@@ -89,7 +89,7 @@ export interface GraphEditor {
   mark(): Saved;
   /** Handles a successful save of the state at the mark. */
   handleSaved(session: Session, mark: Saved): void;
-  /** Shows a session that this page saved as a text: there is nothing to undo. */
+  /** Shows a session that this page saved as a text, as one step of undo. */
   adopt(session: Session): void;
   /** Resolves a conflict with the other client's change. */
   takeTheirs(conflict: Conflict): void;
@@ -276,7 +276,12 @@ export function createGraphEditor(
     },
     adopt(next) {
       sent = undefined;
-      reset(next);
+      base = withIds(keepEditorData(next, base), uuid);
+      session.value = next;
+      merged.value = undefined;
+      const patch = patchBetween(graph.value, graphOf(base));
+      show(perform(seal(state.value), { kind: 'patch', patch, label: 'Apply JSON' }));
+      saved.value = mark();
     },
     mark,
     takeTheirs(conflict) {

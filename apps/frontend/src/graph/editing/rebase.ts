@@ -2,6 +2,7 @@ import { mergeGraphs } from '../model/changes/merge-graphs.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
 import { sameValue } from '../../formats/same-value.ts';
 import { perform, startEditing, type EditState } from '../model/commands/edit-state.ts';
+import type { GraphPatch } from '../model/commands/graph-edit.ts';
 import type { Graph } from '../model/graph.ts';
 
 /** Result of applying the user's changes to the version that another user saved. */
@@ -13,14 +14,19 @@ export interface Rebased {
 /** Applies the changes from `base` to `mine` as one step on `theirs`. */
 export function rebase(base: Graph, mine: Graph, theirs: Graph): Rebased {
   const { graph, conflicts } = mergeGraphs(base, mine, theirs);
-  const patch = {
-    nodes: differing(theirs.nodes, graph.nodes),
-    wires: differing(theirs.wires, graph.wires),
-    details: sameValue(graph.details, theirs.details) ? undefined : graph.details,
-  };
+  const patch = patchBetween(theirs, graph);
   const label = 'Your earlier changes';
   const state = perform(startEditing(theirs), { kind: 'patch', patch, label });
   return { state, conflicts };
+}
+
+/** Returns the patch that makes the one graph the other. */
+export function patchBetween(from: Graph, to: Graph): GraphPatch {
+  return {
+    nodes: differing(from.nodes, to.nodes),
+    wires: differing(from.wires, to.wires),
+    details: sameValue(to.details, from.details) ? undefined : to.details,
+  };
 }
 
 function differing<T>(

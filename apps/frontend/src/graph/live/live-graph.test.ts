@@ -7,7 +7,7 @@ import { fakeTopics } from '../../connection/live/testing/fake-topics.ts';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { graphOf } from '../model/graph-of.ts';
 import { aModule, aSessionOf } from '../model/testing/small-graph.ts';
-import { useLiveGraph } from './live-graph.ts';
+import { useLiveGraph, type LiveGraph } from './live-graph.ts';
 
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ['requestAnimationFrame', 'cancelAnimationFrame', 'performance'] });
@@ -53,14 +53,15 @@ function mountGraph(rates = new Map<string, TopicRate>()) {
     },
   };
   const session = aSessionOf([aModule('a', {}, { out: 'double' })], { 'a.out': '/first' });
+  let live: LiveGraph | undefined;
   const wrapper = mount(
     defineComponent(() => {
-      const live = useLiveGraph(
+      live = useLiveGraph(
         shallowRef(session),
         computed(() => graphOf(session)),
       );
       return () => {
-        const topic = live.topic('/first');
+        const topic = live?.topic('/first');
         return topic === undefined ? 'nothing known' : (topic.text ?? 'no value');
       };
     }),
@@ -72,7 +73,7 @@ function mountGraph(rates = new Map<string, TopicRate>()) {
     await nextTick();
     return wrapper.text();
   };
-  return { publish, draw };
+  return { publish, draw, pause: (isPaused: boolean) => (live!.isPaused.value = isPaused) };
 }
 
 it('shows the first value of a topic before the master has counted it', async () => {
@@ -86,4 +87,15 @@ it('shows no rate of a topic that has counters only because the graph subscribed
   expect(await draw()).toBe('nothing known');
   publish('/first', 3);
   expect(await draw()).toBe('3.00');
+});
+
+it('keeps the shown values while it is paused, then shows the newest', async () => {
+  const { publish, draw, pause } = mountGraph();
+  publish('/first', 3);
+  expect(await draw()).toBe('3.00');
+  pause(true);
+  publish('/first', 4);
+  expect(await draw()).toBe('3.00');
+  pause(false);
+  expect(await draw()).toBe('4.00');
 });

@@ -41,6 +41,8 @@ export interface RunTime {
 export interface LiveGraph {
   /** Set while the canvas moves: values are then drawn less often. */
   readonly isMoving: ShallowRef<boolean>;
+  /** Set while the values on the canvas are paused; the session goes on. */
+  readonly isPaused: ShallowRef<boolean>;
   /** Returns whether a node is visible; values of others are drawn less often. */
   readonly isInView: ShallowRef<(node: string) => boolean>;
   topic(topic: string): LiveTopic | undefined;
@@ -88,6 +90,7 @@ export function useLiveGraph(
   });
 
   const isMoving = shallowRef(false);
+  const isPaused = shallowRef(false);
   const isInView = shallowRef<(node: string) => boolean>(() => true);
   const units = computed(() => drawUnits(graph.value));
   const slices = new DrawSlices(
@@ -97,6 +100,7 @@ export function useLiveGraph(
   const timeFrame = createFrameTimer((frameMs) => slices.took(frameMs));
   usePageFrames(({ isReading, readMs }) => {
     if (isReading) values.sample(readMs);
+    if (isPaused.value) return;
     const slice = slices.next(performance.now(), isMoving.value);
     if (slice.length === 0) return;
     timeFrame();
@@ -162,6 +166,7 @@ export function useLiveGraph(
 
   return {
     isMoving,
+    isPaused,
     isInView,
     topic: (topic) => shown.get(topic),
     preview: (mux) =>

@@ -1,4 +1,5 @@
-import type { Graph, Wire } from '../model/graph.ts';
+import type { Graph, PortRef, Wire } from '../model/graph.ts';
+import { wiresAt } from '../model/wires-of.ts';
 
 /** Returns the topic whose values flow through a wire; undefined for constants and for several topics. */
 export function topicOfWire({ nodes }: Graph, { from, to, via }: Wire): string | undefined {
@@ -15,4 +16,12 @@ export function topicsOf(graph: Graph): ReadonlySet<string> {
   for (const node of graph.nodes.values()) if (node.kind === 'topic') names.add(node.topic);
   for (const { via } of graph.wires.values()) if (via !== undefined) names.add(via);
   return names;
+}
+
+/** Returns the topic whose values are at a port; undefined without one, and for several topics. */
+export function topicAt(graph: Graph, ref: PortRef): string | undefined {
+  const node = graph.nodes.get(ref.node);
+  if (node?.kind === 'topic') return node.topic;
+  const [wire] = wiresAt(graph, ref);
+  return wire && topicOfWire(graph, wire);
 }

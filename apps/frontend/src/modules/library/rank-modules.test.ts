@@ -18,6 +18,14 @@ it('what was used lately comes before what is as relevant', () => {
   expect(rankFound(library, findableModule, [], { recent })[0]!.name).toMatch(/clock|one-euro/);
 });
 
+it('favourites come before what was used lately, among what is as relevant', () => {
+  const options = { favourites: ['one-euro-filter'], recent: ['one-euro-filter-vector2'] };
+  const names = (words: string[]) =>
+    rankFound(library, findableModule, words, options).map(({ name }) => name);
+  expect(names([]).slice(0, 2)).toEqual(['one-euro-filter', 'one-euro-filter-vector2']);
+  expect(names(['clock'])[0]).toBe('clock');
+});
+
 describe('modules that answer words', () => {
   it('begin with those that take what is at hand', () => {
     const [first, ...rest] = found('smooth', 'vector2');

@@ -21,23 +21,25 @@ export function findableModule(module: ProcessingModule): Findable {
 export interface RankOptions {
   /** Undefined: modules that read an available format keep their places. */
   readonly atHand?: FormatsAtHand | undefined;
-  /** Names of modules that were used lately, which come first. */
+  /** Names of modules that the user marked, which come first. */
+  readonly favourites?: readonly string[] | undefined;
+  /** Names of modules that were used lately, which come next. */
   readonly recent?: readonly string[] | undefined;
 }
 
 /**
- * Returns the entries that match all words: name, word in the name, tag, sentence. Equally relevant ones by recent use,
- * then by whether they read an available format, then by the number of inputs, fewest first.
+ * Returns the entries that match all words: name, word in the name, tag, sentence. Equally relevant ones: favourites, then
+ * by recent use, by whether they read an available format, then by the number of inputs, fewest first.
  * @param words in lower case
  */
 export function rankFound<T>(
   all: readonly T[],
   findable: (one: T) => Findable,
   words: readonly string[],
-  { atHand, recent = [] }: RankOptions,
+  { atHand, favourites = [], recent = [] }: RankOptions,
 ): T[] {
-  const isRecent = (module: ProcessingModule | undefined): number =>
-    module !== undefined && recent.includes(module.name) ? 1 : 0;
+  const isIn = (names: readonly string[], module: ProcessingModule | undefined): number =>
+    module !== undefined && names.includes(module.name) ? 1 : 0;
   const takes = (module: ProcessingModule | undefined): number =>
     module?.inputs.some(({ messageFormat }) => {
       const format = parseDataFormat(messageFormat);
@@ -52,12 +54,17 @@ export function rankFound<T>(
       const { module } = found;
       const inputs = isCounted ? (module?.inputs.length ?? 0) : 0;
       const score = searchScore(found, words);
-      return { one, score, inputs, recent: isRecent(module), takes: takes(module) };
+      const [marked, used] = [isIn(favourites, module), isIn(recent, module)];
+      return { one, score, inputs, marked, used, takes: takes(module) };
     })
     .filter(({ score }) => score > 0)
     .sort(
       (a, b) =>
-        b.score - a.score || b.recent - a.recent || b.takes - a.takes || a.inputs - b.inputs,
+        b.score - a.score ||
+        b.marked - a.marked ||
+        b.used - a.used ||
+        b.takes - a.takes ||
+        a.inputs - b.inputs,
     )
     .map(({ one }) => one);
 }

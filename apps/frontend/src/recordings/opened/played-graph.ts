@@ -44,6 +44,7 @@ export function playedGraph(sources: PlayedSources, patterns: Patterns): LiveGra
   }
   return {
     isMoving: shallowRef(false),
+    isPaused: shallowRef(false),
     isInView: shallowRef(() => true),
     topic,
     ownerOf: (name) => tracks.value.get(name)?.owner,

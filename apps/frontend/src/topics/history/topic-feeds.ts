@@ -42,6 +42,16 @@ export function newestRecord(topic: string): TopicRecord | undefined {
   return newest?.latest;
 }
 
+/** Returns the longest history that this page keeps of a topic now; `undefined` without one. */
+export function longestHistory(topic: string): TopicHistory | undefined {
+  const sinceMs = ({ records }: TopicHistory): number => records.oldest?.localMs ?? Infinity;
+  let longest: TopicHistory | undefined;
+  for (const { history } of lookedAt.get(topic) ?? []) {
+    if (longest === undefined || sinceMs(history) < sinceMs(longest)) longest = history;
+  }
+  return longest;
+}
+
 /** Records of a topic. Subscribed while there are viewers; records are kept without viewers. */
 export class TopicFeed implements FeedLook {
   readonly topic: string;

@@ -7,7 +7,7 @@ import type { Session } from '../sessions/session.ts';
 import { quote } from '../texts/quote.ts';
 import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';
-import { nameOfSession } from './sessions.ts';
+import { nameOfSession, namesOfSession } from './sessions.ts';
 
 type Parts = Pick<Core, 'sessions' | 'sessionLibrary' | 'limitWatch'>;
 const define = definer<keyof Parts>();
@@ -24,7 +24,7 @@ export const STORED_SESSION_SERVICES = [
     target: ({ session }) =>
       session === undefined ? {} : { session: { id: session.id, name: '' } },
     auditObject: (core, { session, sessionList }) =>
-      session === undefined ? namesOf(sessionList?.elements ?? []) : nameOfSession(core, session),
+      session === undefined ? namesOf(sessionList?.elements ?? []) : namesOfSession(core, session),
     async handle(core, { session, sessionList }, { caller }) {
       const messages = [
         ...(session === undefined ? [] : [session]),

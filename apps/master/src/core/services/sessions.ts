@@ -64,6 +64,7 @@ export const SESSION_SERVICES = [
   // [SE-15]
   define('sessionRuntimeUpdate', {
     ...CHANGE,
+    auditObject: namesOfSession,
     async handle(parts, message, { caller }) {
       const { sessions } = parts;
       const session = await sessions.find(message.id);
@@ -107,6 +108,15 @@ export function nameOfSession(
 ): string {
   const known = sessions.list().find((session) => session.id === id);
   return known?.description.name || name || id;
+}
+
+/** The same for a change that may give it another name: `Session → Arm lights`. */
+export function namesOfSession(
+  core: Pick<Core, 'sessions'>,
+  session: Pick<SessionMessage, 'id' | 'name'>,
+): string {
+  const before = nameOfSession(core, session);
+  return session.name === '' || session.name === before ? before : `${before} → ${session.name}`;
 }
 
 /** The reply, once it is on the disk what starts with the next master: what was answered, stands [SE-24]. */

@@ -94,7 +94,7 @@ describe('a module with a frequency', () => {
 
   it.each([
     ['the run took too long', 150, 'because the previous run had not finished'],
-    ['its node was late', 2, 'because the node was too busy'],
+    ['its node was late', 2, 'because the computer it runs on was too busy'],
   ])('[PM-22] tells at the end of the run that %s', async (_, durationMs, words) => {
     const { clock, sandboxes, events, begin } = createModuleWorld();
     await begin({ mode: hertz(10) });

@@ -196,7 +196,7 @@ export class InstanceReports {
     const message =
       durationMs >= this.#exceededMs
         ? 'A run was skipped because the previous run had not finished.'
-        : 'A run was skipped because the node was too busy to start runs on time.';
+        : 'A run was skipped because the computer it runs on was too busy to start it on time.';
     this.#exceededMs = undefined;
     this.#tell({ kind: ModuleEventKind.OVERRUN, phase: 'onProcessing', message });
   }

@@ -16,17 +16,24 @@ const MAX_TAGS = 8;
 /** Tells how a module is meant, not what it does. */
 const IGNORED = 'example';
 
-/** Returns the groups that have entries: all, recently used, the commonest tags of modules, topics, and the rest. */
-export function categoriesOf(all: readonly Addable[], recent: readonly string[]): Category[] {
+/** Returns the groups that have entries: all, favourites, recently used, the commonest tags of modules, topics, and the rest. */
+export function categoriesOf(
+  all: readonly Addable[],
+  { favourites, recent }: Readonly<Record<'favourites' | 'recent', readonly string[]>>,
+): Category[] {
   const isTopic = (one: Addable): boolean => kindOf(one) === 'topic';
   const isSocket = ({ port }: Addable): boolean => port !== undefined;
-  const isRecent = (one: Addable): boolean => recent.includes(moduleOf(one)?.name ?? '');
+  const isIn =
+    (names: readonly string[]) =>
+    (one: Addable): boolean =>
+      names.includes(moduleOf(one)?.name ?? '');
   const isRest = (one: Addable): boolean =>
     moduleOf(one) === undefined && !isTopic(one) && !isSocket(one);
   const groups: readonly Omit<Category, 'count'>[] = [
     { key: 'all', text: 'All', has: () => true },
     { key: 'sockets', text: 'In the graph', has: isSocket },
-    { key: 'recent', text: 'Recent', has: isRecent },
+    { key: 'favourites', text: 'Favourites', has: isIn(favourites) },
+    { key: 'recent', text: 'Recent', has: isIn(recent) },
     ...commonTags(all).map((tag) => ({
       key: `tag ${tag}`,
       text: tag.charAt(0).toUpperCase() + tag.slice(1),

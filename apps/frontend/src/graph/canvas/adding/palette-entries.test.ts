@@ -27,6 +27,18 @@ it('what does not fit the wire is last, with the reason, once the filter is remo
   }
 });
 
+it('favourites are first, with a wire, too', () => {
+  const two = [...sources.modules, module('mirror', 'vector2'), module('swap', 'vector2')];
+  const first = (wish: object): string | undefined =>
+    paletteEntries(graph, { ...sources, modules: two }, '', {
+      ...{ isFiltered: true, recent: ['turn'], favourites: ['swap'] },
+      ...wish,
+    }).find(({ offer, item }) => (offer ?? item)?.kind === 'module')?.text;
+  expect(first({})).toBe('swap');
+  expect(first({ end })).toBe('swap');
+  expect(first({ wire })).toBe('swap');
+});
+
 it('without a wire nothing is required', () => {
   const wish = { isFiltered: true, recent: [] };
   expect(wantedFormat(graph, wish)).toBe('');

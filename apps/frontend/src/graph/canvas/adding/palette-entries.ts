@@ -22,6 +22,8 @@ export interface PaletteWish {
   readonly placeOf?: ((ref: PortRef) => Point | undefined) | undefined;
   /** Only what fits the wire. */
   readonly isFiltered: boolean;
+  /** Names of modules that the user marked. */
+  readonly favourites?: readonly string[];
   /** Names of modules that were used lately. */
   readonly recent: readonly string[];
 }
@@ -40,15 +42,15 @@ export function paletteEntries(
   typed: string,
   wish: PaletteWish,
 ): Addable[] {
-  const { end, wire, isFiltered, recent } = wish;
+  const { end, wire, isFiltered, favourites, recent } = wish;
   const fitting =
     wire === undefined
       ? withSockets(graph, sources, typed, wish)
-      : insertables(graph, sources, typed, wire, recent);
+      : insertables(graph, sources, typed, wire, { favourites, recent });
   if (isFiltered || (end === undefined && wire === undefined)) return fitting;
   const shown = new Set(fitting.map(nameOf));
   const misfit = `Does not fit ${wantedFormat(graph, wish) || 'the wire'}.`;
-  const others = findAddables(graph, sources, typed, { recent });
+  const others = findAddables(graph, sources, typed, { favourites, recent });
   return [
     ...fitting,
     ...others.filter((one) => !shown.has(nameOf(one))).map((one) => ({ ...one, misfit })),
@@ -66,9 +68,9 @@ function withSockets(
   graph: Graph,
   sources: AddableSources,
   typed: string,
-  { end, placeOf, recent }: PaletteWish,
+  { end, placeOf, favourites, recent }: PaletteWish,
 ): Addable[] {
-  const added = findAddables(graph, sources, typed, { end, recent });
+  const added = findAddables(graph, sources, typed, { end, favourites, recent });
   if (end === undefined || placeOf === undefined) return added;
   const inGraph = connectables(graph, end, typed, sources.topics, placeOf);
   const shown = new Set(inGraph.map(({ port }) => port?.node));

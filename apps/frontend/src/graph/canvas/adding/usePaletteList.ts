@@ -1,4 +1,5 @@
 import { computed, ref, type ComputedRef, type Ref } from 'vue';
+import { useFavouriteModules } from '../../../modules/library/favourite-modules.ts';
 import { useRecentModules } from '../../../modules/library/recent-modules.ts';
 import { useGraphContext } from '../../live/useGraphContext.ts';
 import { portOf } from '../../model/port-format.ts';
@@ -33,6 +34,9 @@ export interface PaletteList {
   readonly counted: ComputedRef<string>;
   /** Keeps that it was used, so that it comes first. */
   note(one: Addable): void;
+  isFavourite(one: Addable): boolean;
+  /** Marks a module as favourite, or no longer. */
+  mark(one: Addable): void;
 }
 
 /** Search, categories and filter of the palette. */
@@ -42,6 +46,8 @@ export function usePaletteList({ sources, end, wire, hasSockets }: PaletteTask):
   const used = useRecentModules();
   // As they were when it opened: rows must not move below the pointer while topics come and go.
   const recent = [...used.names.value];
+  const marked = useFavouriteModules();
+  const favourites = [...marked.names.value];
   const { topics, used: taken, nameTopic } = sources;
   const here: AddableSources = {
     topics,
@@ -61,13 +67,16 @@ export function usePaletteList({ sources, end, wire, hasSockets }: PaletteTask):
     return {
       end,
       wire,
+      favourites,
       recent,
       isFiltered: isFiltered.value,
       placeOf: isOfSockets ? placeOf : undefined,
     };
   });
   const all = computed(() => paletteEntries(editor.graph.value, here, '', wish.value));
-  const categories = computed(() => categoriesOf(all.value, recent));
+  const categories = computed(() =>
+    categoriesOf(all.value, { favourites: marked.names.value, recent }),
+  );
   const matching = computed(() => {
     const isAsked = text.value.trim() !== '';
     return isAsked ? paletteEntries(editor.graph.value, here, text.value, wish.value) : all.value;
@@ -91,6 +100,11 @@ export function usePaletteList({ sources, end, wire, hasSockets }: PaletteTask):
     note(one) {
       const module = moduleOf(one);
       if (module !== undefined) used.note(module.name);
+    },
+    isFavourite: (one) => marked.names.value.includes(moduleOf(one)?.name ?? ''),
+    mark(one) {
+      const module = moduleOf(one);
+      if (module !== undefined) marked.toggle(module.name);
     },
   };
 }

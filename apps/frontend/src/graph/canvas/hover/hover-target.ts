@@ -1,4 +1,4 @@
-import { topicOfWire } from '../../live/topics-in-graph.ts';
+import { topicAt, topicOfWire } from '../../live/topics-in-graph.ts';
 import type { Graph, PortRef } from '../../model/graph.ts';
 import { portFormat, portOf } from '../../model/port-format.ts';
 import { wiresAt } from '../../model/wires-of.ts';
@@ -52,7 +52,7 @@ export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | unde
   if (port === undefined || node === undefined) return undefined;
   const format = `${portFormat(graph, target.ref) ?? (port.formatText || 'any format')}${port.isList ? ' list' : ''}`;
   const [wire] = wiresAt(graph, target.ref);
-  const topic = node.kind === 'topic' ? node.topic : wire && topicOfWire(graph, wire);
+  const topic = topicAt(graph, target.ref);
   const side = port.direction === 'in' ? 'Input' : 'Output';
   const constant = node.kind === 'module' ? node.constants.get(port.name) : undefined;
   const note =

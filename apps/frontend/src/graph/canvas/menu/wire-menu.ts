@@ -19,7 +19,7 @@ export function wireMenu(graph: Graph, id: string, { at, spotOn }: MenuPlace): M
             action(
               'Add bend point',
               { command: addPoint(wire, spot.leg, onGrid(spot)) },
-              { shortcut: 'P' },
+              { shortcut: 'R' },
             ),
           ]),
       ...(wire.points.length > 0

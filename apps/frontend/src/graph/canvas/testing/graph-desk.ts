@@ -123,6 +123,7 @@ export async function aGraphDesk(): Promise<GraphDesk> {
     add() {},
     find() {},
     open() {},
+    showProblem() {},
     connect() {},
     tell() {},
     cancel: () => false,
@@ -241,6 +242,7 @@ function aConnection(): Connection {
 const NO_PAD = {} as OwnPad;
 const NOTHING_LIVE = {
   isMoving: shallowRef(false),
+  isPaused: shallowRef(false),
   isInView: shallowRef(() => true),
   topic: () => undefined,
   module: () => undefined,

@@ -2,8 +2,8 @@ import { computed, type ComputedRef } from 'vue';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { RUN_FAILED, runProblems } from '../../../sessions/live/run-problems.ts';
 import type { SessionRef } from '../../../sessions/words/shared-topics.ts';
-import { useGraphContext } from '../../live/useGraphContext.ts';
-import { useGraphProblems } from '../../live/useGraphProblems.ts';
+import { useGraphContext, type GraphContext } from '../../live/useGraphContext.ts';
+import { useGraphProblems, type LiveProblems } from '../../live/useGraphProblems.ts';
 import { moduleNodeId } from '../../model/make-node.ts';
 import type { Remedy } from '../../model/live/graph-problem.ts';
 import { nodeTitle } from '../../nodes/node-label.ts';
@@ -26,10 +26,11 @@ export interface ProblemRow {
 }
 
 /** Problems of the session, of saved and unsaved changes, and of runs; those of runs come first. */
-export function useProblemRows(): ComputedRef<readonly ProblemRow[]> {
-  const { editor, live } = useGraphContext();
+export function useProblemRows(
+  { editor, live }: Pick<GraphContext, 'editor' | 'live'> = useGraphContext(),
+  { problems }: Pick<LiveProblems, 'problems'> = useGraphProblems(),
+): ComputedRef<readonly ProblemRow[]> {
   const { topics } = useConnection();
-  const { problems } = useGraphProblems();
   const running = computed(() =>
     runProblems(editor.session.value, live.events.value, topics.masterTimeMs.value),
   );

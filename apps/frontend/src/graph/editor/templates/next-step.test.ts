@@ -52,6 +52,23 @@ it('stays at the input of a module while another module has a wire', () => {
   expect(nextStep(graph, 'keys')).toContain('input');
 });
 
+it('names the output of another module that fits, before a topic is there', () => {
+  const modules = [
+    aModule('low-pass', { value: 'double' }, { smoothed: 'double' }),
+    aModule('clock', {}, { sine: 'double', tick: 'bool' }),
+  ];
+  const step = nextStep(aGraphOf(modules));
+  expect(step).toBe('Next: pull a wire from “sine” of clock to the input “value” of low-pass.');
+  // Its own output, or one behind it, would be a loop.
+  expect(nextStep(aGraphOf(modules.slice(0, 1)))).toContain('drag a topic onto');
+});
+
+it('names the button that is there', () => {
+  const graph = withModule({ inputMappings, outputMappings });
+  expect(nextStep(graph, 'pointer', 'Save and start')).toBe('Next: press Save and start.');
+  expect(nextStep(graph, 'list', 'Save and start')).toBe('Next: press Save and start.');
+});
+
 it('says which keys do it to a user who works with keys', () => {
   expect(nextStep(withModule({}), 'keys')).toMatch(/low-pass with the arrow keys.* L .* its input/);
   expect(nextStep(withModule({ inputMappings }), 'keys')).toMatch(/ L .* its output/);

@@ -1,6 +1,8 @@
 import { nodeTitle } from '../../nodes/node-label.ts';
-import type { Graph, GraphNode, Port } from '../../model/graph.ts';
+import { connectables } from '../../canvas/connectable.ts';
+import type { Graph, GraphNode, Port, PortRef } from '../../model/graph.ts';
 import { openInput } from '../../model/open-input.ts';
+import { portOf } from '../../model/port-format.ts';
 
 /** Largest graph with hints; users with larger ones know the next step. */
 const MAX_NODES = 5;
@@ -10,26 +12,29 @@ export type Way = 'pointer' | 'keys' | 'list';
 
 interface Steps {
   readonly module: string;
-  input(title: string, input: Port, hasTopic: boolean): string;
+  /** @param from an output that fits the input, if there is one */
+  input(title: string, input: Port, hasTopic: boolean, from: string | undefined): string;
   output(title: string, output: Port | undefined): string;
-  readonly start: string;
+  /** @param button text of the button that starts */
+  start(button: string): string;
 }
 
 const STEPS: Readonly<Record<Way, Steps>> = {
   pointer: {
     module: 'drag a module in.',
-    input: (title, { name }, hasTopic) =>
-      hasTopic
-        ? `pull a wire from the topic to the input “${name}” of ${title}.`
-        : `drag a topic onto the input “${name}” of ${title}.`,
+    input(title, { name }, hasTopic, from) {
+      const to = `the input “${name}” of ${title}`;
+      if (hasTopic) return `pull a wire from the topic to ${to}.`;
+      return from === undefined ? `drag a topic onto ${to}.` : `pull a wire from ${from} to ${to}.`;
+    },
     output: () => 'pull the output of the module to an empty place.',
-    start: 'press Start.',
+    start: (button) => `press ${button}.`,
   },
   keys: {
     module: 'press A to add a module.',
     input: (title) => `go to ${title} with the arrow keys, then press L to connect its input.`,
     output: (title) => `go to ${title} with the arrow keys, then press L to connect its output.`,
-    start: 'press Ctrl Enter to start.',
+    start: () => 'press Ctrl Enter to start.',
   },
   list: {
     module: 'press Add, and choose a module.',
@@ -38,12 +43,15 @@ const STEPS: Readonly<Record<Way, Steps>> = {
       output === undefined
         ? 'press an output, and choose a topic.'
         : `press the output “${output.name}” of ${title}, and choose a topic.`,
-    start: 'press Start.',
+    start: (button) => `press ${button}.`,
   },
 };
 
-/** Returns the next step for a small graph until it can be started, in one line; undefined for larger graphs. */
-export function nextStep(graph: Graph, way: Way = 'pointer'): string | undefined {
+/**
+ * Returns the next step for a small graph until it can be started, in one line; undefined for larger graphs.
+ * @param button text of the button that starts the session
+ */
+export function nextStep(graph: Graph, way: Way = 'pointer', button = 'Start'): string | undefined {
   const { nodes, wires } = graph;
   if (nodes.size === 0 || nodes.size > MAX_NODES) return undefined;
   const steps = STEPS[way];
@@ -55,11 +63,22 @@ export function nextStep(graph: Graph, way: Way = 'pointer'): string | undefined
     const input = openInput(graph, module);
     if (input === undefined) continue;
     const hasTopic = all.some(({ kind }) => kind === 'topic');
-    return `Next: ${steps.input(nodeTitle(module), input, hasTopic)}`;
+    const from = hasTopic ? undefined : fittingOutput(graph, { node: module.id, port: input.id });
+    return `Next: ${steps.input(nodeTitle(module), input, hasTopic, from)}`;
   }
   if (![...wires.values()].some(({ from }) => nodes.get(from.node)?.kind === 'module'))
     return `Next: ${steps.output(nodeTitle(first), firstOutput(first))}`;
-  return `Next: ${steps.start}`;
+  return `Next: ${steps.start(button)}`;
+}
+
+/** `“sine” of clock`: the output of another module that fits an input best. */
+function fittingOutput(graph: Graph, input: PortRef): string | undefined {
+  for (const { isLoop, port } of connectables(graph, input, '', [], () => undefined)) {
+    const node = port && graph.nodes.get(port.node);
+    if (isLoop || node?.kind !== 'module') continue;
+    return `“${portOf(graph, port!)?.name ?? ''}” of ${nodeTitle(node)}`;
+  }
+  return undefined;
 }
 
 const firstOutput = ({ ports }: GraphNode): Port | undefined =>

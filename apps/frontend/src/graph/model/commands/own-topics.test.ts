@@ -57,6 +57,38 @@ describe('a new name of the session', () => {
     ]);
   });
 
+  it('is in a topic that the editor proposed for an output, with its wires and points', () => {
+    const proposed = { 'clock.sine': '/Test/sine', 'map.value': '/Test/sine' };
+    // The node of the topic stays where it is shown.
+    const shown = applyCommand(aGraphOf([CLOCK, MAP], { 'clock.sine': '/Test/sine' }), rename);
+    expect(wiresIn(shown.graph)).toEqual(['clock.sine > topic:/Arm-lights/sine']);
+    const graph = applyCommand(aGraphOf([CLOCK, MAP], proposed), {
+      kind: 'showTopic',
+      wire: [...aGraphOf([CLOCK, MAP], proposed).wires.keys()][0]!,
+    }).graph;
+    const [wire] = [...graph.wires.values()].filter(({ to }) => to.node === 'topic:/Test/sine');
+    const points = [{ x: 10, y: 20 }];
+    const bent = applyCommand(graph, { kind: 'reroute', wire: wire!.id, points }).graph;
+    const after = applyCommand(bent, rename).graph;
+    expect(wiresIn(after)).toEqual([
+      'clock.sine > topic:/Arm-lights/sine',
+      'topic:/Arm-lights/sine > map.value',
+    ]);
+    expect(
+      [...after.wires.values()].find(({ to }) => to.node.startsWith('topic:'))?.points,
+    ).toEqual(points);
+  });
+
+  it('is in no topic that others write, too, or that has another name', () => {
+    const two = { 'clock.sine': '/Test/sine', 'map.mapped': '/Test/sine' };
+    const other = { 'clock.sine': '/Test/speed' };
+    const read = { 'map.value': '/Test/value' };
+    for (const mappings of [two, other, read]) {
+      const graph = aGraphOf([CLOCK, MAP], mappings);
+      expect(wiresIn(applyCommand(graph, rename).graph)).toEqual(wiresIn(graph));
+    }
+  });
+
   it('is in no topic that another session reads', () => {
     const reader = aSessionOf([MAP], { 'map.value': '/Test/clock/sine' });
     const elsewhere = (): TopicsElsewhere => topicsElsewhere([reader]);

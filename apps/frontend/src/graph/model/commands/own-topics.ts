@@ -1,8 +1,15 @@
-import type { Graph, PortRef, Wire } from '../graph.ts';
+import type { Graph, PortRef, TopicNode, Wire } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
 import { ioName } from '../ports.ts';
 import { wiresOf } from '../wires-of.ts';
-import { freeTopic, sessionPart, topicPart, topicsOf, unusedTopic } from './free-topic.ts';
+import {
+  freeTopic,
+  proposedTopic,
+  sessionPart,
+  topicPart,
+  topicsOf,
+  unusedTopic,
+} from './free-topic.ts';
 import type { CommandOf } from './graph-command.ts';
 import type { GraphEdit } from './graph-edit.ts';
 import { viaWires } from './reveal-topic.ts';
@@ -26,8 +33,8 @@ export function withOwnTopics(edit: GraphEdit, wires: readonly Wire[]): readonly
 }
 
 /**
- * Renames the topics that the editor made for wires after a new name of the session. Topics that a user named, that
- * others read or that a muxer of the session may select stay.
+ * Renames the topics that the editor made or proposed for outputs after a new name of the session. Topics that a user
+ * named, that others read or that a muxer of the session may select stay.
  * @param before the previous name
  */
 export function followName(edit: GraphEdit, before: string): void {
@@ -36,6 +43,34 @@ export function followName(edit: GraphEdit, before: string): void {
   for (const [topic, from] of madeTopics(edit.graph, old)) {
     if (!edit.elsewhere.needed.has(topic)) renameWires(edit, topic, from);
   }
+  for (const { node, from } of proposedTopics(edit.graph, old)) {
+    if (edit.elsewhere.needed.has(node.topic)) continue;
+    const isShort = node.topic.split('/').length === SHORT_LEVELS;
+    const nameTopic = isShort ? proposedTopic : freeTopic;
+    const topic = nameTopic(edit.graph, from, edit.elsewhere.used);
+    renameTopic(edit, { kind: 'renameTopic', node: node.id, topic });
+  }
+}
+
+/** Of `/session/output`, with the empty one before the first slash. */
+const SHORT_LEVELS = 3;
+
+/** Nodes of topics with the name that the editor proposes, with the output that writes each. */
+function proposedTopics(graph: Graph, session: string): { node: TopicNode; from: PortRef }[] {
+  return [...graph.nodes.values()].flatMap((node) => {
+    if (node.kind !== 'topic') return [];
+    const [wire, ...others] = wiresOf(graph, node.id).in;
+    if (wire === undefined || others.length > 0) return [];
+    const [, first, ...rest] = node.topic.split('/');
+    const isNamed = rest.length <= 2 && isOfOutput(rest.at(-1) ?? '', wire.from);
+    return first === session && isNamed ? [{ node, from: wire.from }] : [];
+  });
+}
+
+/** Whether the last level of a topic is that of an output, with or without a number. */
+function isOfOutput(last: string, { port }: PortRef): boolean {
+  const io = topicPart(ioName(port));
+  return last === io || (last.startsWith(`${io}-`) && /^\d+$/.test(last.slice(io.length + 1)));
 }
 
 /** Topics of wires with the name that the editor gives, with the output that writes each. */
@@ -44,10 +79,7 @@ function madeTopics(graph: Graph, session: string): Map<string, PortRef> {
   for (const { via, from } of graph.wires.values()) {
     if (via === undefined) continue;
     const [, first, , last = '', ...more] = via.split('/');
-    const io = topicPart(ioName(from.port));
-    const isNamed =
-      last === io || (last.startsWith(`${io}-`) && /^\d+$/.test(last.slice(io.length + 1)));
-    if (first === session && isNamed && more.length === 0) made.set(via, from);
+    if (first === session && isOfOutput(last, from) && more.length === 0) made.set(via, from);
   }
   return made;
 }

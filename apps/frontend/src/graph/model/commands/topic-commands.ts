@@ -26,8 +26,14 @@ export function renameTopic(edit: GraphEdit, { node, topic }: CommandOf<'renameT
   // Drop the format: it belongs to the old topic.
   if (!edit.graph.nodes.has(id)) edit.putNodes([topicNode(topic, { ...old, format: undefined })]);
   edit.putWires([
-    ...wires.in.map(({ from, to }) => plainWire(from, { ...to, node: id })),
-    ...wires.out.map(({ from, to }) => plainWire({ ...from, node: id }, to)),
+    ...wires.in.map(({ from, to, points }) => ({
+      ...plainWire(from, { ...to, node: id }),
+      points,
+    })),
+    ...wires.out.map(({ from, to, points }) => ({
+      ...plainWire({ ...from, node: id }, to),
+      points,
+    })),
   ]);
 }
 
