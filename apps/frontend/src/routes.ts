@@ -5,6 +5,7 @@ import { clientsRoutes } from './clients/routes.ts';
 import { devicesRoutes } from './devices/routes.ts';
 import { certificateRoutes } from './joining/certificate/routes.ts';
 import { connectPhoneRoutes } from './joining/connect-phone/routes.ts';
+import { connectProgramRoutes } from './joining/connect-program/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { homeRoutes } from './home/routes.ts';
@@ -66,6 +67,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...installRoutes,
   ...joinRoutes,
   ...connectPhoneRoutes,
+  ...connectProgramRoutes,
   ...certificateRoutes,
   {
     path: '/:path(.*)*',

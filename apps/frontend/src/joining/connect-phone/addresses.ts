@@ -68,7 +68,8 @@ export interface PhoneAddress {
   readonly interfaceName: string;
 }
 
-const isLoopbackHost = (hostname: string): boolean =>
+/** Returns whether an address with this host is one of its own computer. */
+export const isLoopbackHost = (hostname: string): boolean =>
   hostname === 'localhost' || hostname === '[::1]' || /^127\./.test(hostname);
 
 /**

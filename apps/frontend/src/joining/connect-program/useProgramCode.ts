@@ -1,0 +1,71 @@
+import { ConnectionError } from '@ubii/client-web';
+import { AccessRole, ServiceError } from '@ubii/proto';
+import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+
+const MINUTE_MS = 60_000;
+const HOUR_MS = 60 * MINUTE_MS;
+
+/** What a program joins with: programs have a code that is used once, pages a token for each of their loads. */
+export type SecretKind = 'code' | 'token' | 'none';
+
+export interface ProgramCode {
+  readonly secret: ComputedRef<string | undefined>;
+  /** Why there is none, one sentence. */
+  readonly problem: Readonly<ShallowRef<string | undefined>>;
+  /** Makes another one. */
+  renew(): Promise<void>;
+}
+
+const INVITATIONS = {
+  code: {
+    label: 'Connect a program',
+    lifetimeMs: 15 * MINUTE_MS,
+    stayMs: 12 * HOUR_MS,
+    maxJoins: 1,
+  },
+  token: { label: 'Connect a page', lifetimeMs: 12 * HOUR_MS, stayMs: 12 * HOUR_MS, maxJoins: 0 },
+} as const;
+
+/** Invites one program: once for each kind, while the page is open. */
+export function useProgramCode(kind: Readonly<Ref<SecretKind>>): ProgramCode {
+  const { client, isConnected } = useConnection();
+  const secrets = shallowRef<Partial<Record<SecretKind, string>>>({});
+  const problem = shallowRef<string>();
+  let making: SecretKind | undefined;
+
+  async function make(wanted: 'code' | 'token'): Promise<void> {
+    if (making === wanted) return;
+    making = wanted;
+    problem.value = undefined;
+    try {
+      const role = AccessRole.ACCESS_ROLE_PARTICIPANT;
+      const made = await client.call('accessGrantCreate', { ...INVITATIONS[wanted], role });
+      secrets.value = { ...secrets.value, [wanted]: made[wanted] };
+    } catch (cause) {
+      if (cause instanceof ConnectionError) return; // It is made when the master is back.
+      if (!(cause instanceof ServiceError)) throw cause;
+      problem.value =
+        cause.code === 'permission_denied'
+          ? 'Only the host makes codes. Ask the host for one, and put it in.'
+          : cause.message;
+    } finally {
+      making = undefined;
+    }
+  }
+
+  function makeMissing(): void {
+    const wanted = kind.value;
+    if (wanted === 'none' || !isConnected.value || secrets.value[wanted] !== undefined) return;
+    void make(wanted);
+  }
+  watch([kind, isConnected], makeMissing, { immediate: true });
+
+  return {
+    secret: computed(() => secrets.value[kind.value]),
+    problem,
+    renew: async () => {
+      if (kind.value !== 'none') await make(kind.value);
+    },
+  };
+}
