@@ -4,7 +4,7 @@ import type { HowTo } from './how-to.ts';
 export const PROGRAM_HOW_TOS: readonly HowTo[] = [
   {
     id: 'publish-from-python',
-    title: 'Publish from Python',
+    title: 'Publish and subscribe from Python',
     intro: 'The Python node of Ubi-Interact on PyPI works with this master without changes.',
     blocks: [
       {
@@ -14,16 +14,20 @@ export const PROGRAM_HOW_TOS: readonly HowTo[] = [
       },
       {
         kind: 'code',
-        label: 'publish.py',
+        label: 'first_program.py',
         code: `import asyncio
-from ubii.node import Publish, connect_client
+from ubii.node import Publish, Subscriptions, connect_client
+
+def show(record):
+    print("the lamp is", "on" if record.bool else "off")
 
 async def main():
     async with connect_client("{origin}/services/json") as client:
         state = client.protocol.state
         while state.value != state.value.CONNECTED:
             await state.get(predicate=lambda s: s == s.CONNECTED)
-        for step in range(100):
+        await client[Subscriptions].subscribe_topic("/python/lamp").with_callback(show)
+        for step in range(1000):
             await client[Publish].publish({"topic": "/python/wave", "double": step / 100})
             await asyncio.sleep(0.05)
 
@@ -31,7 +35,7 @@ asyncio.run(main())`,
       },
       {
         kind: 'text',
-        text: 'Run it with `venv/bin/python publish.py` and open the topic `/python/wave`. Use the address of the services with JSON.',
+        text: 'Run it with `venv/bin/python first_program.py` and open the topic `/python/wave`. Publish true on `/python/lamp`: the program prints it. Use the address of the services with JSON.',
       },
       {
         kind: 'text',

@@ -13,6 +13,7 @@ import {
   QrCode,
   RotateCw,
   Send,
+  SquareTerminal,
   Sun,
 } from '@lucide/vue';
 import { useClipboard } from '@vueuse/core';
@@ -20,6 +21,7 @@ import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { bestAddress } from '../../joining/connect-phone/addresses.ts';
 import { useConnection } from '../../connection/useConnection.ts';
+import { CONNECT_PROGRAM_PATH } from '../../locations/connect-location.ts';
 import type { Command } from '../../page/command.ts';
 import { useShell } from '../../page/shell.ts';
 import { useDiagnostics } from '../../settings/diagnostics/useDiagnostics.ts';
@@ -61,6 +63,10 @@ export function useActionCommands(): ComputedRef<Command[]> {
       icon: QrCode,
       ...(hasPhoneKey ? { shortcut: 'C' } : {}),
       run: () => shell.open('connect-phone'),
+    }),
+    action('connect-program', 'Connect a program', {
+      icon: SquareTerminal,
+      run: go(CONNECT_PROGRAM_PATH),
     }),
     action('keep-flight', 'Keep the last minutes of the flight recorder', {
       icon: CircleDot,
