@@ -68,8 +68,7 @@ export interface PhoneAddress {
   readonly interfaceName: string;
 }
 
-/** Returns whether an address with this host is one of its own computer. */
-export const isLoopbackHost = (hostname: string): boolean =>
+const isLoopbackHost = (hostname: string): boolean =>
   hostname === 'localhost' || hostname === '[::1]' || /^127\./.test(hostname);
 
 /**

@@ -5,6 +5,6 @@ export const connectProgramRoutes: readonly RouteRecordRaw[] = [
   {
     path: CONNECT_PROGRAM_PATH,
     component: () => import('./ConnectProgramPage.vue'),
-    meta: { title: 'Connect a program' },
+    meta: { title: 'Connect a program', parent: { title: 'Clients', to: '/clients' } },
   },
 ];

@@ -13,6 +13,8 @@ export interface ProgramCode {
   readonly secret: ComputedRef<string | undefined>;
   /** Why there is none, one sentence. */
   readonly problem: Readonly<ShallowRef<string | undefined>>;
+  /** Only an admin makes them. */
+  readonly isForbidden: Readonly<ShallowRef<boolean>>;
   /** Makes another one. */
   renew(): Promise<void>;
 }
@@ -32,6 +34,7 @@ export function useProgramCode(kind: Readonly<Ref<SecretKind>>): ProgramCode {
   const { client, isConnected } = useConnection();
   const secrets = shallowRef<Partial<Record<SecretKind, string>>>({});
   const problem = shallowRef<string>();
+  const isForbidden = shallowRef(false);
   let making: SecretKind | undefined;
 
   async function make(wanted: 'code' | 'token'): Promise<void> {
@@ -45,10 +48,8 @@ export function useProgramCode(kind: Readonly<Ref<SecretKind>>): ProgramCode {
     } catch (cause) {
       if (cause instanceof ConnectionError) return; // It is made when the master is back.
       if (!(cause instanceof ServiceError)) throw cause;
-      problem.value =
-        cause.code === 'permission_denied'
-          ? 'Only the host makes codes. Ask the host for one, and put it in.'
-          : cause.message;
+      if (cause.code === 'permission_denied') isForbidden.value = true;
+      else problem.value = cause.message;
     } finally {
       making = undefined;
     }
@@ -64,6 +65,7 @@ export function useProgramCode(kind: Readonly<Ref<SecretKind>>): ProgramCode {
   return {
     secret: computed(() => secrets.value[kind.value]),
     problem,
+    isForbidden,
     renew: async () => {
       if (kind.value !== 'none') await make(kind.value);
     },

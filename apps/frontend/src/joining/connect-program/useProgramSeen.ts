@@ -9,13 +9,11 @@ export interface ProgramSeen {
   readonly client: ComputedRef<Client | undefined>;
   /** Modules that it offers. */
   readonly modules: ComputedRef<Client['processingModules']>;
-  /** Whether it has published on its topic. */
-  readonly hasPublished: ComputedRef<boolean>;
 }
 
 /** Follows the program of a kind. */
 export function useProgramSeen(kind: Readonly<Ref<ProgramKind>>): ProgramSeen {
-  const { clients, topics } = useConnection();
+  const { clients } = useConnection();
   const client = computed(() =>
     clients.list.value?.findLast(
       ({ name, state }) => name === kind.value.clientName && state === ClientState.ACTIVE,
@@ -24,10 +22,5 @@ export function useProgramSeen(kind: Readonly<Ref<ProgramKind>>): ProgramSeen {
   return {
     client,
     modules: computed(() => client.value?.processingModules ?? []),
-    hasPublished: computed(() => {
-      const { topic } = kind.value;
-      if (topic === undefined || client.value === undefined) return false;
-      return topics.rates.value?.get(topic) !== undefined;
-    }),
   };
 }
