@@ -98,6 +98,7 @@ export default defineConfig({
       // The page of a recording has the same path as its file, without the ending.
       '^/recordings/[^/]+\\.mcap$': passOn({}),
       '/asset-sets': passOn({}),
+      '/sdk': passOn({}),
       '/health': passOn({}),
       '/metrics': passOn({}),
       '/topicdata': passOn({ ws: true }),

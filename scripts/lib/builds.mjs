@@ -28,6 +28,18 @@ const builds = {
     inputs: [...everywhere, 'packages/discovery', 'packages/program', 'apps/master'],
     build: async () => expectSuccess(await runNode(inRoot('apps/master/build.mjs'), [])),
   },
+  client: {
+    output: 'packages/client-web/dist/sdk/ubii-client.js',
+    inputs: [
+      ...everywhere,
+      'LICENSE',
+      'packages/client-web',
+      'packages/client-web/packaging/README.md',
+      'packages/program',
+      ...['scripts/lib/licences.mjs', 'scripts/lib/precompress.mjs'],
+    ],
+    build: async () => expectSuccess(await runNode(inRoot('packages/client-web/build.mjs'), [])),
+  },
   frontend: {
     output: 'apps/frontend/dist/index.html',
     inputs: [

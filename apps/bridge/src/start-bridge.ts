@@ -1,6 +1,11 @@
-import { createIdentityFile, createStateLog, defaultIdentityFile } from '@ubii/client-program';
+import { createStateLog } from '@ubii/client-program';
 import type { Log } from '@ubii/client-program';
-import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
+import {
+  createClient,
+  createIdentityFile,
+  createMemoryIdentity,
+  defaultIdentityFile,
+} from '@ubii/client-web/node';
 import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { within } from '@ubii/timing';
 import { systemClock } from '@ubii/timing/system';

@@ -15,6 +15,8 @@ export interface MasterParts {
   readonly version: string;
   /** The built frontend. */
   readonly frontendFolder: string;
+  /** The built client library. */
+  readonly sdkFolder: string;
   /** Folders of asset sets that come with the program. */
   readonly assetsFolders: readonly string[];
   /** The built worker of processing modules. */

@@ -1,8 +1,13 @@
 import { ConfigError, findBuilt } from '@ubii/program';
 import type { LogLevel } from '@ubii/program';
-import { createIdentityFile, createStateLog, defaultIdentityFile } from '@ubii/client-program';
+import { createStateLog } from '@ubii/client-program';
 import type { Log } from '@ubii/client-program';
-import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
+import {
+  createClient,
+  createIdentityFile,
+  createMemoryIdentity,
+  defaultIdentityFile,
+} from '@ubii/client-web/node';
 import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { createProcessingNode } from '@ubii/client-web/processing';
 import type { NodeInstance, ProcessingNode } from '@ubii/client-web/processing';

@@ -1,6 +1,5 @@
 export * from './client-process.ts';
 export * from './discover-master.ts';
-export * from './identity-file.ts';
 export * from './joining-options.ts';
 export * from './log.ts';
 export * from './state-log.ts';

@@ -38,10 +38,14 @@ describe('resolveEndpoints()', () => {
     });
   });
 
-  it.each([{}, { servicesUrl: 'http://m/services' }, { url: 'localhost' }, { url: '' }])(
-    'refuses %o',
-    (options) => {
-      expect(() => resolveEndpoints(options, undefined)).toThrow(TypeError);
-    },
-  );
+  it.each([
+    {},
+    { servicesUrl: 'http://m/services' },
+    { url: 'localhost' },
+    { url: '' },
+    { url: 'localhost:8080' },
+    { url: 'ftp://m' },
+  ])('refuses %o', (options) => {
+    expect(() => resolveEndpoints(options, undefined)).toThrow(TypeError);
+  });
 });

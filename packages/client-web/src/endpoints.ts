@@ -17,8 +17,9 @@ export function resolveEndpoints(
 ): Endpoints {
   const { url = defaultUrl, servicesUrl, topicDataUrl } = options;
   return {
-    servicesUrl: parse('servicesUrl', servicesUrl ?? under(url, '/services/binary')).href,
-    topicDataUrl: toWebSocket(parse('topicDataUrl', topicDataUrl ?? under(url, '/topicdata'))).href,
+    servicesUrl: parse(servicesUrl ?? under(url, '/services/binary'), /^https?:$/).href,
+    topicDataUrl: toWebSocket(parse(topicDataUrl ?? under(url, '/topicdata'), /^(http|ws)s?:$/))
+      .href,
   };
 }
 
@@ -31,12 +32,12 @@ function under(url: string | undefined, path: string): string {
   return `${url.replace(/\/+$/, '')}${path}`;
 }
 
-function parse(name: string, text: string): URL {
-  try {
-    return new URL(text);
-  } catch (cause) {
-    throw new TypeError(`Expected an absolute URL for "${name}", received "${text}"`, { cause });
-  }
+function parse(text: string, protocol: RegExp): URL {
+  const url = URL.canParse(text) ? new URL(text) : undefined;
+  if (url !== undefined && protocol.test(url.protocol)) return url;
+  throw new TypeError(
+    `The address of a master begins with http:// or https://, such as http://localhost:8080, received "${text}"`,
+  );
 }
 
 function toWebSocket(url: URL): URL {

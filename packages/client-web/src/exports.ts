@@ -23,9 +23,11 @@ export type {
   RegisteredComponent,
   RegisteredDevice,
 } from './core/devices/devices.ts';
+export { connectOnce } from './connect-once.ts';
 export type { EncodedListener, EncodedRecord } from './core/subscriptions/encoded-record.ts';
 export { createMemoryIdentity } from './core/connection/identity.ts';
 export type { Identity } from './core/connection/identity.ts';
+export { explainConnectionError } from './core/connection/explain-connection-error.ts';
 export { clientRole, joinProblem } from './core/connection/join.ts';
 export type { ClientRole, JoinProblem } from './core/connection/join.ts';
 export type { Cancel, Clock } from '@ubii/timing';

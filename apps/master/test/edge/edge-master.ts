@@ -29,6 +29,7 @@ export interface EdgeMasterOptions extends Pick<MasterParts, 'clock' | 'keepAliv
   /** More flags. Callers of this machine are admins, unless one of them says otherwise. */
   readonly flags?: readonly string[];
   readonly frontendFolder?: string;
+  readonly sdkFolder?: string;
   readonly assetsFolder?: string;
   readonly dataDir?: string;
   /** Models that admins can download. */
@@ -68,6 +69,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     ...(options.keepAliveMs && { keepAliveMs: options.keepAliveMs }),
     version: '1.2.3',
     frontendFolder: options.frontendFolder ?? join(temporaryFolder(), 'not-there'),
+    sdkFolder: options.sdkFolder ?? join(temporaryFolder(), 'not-there'),
     assetsFolders: [options.assetsFolder ?? join(temporaryFolder(), 'not-there')],
     workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
     ...(options.models && { models: options.models }),

@@ -1,6 +1,6 @@
 import { discoverMaster, JOINING_OPTIONS, readTokenFile } from '@ubii/client-program';
 import type { Log } from '@ubii/client-program';
-import { createClient, type UbiiClient } from '@ubii/client-web/node';
+import { connectOnce, createClient, type UbiiClient } from '@ubii/client-web/node';
 import { ConfigError } from '@ubii/program';
 import { OPTIONS, type Config } from '../options.ts';
 
@@ -28,16 +28,9 @@ export async function connect(
     onError: (error, source) => log('error', `Error in ${source}: ${String(error)}`),
   });
   client.onError(({ message }) => log('warn', message));
-  const failed = new Promise<never>((_resolve, reject) => {
-    const stop = client.onState((state) => {
-      if (state.status === 'connected') stop();
-      else if (state.status === 'reconnecting') reject(state.error);
-    });
-  });
   try {
-    await Promise.race([client.connect(), failed]);
+    await connectOnce(client);
   } catch (error) {
-    void client.close().catch(() => undefined);
     throw new ConfigError(
       `No connection to the master ${url}: ${(error as Error).message}. Choose a running master with --master, and a token with --join if it asks for one.`,
     );

@@ -59,7 +59,7 @@ export function createHttpServices(options: HttpServicesOptions): ServiceTranspo
     if (!response.ok) {
       throw new ConnectionError(
         'refused',
-        `Expected status 200 of ${url}, received ${response.status}`,
+        reasonIn(body) ?? `Expected status 200 of ${url}, received ${response.status}`,
       );
     }
     try {
@@ -67,6 +67,16 @@ export function createHttpServices(options: HttpServicesOptions): ServiceTranspo
     } catch (cause) {
       throw new ConnectionError('protocol', `Expected a service reply from ${url}`, { cause });
     }
+  }
+}
+
+/** The sentence of a master that refuses a request before it is a service call, such as of a page that may not call. */
+function reasonIn(body: ArrayBuffer): string | undefined {
+  try {
+    const reply = fromJson(REPLY, JSON.parse(new TextDecoder().decode(body)));
+    return reply.error?.message || undefined;
+  } catch {
+    return undefined; // Not of a master.
   }
 }
 

@@ -5,6 +5,7 @@ import type { Master } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { mayBeToken } from '../access/bearer.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
+import { SDK_ROUTES } from './sdk-routes.ts';
 import { SECURITY_HEADERS } from './security-headers.ts';
 
 /** Time for which browsers may cache the reply to a preflight, seconds. */
@@ -14,6 +15,11 @@ export interface OriginGuardOptions {
   readonly policy: OriginPolicy;
   readonly master: Pick<Master, 'recognizes'>;
   readonly callers: Pick<CallerReader, 'read'>;
+}
+
+/** Whether a file of the client library is read, which pages need before they can show a token. [AC-5] */
+function isLibrary({ method, routeOptions }: FastifyRequest): boolean {
+  return (method === 'GET' || method === 'HEAD') && routeOptions.url === SDK_ROUTES.files;
 }
 
 /**
@@ -39,7 +45,7 @@ export function guardOrigins(
     reply.headers(SECURITY_HEADERS);
     const verdict = policy.judge(request.headers);
     const isNameless = verdict.kind === 'nameless';
-    if (verdict.kind === 'refused' || (isNameless && !hasToken(request))) {
+    if (verdict.kind === 'refused' || (isNameless && !isLibrary(request) && !hasToken(request))) {
       throw new ServiceError('permission_denied', verdict.reason);
     }
     reply.header('vary', 'Origin');

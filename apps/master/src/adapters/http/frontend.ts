@@ -67,7 +67,7 @@ function isPageRequest({ method, headers, url }: FastifyRequest): boolean {
   return (
     (method === 'GET' || method === 'HEAD') &&
     (headers.accept ?? '').includes('text/html') &&
-    !/^\/(services\/|topicdata(\/|$))/.test(path) &&
+    !/^\/(services\/|sdk(\/|$)|topicdata(\/|$))/.test(path) &&
     !/\.[a-z0-9]+$/i.test(path)
   );
 }

@@ -20,6 +20,7 @@ import { addFrontend } from './frontend.ts';
 import { guardPaths } from './path-rights.ts';
 import { addRecordings } from './recording-routes.ts';
 import { RequestCounts } from './request-counts.ts';
+import { addSdk } from './sdk-routes.ts';
 import { addServices } from './services-routes.ts';
 import { addStatus } from './status-routes.ts';
 
@@ -38,6 +39,8 @@ export interface HttpAppOptions {
   readonly doorkeeper: Doorkeeper;
   /** The built frontend. */
   readonly frontendFolder: string;
+  /** The built client library. */
+  readonly sdkFolder: string;
   readonly assets: AssetFolders;
   /** Path of the folder of the recordings. */
   readonly recordingsFolder: string;
@@ -81,6 +84,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   addAuthority(app, options.authority);
   addAssets(app, options.assets);
   addRecordings(app, options);
+  await addSdk(app, options.sdkFolder);
   await addFrontend(app, frontendFolder, options.clusterOrigins);
   await app.ready();
   return app;

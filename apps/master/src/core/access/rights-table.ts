@@ -85,6 +85,8 @@ export const PATH_RIGHTS: readonly PathRight[] = [
   path('GET', '/ca.crt', 'the same, for Android and Windows'),
   path('GET', '/ca.mobileconfig', 'the same, for iOS'),
   path('GET', '/ca.json', 'its fingerprint and end'),
+  path('GET', '/sdk', 'page about the client library'),
+  path('GET', '/sdk/*', 'a file of the client library'),
   path('GET', '/health', 'whether the master runs; id, name and version for those who joined'),
   path('GET', '/recordings/:id.mcap', 'file of a recording', PARTICIPANTS),
   path('POST', '/recordings', 'uploads a recording', PARTICIPANTS),

@@ -1,8 +1,9 @@
-import type { Identity, IdentityStorage } from '@ubii/client-web/node';
 import { isProcessRunning, SECRET_MODE, userStateFolder, writeAtomicallySync } from '@ubii/program';
 import type { Environment } from '@ubii/program';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { Identity } from '../core/connection/identity.ts';
+import type { IdentityStorage } from '../core/ports/identity-storage.ts';
 
 interface Kept {
   readonly clientId: string;
@@ -52,7 +53,7 @@ export function createIdentityFile(
  * @param kind folder of the programs of one kind
  */
 export function defaultIdentityFile(
-  kind: 'nodes' | 'bridges',
+  kind: 'nodes' | 'bridges' | 'programs',
   master: string,
   name: string,
   env: Environment = process.env,
