@@ -82,6 +82,7 @@ export default ts.config(
       '**/.cache/**',
       '**/.cache-lan*/**',
       '**/.cache-robustness/**',
+      '**/.cache-package/**',
       'packages/*/src/generated/**',
       'e2e/test-results/**',
       'e2e/playwright-report/**',

@@ -5,6 +5,7 @@ import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config
 const BUILDS = new Map([
   ['apps/bridge', 'apps/bridge/test/build-programs.ts'],
   ['apps/node', 'apps/node/test/build-programs.ts'],
+  ['packages/client-web', 'packages/client-web/test/build-package.ts'],
   ['packages/pm-sandbox', 'packages/pm-sandbox/test/build-worker.ts'],
   ['robustness', 'packages/harness/src/master/build-for-tests.ts'],
 ]);

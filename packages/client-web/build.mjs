@@ -29,7 +29,7 @@ const write = (name, text) => writeFileSync(join(packageDir, name), text);
 write('package.json', `${JSON.stringify(publishedManifest(manifest), undefined, 2)}\n`);
 write('THIRD-PARTY-LICENCES.txt', licences);
 cpSync(inPackage('../../LICENSE'), join(packageDir, 'LICENSE'));
-cpSync(inPackage('packaging/README.md'), join(packageDir, 'README.md'));
+cpSync(inPackage('../../docs/guides/a-program.md'), join(packageDir, 'README.md'));
 
 cpSync(join(packageDir, 'index.d.ts'), join(sdkDir, 'ubii-client.d.ts'));
 writeFileSync(join(sdkDir, 'licences.txt'), licences);

@@ -34,7 +34,7 @@ const builds = {
       ...everywhere,
       'LICENSE',
       'packages/client-web',
-      'packages/client-web/packaging/README.md',
+      'docs/guides/a-program.md',
       'packages/program',
       ...['scripts/lib/licences.mjs', 'scripts/lib/precompress.mjs'],
     ],

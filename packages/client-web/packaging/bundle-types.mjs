@@ -29,6 +29,7 @@ export async function bundleTypes(entries, outdir) {
     for (const [name, source] of Object.entries(entries)) {
       const bundle = await rolldown({
         input: { [name]: declarationOf(declarations, join('client-web', source)) },
+        checks: { bundlerTimings: false },
         plugins: [
           ownDeclarations(declarations),
           dts({ dtsInput: true, emitDtsOnly: true, tsconfig: false, sourcemap: false }),

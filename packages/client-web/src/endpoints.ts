@@ -16,28 +16,38 @@ export function resolveEndpoints(
   defaultUrl: string | undefined,
 ): Endpoints {
   const { url = defaultUrl, servicesUrl, topicDataUrl } = options;
-  return {
-    servicesUrl: parse(servicesUrl ?? under(url, '/services/binary'), /^https?:$/).href,
-    topicDataUrl: toWebSocket(parse(topicDataUrl ?? under(url, '/topicdata'), /^(http|ws)s?:$/))
-      .href,
-  };
+  const services = endpoint(servicesUrl, url, '/services/binary', /^https?:$/);
+  const topicData = endpoint(topicDataUrl, url, '/topicdata', /^(http|ws)s?:$/);
+  return { servicesUrl: services.href, topicDataUrl: toWebSocket(topicData).href };
 }
 
-function under(url: string | undefined, path: string): string {
-  if (url === undefined) {
+/** @param own URL of the endpoint, which otherwise is below that of the master */
+function endpoint(
+  own: string | undefined,
+  master: string | undefined,
+  path: string,
+  protocol: RegExp,
+): URL {
+  const given = own ?? master;
+  if (given === undefined) {
     throw new TypeError(
       'Expected "url", or both "servicesUrl" and "topicDataUrl", received neither',
     );
   }
-  return `${url.replace(/\/+$/, '')}${path}`;
-}
-
-function parse(text: string, protocol: RegExp): URL {
-  const url = URL.canParse(text) ? new URL(text) : undefined;
+  const url = parse(own ?? `${given.replace(/\/+$/, '')}${path}`);
   if (url !== undefined && protocol.test(url.protocol)) return url;
   throw new TypeError(
-    `The address of a master begins with http:// or https://, such as http://localhost:8080, received "${text}"`,
+    `Expected an address that begins with http:// or https://, such as http://localhost:8080, received "${given}"`,
   );
+}
+
+/** `URL.canParse` is newer than some browsers. */
+function parse(text: string): URL | undefined {
+  try {
+    return new URL(text);
+  } catch {
+    return undefined;
+  }
 }
 
 function toWebSocket(url: URL): URL {

@@ -29,8 +29,6 @@ afterAll(async () => {
 interface Run {
   /** Waits for a line. */
   readonly line: (text: string) => Promise<void>;
-  /** Presses Ctrl+C. */
-  readonly interrupt: () => void;
   /** Everything it wrote, once it ended. */
   readonly output: Promise<string[]>;
 }
@@ -55,7 +53,6 @@ function run(name: string, ...args: string[]): Run {
   });
   return {
     output,
-    interrupt: () => void child.kill('SIGINT'),
     line: (wanted) =>
       new Promise((resolve, reject) => {
         const look = (): void => {
@@ -117,26 +114,6 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
     expect(second).toBe(`again: ${id}`);
   });
 
-  it('first-program.ts publishes, answers and leaves at Ctrl+C', async () => {
-    const example = run('first-program.ts', master.url);
-    await example.line('connected as first program');
-    const client = createClient({ url: master.url, name: 'test' });
-    await client.connect();
-    const waves = client.subscribe('/first-program/wave', { format: 'double' });
-    for await (const { value } of waves) if (value > 0) break;
-    const answers = client.subscribe('/first-program/seen', { format: 'int32' });
-    await answers.ready;
-    client.publish('/first-program/lamp', 'bool', true);
-    for await (const { value } of answers) if (value === 1) break;
-    example.interrupt();
-    expect(await example.output).toEqual(['connected as first program', 'the lamp is on']);
-    const { elements } = await client.call('clientGetList', {
-      elements: [{ name: 'first program' }],
-    });
-    expect(elements).toEqual([]);
-    await client.close();
-  });
-
   it('reconnect.ts stays the same client over a restart of the master', async () => {
     const example = run('reconnect.ts', master.url);
     await example.line('connected as a new client');
@@ -159,7 +136,6 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
   it('are all of them run', () => {
     expect(examples.sort()).toEqual([
       'device.ts',
-      'first-program.ts',
       'glob.ts',
       'master-time.ts',
       'node.ts',
@@ -183,6 +159,6 @@ describe('the README', () => {
 
   it('shows no other TypeScript', () => {
     const readme = readFileSync(join(packageFolder, 'README.md'), 'utf8');
-    expect(readme.match(/^```(ts|typescript|js)/gm)).toHaveLength(examples.length);
+    expect(readme.match(/^```(ts|typescript)/gm)).toHaveLength(examples.length);
   });
 });

@@ -1,7 +1,7 @@
 import { clientIs, topicArrives, valueAtLeast, valueIs } from '../model/checks.ts';
 import type { Lesson } from '../model/lesson.ts';
 
-/** Name and topics of the lesson's program, the same as in `first-program.ts`. */
+/** Name and topics of the lesson's program, the same as in `first-program.mjs`. */
 export const PROGRAM_NAME = 'first program';
 export const WAVE_TOPIC = '/first-program/wave';
 export const LAMP_TOPIC = '/first-program/lamp';
@@ -18,7 +18,7 @@ export const ownProgram: Lesson = {
   steps: [
     {
       title: 'Start the program',
-      text: 'The program beside this text is part of the client library. Run its command in a terminal, or run the same calls in this page. It registers as a client with a name.',
+      text: 'Install the client library of this master in an empty folder, save the program there, and run it: the commands are below the program. Or run the same calls in this page. The program registers as a client with a name.',
       checks: [
         clientIs(PROGRAM_NAME, true, {
           id: 'client',
@@ -30,7 +30,7 @@ export const ownProgram: Lesson = {
     },
     {
       title: 'Receive its records',
-      text: 'The program publishes a wave 20 times a second on `/first-program/wave`. The data format is part of each call: a value of another format does not compile.',
+      text: 'The program publishes a wave 20 times a second on `/first-program/wave`. The data format is part of each call: in TypeScript, a value of another format does not compile.',
       checks: [
         topicArrives(({ topics }) => topics.get(WAVE_TOPIC), 5, {
           id: 'arrives',
