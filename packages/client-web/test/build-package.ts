@@ -1,6 +1,7 @@
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { buildMaster } from '@ubii/harness';
 
 const folder = fileURLToPath(new URL('..', import.meta.url));
 const output = join(folder, '.cache-package');
@@ -9,9 +10,13 @@ const output = join(folder, '.cache-package');
 export const builtPackage = join(output, 'package');
 export const builtSdk = join(output, 'sdk');
 
-/** Builds the package into a folder of these tests, once for all test files. */
+/** Main file of the master of these tests, built away from where others build it. */
+export const ownMaster = join(folder, '.cache', 'main.js');
+
+/** Builds the package and the master into folders of these tests, once for all test files. */
 export function setup(): void {
   execFileSync(process.execPath, [join(folder, 'build.mjs'), '.cache-package'], {
     stdio: 'inherit',
   });
+  buildMaster(join(folder, '.cache'));
 }

@@ -1,9 +1,7 @@
-import { fileURLToPath } from 'node:url';
-import { buildMaster, MasterProcess } from '@ubii/harness';
+import { MasterProcess } from '@ubii/harness';
+import { ownMaster } from './build-package.ts';
 
-const folder = fileURLToPath(new URL('../.cache', import.meta.url));
-
-/** Builds the master from its sources, away from where others build it, and starts it. */
+/** Starts the master that was built for these tests. */
 export function startOwnMaster(): Promise<MasterProcess> {
-  return MasterProcess.start({ program: buildMaster(folder) });
+  return MasterProcess.start({ program: ownMaster });
 }
