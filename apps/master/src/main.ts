@@ -23,9 +23,7 @@ const SHUTDOWN_DEADLINE_MS = 1_500;
 const version = readVersion(import.meta.url);
 // From src as well as from dist.
 const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.url));
-const sdkFolder = fileURLToPath(
-  new URL('../../../packages/client-web/dist/sdk', import.meta.url),
-);
+const sdkFolder = fileURLToPath(new URL('../../../packages/client-web/dist/sdk', import.meta.url));
 // Those that come with the program; the operator's are in the data directory.
 const assetsFolders = ['packages/vision', 'demos/ubi-party'].map((folder) =>
   fileURLToPath(new URL(`../../../${folder}/dist/assets`, import.meta.url)),

@@ -4,7 +4,7 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { MasterProcess } from '@ubii/harness';
+import type { MasterProcess } from '@ubii/harness';
 import { temporaryFolder } from '@ubii/program/testing';
 import { AccessRole } from '@ubii/proto';
 import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest';
@@ -76,7 +76,11 @@ describe('a program that cannot start says why in one line, and exits with', () 
   };
 
   it('2 for an address that is none', async () => {
-    await expectEnd(run(['localhost:8080']), 2, /that begins with http:\/\/.*received "localhost:8080"/);
+    await expectEnd(
+      run(['localhost:8080']),
+      2,
+      /that begins with http:\/\/.*received "localhost:8080"/,
+    );
   });
 
   it('3 for an address where nothing is, or another server', async () => {

@@ -39,11 +39,11 @@ export async function startProgram(options: ProgramOptions): Promise<UbiiClient>
   shutDownOnRequest({
     close: () => client.close(),
     deadlineMs: SHUTDOWN_DEADLINE_MS,
-    onError: (error) => console.error(error),
+    onError: (error) => write(`Closing failed: ${String(error)}`),
   });
   const { state } = client;
   const notice = state.status === 'connected' ? versionNotice(state.masterVersion, url) : undefined;
-  if (notice !== undefined) console.error(notice);
+  if (notice !== undefined) write(notice);
   return client;
 }
 
@@ -59,6 +59,10 @@ async function orEnd<T>(work: () => Promise<T>): Promise<T> {
 function end(error: unknown): never {
   const ending = endingOf(error);
   if (ending === undefined) throw error;
-  process.stderr.write(`${ending.message}\n`);
+  write(ending.message);
   process.exit(ending.exitCode);
+}
+
+function write(line: string): void {
+  process.stderr.write(`${line}\n`);
 }

@@ -26,6 +26,7 @@ export function sdkPage(origin: string, files: readonly SdkFile[]): string {
   :root { color-scheme: light dark; font: 16px/1.5 system-ui, sans-serif; }
   body { max-width: 44rem; margin: 10vh auto; padding: 0 1.5rem; }
   td { padding: 0.25rem 1.5rem 0.25rem 0; }
+  td:last-child { white-space: nowrap; }
   pre { overflow: auto; font: 0.9em ui-monospace, monospace; }
 </style>
 <h1>Client library</h1>
