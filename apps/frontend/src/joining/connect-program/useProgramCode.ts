@@ -29,10 +29,17 @@ const INVITATIONS = {
   token: { label: 'Connect a page', lifetimeMs: 12 * HOUR_MS, stayMs: 12 * HOUR_MS, maxJoins: 0 },
 } as const;
 
+/** The token of this page load: pages that are tried one after the other join with the same one. */
+let token: { readonly text: string; readonly untilMs: number } | undefined;
+const MIN_LEFT_MS = HOUR_MS;
+
 /** Invites one program: once for each kind, while the page is open. */
 export function useProgramCode(kind: Readonly<Ref<SecretKind>>): ProgramCode {
   const { client, isConnected } = useConnection();
-  const secrets = shallowRef<Partial<Record<SecretKind, string>>>({});
+  const isGood = token !== undefined && token.untilMs - Date.now() > MIN_LEFT_MS;
+  const secrets = shallowRef<Partial<Record<SecretKind, string>>>(
+    isGood ? { token: token!.text } : {},
+  );
   const problem = shallowRef<string>();
   const isForbidden = shallowRef(false);
   let making: SecretKind | undefined;
@@ -45,6 +52,9 @@ export function useProgramCode(kind: Readonly<Ref<SecretKind>>): ProgramCode {
       const role = AccessRole.ACCESS_ROLE_PARTICIPANT;
       const made = await client.call('accessGrantCreate', { ...INVITATIONS[wanted], role });
       secrets.value = { ...secrets.value, [wanted]: made[wanted] };
+      if (wanted === 'token') {
+        token = { text: made.token, untilMs: Date.now() + INVITATIONS.token.lifetimeMs };
+      }
     } catch (cause) {
       if (cause instanceof ConnectionError) return; // It is made when the master is back.
       if (!(cause instanceof ServiceError)) throw cause;
