@@ -15,6 +15,7 @@ import {
   type Situation,
 } from './join-state.ts';
 import { joinStep } from './join-step.ts';
+import { replaceWithMark } from './move-mark.ts';
 import { offeredMarks } from './offered-marks.ts';
 import { safeTarget } from './target.ts';
 import { isThisMachine } from './this-machine.ts';
@@ -135,7 +136,7 @@ export function useJoin(beforeLeaving: () => void) {
     if (state.value.invitation?.target) rememberStart(target.value);
     if (becameAdmin) toasts.show('This browser may do everything now');
     // Replaces this page in the history, so that Back does not return to the token.
-    void router.replace(target.value);
+    void replaceWithMark(router, target.value);
   }
 
   // A scanned URL may open in the same tab.
