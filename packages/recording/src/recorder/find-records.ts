@@ -20,8 +20,10 @@ export interface FoundSpans extends RecordSearch {
   readonly channels: readonly NamedChannel[];
 }
 
-/** A record that was found, and its topic. */
+/** A record that was found. */
 interface Found {
+  /** Number among all that were read. */
+  readonly number: number;
   readonly timeMs: number;
   readonly record: Uint8Array<ArrayBuffer>;
 }
@@ -37,9 +39,9 @@ class Newest {
     this.#maxBytes = maxBytes;
   }
 
-  add(timeMs: number, view: Uint8Array<ArrayBuffer>): void {
-    this.#bytes += view.length;
-    this.#found.push({ timeMs, record: view.slice() });
+  add(found: Found): void {
+    this.#bytes += found.record.length;
+    this.#found.push(found);
     while (this.#bytes > this.#maxBytes) this.#bytes -= this.#found[this.#first++]!.record.length;
     if (this.#first <= this.#found.length / 2) return;
     this.#found = this.#found.slice(this.#first);
@@ -58,12 +60,14 @@ export function findRecords(
 ): FlightRecords {
   const byTopic = new Map(topics.map((topic) => [topic, new Newest(maxBytes / topics.length)]));
   const byChannel = new Map(channels.map(({ number, topic }) => [number, byTopic.get(topic)]));
+  let number = 0;
   for (const { channel, targets, timeMs, record } of entries) {
-    const isWanted = (targets & FLIGHT_TARGET) !== 0 && timeMs >= sinceMs && record.length > 0;
-    if (isWanted) byChannel.get(channel)?.add(timeMs, record);
+    const isHeld = (targets & FLIGHT_TARGET) !== 0 && timeMs >= sinceMs && record.length > 0;
+    const newest = isHeld ? byChannel.get(channel) : undefined;
+    newest?.add({ number: number++, timeMs, record: record.slice() });
   }
   const found = [...byTopic.values()].flatMap((newest) => newest.list());
-  return pack(found.sort((a, b) => a.timeMs - b.timeMs));
+  return pack(found.sort((a, b) => a.timeMs - b.timeMs || a.number - b.number));
 }
 
 /** One piece of memory: an object for each record would take longer to hand to another thread than to find. */
