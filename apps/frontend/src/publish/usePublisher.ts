@@ -9,6 +9,7 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
+import { KEPT_MINUTES } from '../connection/kept-minutes.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { draftReason } from '../message-form/draft-reason.ts';
 import { createMessageDraft, type MessageDraft } from '../message-form/message-draft.ts';
@@ -17,8 +18,6 @@ import { variableSource } from './variables.ts';
 
 /** Limits of the repeat rate, records per second. */
 export const RATE_HZ = { least: 0.1, most: 100 } as const;
-/** Time for which values published here stay after this tab was closed, minutes: longer than a reload or a break. */
-export const KEPT_MINUTES = 60;
 
 /** Edits the record of this page, and publishes it once or repeatedly. */
 export interface Publisher {

@@ -28,6 +28,22 @@ export interface ViewerProps {
   readonly settings: ViewerSettings;
 }
 
+/** What a view that publishes on its topic has beside the rest. It is shown also before the first value. */
+export interface ControlSpec {
+  /** Data formats that it sends, the default for a new topic first. */
+  readonly formats: readonly DataFormat[];
+  /** Form for its settings, in a dialog; a component with `ControlOptionsProps`. */
+  readonly options?: { readonly title: string; readonly component: Component };
+  /** True when it needs little height. */
+  readonly isLow: boolean;
+}
+
+/** Properties of the form for the settings of a control, which emits `update:settings` with all of them. */
+export interface ControlOptionsProps {
+  readonly settings: ViewerSettings;
+  readonly format: DataFormat;
+}
+
 /** Display of a topic's values. */
 export interface TopicViewer {
   /** Stored in layouts and links: must never change. */
@@ -39,6 +55,8 @@ export interface TopicViewer {
   isSecond?(format: DataFormat): boolean;
   /** False for contents that the topic's page shows beside the viewer anyway. @default true */
   readonly isInDetail?: boolean;
+  /** For views that publish on their topic. */
+  readonly control?: ControlSpec;
   /** Component with `ViewerProps`; large ones are loaded on first use. */
   readonly component: Component;
 }

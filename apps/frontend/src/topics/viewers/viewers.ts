@@ -1,6 +1,7 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { seriesOf } from '../values/value-series.ts';
 import BytesViewer from './bytes/BytesViewer.vue';
+import { CONTROLS } from './control/controls.ts';
 import { EVENT_FORMATS } from '../history/event-log.ts';
 import EventsViewer from './events/EventsViewer.vue';
 import HistoryViewer from './HistoryViewer.vue';
@@ -77,6 +78,7 @@ export const VIEWERS: readonly TopicViewer[] = [
     isInDetail: false,
     component: HistoryViewer,
   },
+  ...CONTROLS,
 ];
 
 /** Returns the viewers that fit a data format, best first; at least one. */

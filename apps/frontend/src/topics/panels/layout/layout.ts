@@ -10,6 +10,9 @@ export interface Panel {
   readonly settings: ViewerSettings;
 }
 
+/** What a panel shows. */
+export type PanelChoice = Omit<Panel, 'id'>;
+
 /** Two parts side by side (`row`) or one above the other (`column`). */
 export interface Split {
   readonly direction: 'row' | 'column';
@@ -83,7 +86,7 @@ function beside(there: LayoutNode, added: Panel, side: Exclude<Side, 'middle'>):
 export function changePanel(
   root: LayoutNode | undefined,
   id: string,
-  changes: Partial<Omit<Panel, 'id'>>,
+  changes: Partial<PanelChoice>,
 ): LayoutNode | undefined {
   return root && mapPanel(root, id, (panel) => ({ ...panel, ...changes }));
 }
