@@ -27,8 +27,12 @@ export function useHistoryView(
   function read(): void {
     const { latest, count: records } = history.value;
     count.value = records;
-    if (isPaused.value && shown.value.count > 0) return;
-    if (records !== shown.value.count) shown.value = { latest, count: records };
+    const before = shown.value;
+    if (isPaused.value && before.latest !== undefined) return;
+    // Records that came before the page do not count, and the newest may be one of them.
+    if (records !== before.count || latest !== before.latest) {
+      shown.value = { latest, count: records };
+    }
   }
   watch(
     history,
