@@ -16,6 +16,11 @@ export function topicPublishLocation(topic: string): RouteLocationRaw {
   return { path: pathOf(topic), query: { publish: '1' } };
 }
 
+/** Location of the Panels page with the layout that is saved with a session. */
+export function sessionPanelsLocation(sessionId: string): RouteLocationRaw {
+  return { path: '/panels', query: { session: sessionId } };
+}
+
 /** Location of the Panels page; with a topic, adds a panel for it. */
 export function panelsLocation(topic?: string): RouteLocationRaw {
   return { path: '/panels', query: topic === undefined ? {} : { topic } };

@@ -1,5 +1,5 @@
 import { toJson, type JsonObject, type JsonValue } from '@ubii/proto';
-import { EDITOR_FORMAT, EDITOR_VERSION } from './editor-data.ts';
+import { EDITOR_FORMAT, EDITOR_VERSION } from '../../sessions/text/editor-format.ts';
 import type { Graph, GraphNode } from './graph.ts';
 import { ioName } from './ports.ts';
 import { asideJson, NOTHING_ASIDE, type Aside } from './standing/set-aside.ts';

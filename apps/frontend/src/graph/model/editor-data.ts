@@ -1,11 +1,8 @@
 import { parseDataFormat, type DataFormat, type JsonObject, type JsonValue } from '@ubii/proto';
+import { EDITOR_FORMAT, EDITOR_VERSION } from '../../sessions/text/editor-format.ts';
 import type { Point } from './graph.ts';
 import type { NodeLook } from './make-node.ts';
 import { NOTHING_ASIDE, readAside, type Aside } from './standing/set-aside.ts';
-
-/** Value of `format` that marks the JSON text as editor data. */
-export const EDITOR_FORMAT = 'ubi-interact.graph';
-export const EDITOR_VERSION = 1;
 
 /** Editor data of a node: its appearance, and properties that the session cannot represent. */
 export interface NodeRecord extends NodeLook {

@@ -6,6 +6,7 @@ import {
   FolderOpen,
   Import,
   Info,
+  LayoutDashboard,
   Pencil,
   Play,
   RotateCw,
@@ -25,6 +26,8 @@ import { knownModules } from '../../../sessions/file/known-modules.ts';
 import { saveFile } from '../../../files/save-file.ts';
 import { exportSession } from '../../../sessions/file/session-file.ts';
 import { sessionLocation, sessionTextLocation } from '../../../locations/session-location.ts';
+import { sessionPanelsLocation } from '../../../locations/topic-location.ts';
+import { sessionPanels } from '../../../sessions/text/session-panels.ts';
 import { copyName, sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';
 import type { GraphEditor } from '../../editing/graph-editor.ts';
 import { findDraft, saveDraft } from '../../model/changes/draft.ts';
@@ -201,6 +204,17 @@ export function useSessionCommands(parts: Parts): SessionCommands {
       icon: Copy,
       run: () => void make(ownCopy(copy.value)),
     },
+    ...(sessionPanels(editor.session.value) === undefined
+      ? []
+      : [
+          {
+            id: 'panels',
+            text: 'Open panels',
+            title: 'Open the panels of this session',
+            icon: LayoutDashboard,
+            run: () => void router.push(sessionPanelsLocation(id())),
+          },
+        ]),
     {
       id: 'text',
       text: 'Edit as JSON',
