@@ -27,6 +27,20 @@ export class PanelsPage {
     await this.panel(topic).waitFor();
   }
 
+  /** Adds a control for a topic, which may not exist yet. */
+  async addControl(kind: string, topic: string): Promise<void> {
+    await this.page.getByRole('button', { name: 'Add panel' }).click();
+    await this.page.getByRole('button', { name: 'Control for a new topic' }).click();
+    await this.page.getByRole('radio', { name: kind }).click();
+    await this.page.getByRole('textbox', { name: 'Topic' }).fill(topic);
+    await this.page.getByRole('button', { name: 'Add control' }).click();
+    await this.panel(topic).waitFor();
+  }
+
+  slider(topic: string): Locator {
+    return this.panel(topic).getByRole('slider', { name: topic });
+  }
+
   async choose(topic: string, action: string): Promise<void> {
     await this.page
       .getByRole('button', { name: `Actions for the panel ${topic}`, exact: true })

@@ -50,7 +50,10 @@ export const routes: readonly RouteRecordRaw[] = [
   ...sessionsRoutes,
   ...graphRoutes,
   ...modulesRoutes,
-  ...topicsRoutes(() => import('./publish/TopicPublisher.vue')),
+  ...topicsRoutes(
+    () => import('./publish/TopicPublisher.vue'),
+    () => import('./session-pages/panels/SessionPanels.vue'),
+  ),
   ...publishRoutes,
   ...callsRoutes,
   ...clientsRoutes,

@@ -26,27 +26,45 @@ test('panels are made, arranged, and there again after a reload and in another b
   robot.publish('/lab/angle', 'double', 0.75);
   await expect(anna.panel('/lab/angle')).toContainText('0.750');
 
+  await anna.addControl('Slider', '/lab/light');
+  await anna.slider('/lab/light').press('End');
+  let light = 0;
+  robot.subscribe('/lab/light', { format: 'double' }).onRecord(({ value }) => (light = value));
+  await expect.poll(() => light).toBe(1);
+  // Anna owns the topic: its newest record says whether the value outlives her page.
+  robot.publish('/lab/light', 'double', 0.5, { keepSeconds: 60 });
+  await expect(anna.slider('/lab/light')).toHaveAttribute('aria-valuenow', '0.5');
+  await anna.choose('/lab/light', 'Split below');
+  await anna.panel('').getByRole('combobox', { name: 'Search topics' }).fill('/lab/light');
+  await anna.panel('').getByRole('option', { name: '/lab/light' }).click();
+  const plot = anna.panel('/lab/light, 2').getByRole('group', { name: /^Plot of/ });
+  await expect(plot).toBeVisible();
+
   // In the moment in which the change before it comes into the address.
-  const divider = anna.page.getByRole('separator', { name: 'Width of the panels' });
+  const divider = anna.page.getByRole('separator', { name: 'Width of the panels' }).first();
   await divider.press('ArrowRight');
   await expect(divider).toHaveAttribute('aria-valuenow', '52');
 
   await anna.page.reload();
-  await expect(anna.panels).toHaveCount(2);
+  await expect(anna.panels).toHaveCount(4);
   await expect(divider).toHaveAttribute('aria-valuenow', '52');
   await expect(anna.panel('/lab/angle')).toContainText('0.750');
+  await expect(anna.slider('/lab/light')).toHaveAttribute('aria-valuenow', '0.5');
+  await expect(plot).toBeVisible();
 
   await expect(anna.page).toHaveURL(/#layout=/);
   const { pathname, hash } = new URL(anna.page.url());
   const ben = new PanelsPage(await room.atDesk());
   await ben.page.goto(pathname + hash);
-  await expect(ben.panels).toHaveCount(2);
+  await expect(ben.panels).toHaveCount(4);
   await expect(ben.panel('/lab/angle')).toContainText('0.75');
   await expect(ben.panel('/lab/state')).toContainText('"idle"');
+  await ben.slider('/lab/light').press('ArrowRight');
+  await expect(anna.slider('/lab/light')).toHaveAttribute('aria-valuenow', '0.51');
 });
 
 test('panels are arranged, and their layouts kept', async ({ room }) => {
-  await robotWithTopics(room);
+  const robot = await robotWithTopics(room);
   const anna = new PanelsPage(await room.atDesk());
   await anna.open();
   await anna.add('/lab/angle');
@@ -104,6 +122,38 @@ test('panels are arranged, and their layouts kept', async ({ room }) => {
     await expect(anna.panels).toHaveCount(1);
     await anna.page.getByRole('button', { name: 'Undo' }).click();
     await expect(anna.panels).toHaveCount(2);
+  });
+
+  await test.step('plots share their time and the reading line, and take series that are dragged onto them', async () => {
+    robot.publish('/lab/speed', 'double', 3);
+    await anna.choose('/lab/state', 'Remove panel');
+    await anna.add('/lab/speed');
+    const [angle, speed] = [anna.panel('/lab/angle'), anna.panel('/lab/speed')];
+    await angle.getByRole('button', { name: 'Pause this panel' }).click();
+    await expect(speed.getByRole('button', { name: 'Resume' })).toBeVisible();
+    await speed.getByRole('group', { name: /^Plot of/ }).press('ArrowLeft');
+    await expect(angle.getByTestId('reading')).toBeVisible();
+    await speed.getByRole('button', { name: 'Resume' }).click();
+
+    const lines = angle.getByRole('list', { name: 'Lines' }).getByRole('listitem');
+    await expect(lines).toHaveCount(1);
+    await speed.getByRole('heading').locator('[draggable]').dragTo(angle);
+    await expect(lines).toHaveCount(2);
+    await anna.choose('/lab/speed', 'Remove panel');
+  });
+
+  await test.step('a layout is saved with a session, and opened by its address', async () => {
+    const session = await robot.call('sessionRuntimeAdd', { name: 'Arm of the lab' });
+    await anna.chooseLayout('Save with a session');
+    await anna.page.getByRole('option', { name: 'Arm of the lab' }).click();
+    await expect(anna.page.getByText('Saved with the session "Arm of the lab"')).toBeVisible();
+    const cara = new PanelsPage(await room.atDesk());
+    await cara.page.goto(`/panels?session=${session.id}`);
+    await expect(cara.panels).toHaveCount(1);
+    await expect(cara.page).toHaveURL(/#layout=/);
+    await cara.page.keyboard.press('f');
+    await expect(cara.page.getByRole('button', { name: 'Exit full screen' })).toBeVisible();
+    await expect(cara.panel('/lab/angle')).toBeInViewport();
   });
 
   await test.step('on a phone panels stand one above the other', async () => {

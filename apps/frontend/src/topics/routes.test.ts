@@ -6,7 +6,12 @@ import { topicsRoutes } from './routes.ts';
 describe('topicLocation', () => {
   const router = createRouter({
     history: createMemoryHistory(),
-    routes: [...topicsRoutes(async () => ({ template: '<p />' }))],
+    routes: [
+      ...topicsRoutes(
+        async () => ({ template: '<p />' }),
+        async () => ({ template: '<p />' }),
+      ),
+    ],
   });
 
   it.each([

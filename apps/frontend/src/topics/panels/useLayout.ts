@@ -2,7 +2,7 @@ import { useLocalStorage, useSessionStorage, watchDebounced } from '@vueuse/core
 import * as v from 'valibot';
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
-import { layoutJson, readLayoutFile, storedLayout } from './layout/layout-json.ts';
+import { layoutJson, readLayoutFile, savedLayout, storedLayout } from './layout/layout-json.ts';
 import type { Imported } from '../../json/read-imported.ts';
 import { storedAs } from '../../json/read-stored.ts';
 import { textOrNone, validMembers } from '../../json/schemas.ts';
@@ -47,6 +47,8 @@ export interface LayoutStore {
   change(root: LayoutNode | undefined, gesture?: string): void;
   open(layout: Layout): void;
   openFile(text: string): void;
+  /** Opens untrusted JSON, such as that of a session. */
+  openJson(json: unknown): void;
   openSaved(name: string): void;
   save(name: string): void;
   forget(name: string): void;
@@ -132,6 +134,10 @@ export function useLayout(): LayoutStore {
     open: (next) => set(next),
     openFile(text) {
       const next = taken(readLayoutFile(text));
+      if (next) set(next);
+    },
+    openJson(json) {
+      const next = taken(savedLayout(json));
       if (next) set(next);
     },
     openSaved(name) {

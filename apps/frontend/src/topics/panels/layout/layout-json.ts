@@ -109,3 +109,7 @@ export const readLayoutFile = (text: string): Imported<Layout> => readImported(K
 /** Reads the untrusted content of a link. */
 export const linkedLayout = (json: unknown): Imported<Layout> =>
   importedValue(KIND, LAYOUT, json, 'link');
+
+/** Reads the untrusted layout that is saved with a session. */
+export const savedLayout = (json: unknown): Imported<Layout> =>
+  importedValue(KIND, LAYOUT, json, 'session');

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { layoutJson, linkedLayout, MAX_FILE, readLayoutFile } from './layout-json.ts';
+import { layoutJson, linkedLayout, MAX_FILE, readLayoutFile, savedLayout } from './layout-json.ts';
 import { layoutHash, layoutOfHash, MAX_LINK } from './layout-link.ts';
 import { layoutRects, neighbourOf, roomiest, sideAt } from './layout-rects.ts';
 import { firstStep, nextStep, redoStep, undoStep } from './layout-steps.ts';
@@ -179,5 +179,16 @@ describe('a layout as a file and as a link', () => {
       kind: 'broken',
       message: 'The link cannot be read: two panels have the same id.',
     });
+  });
+});
+
+describe('a layout saved with a session', () => {
+  it('is read as that of a file, and says where it was damaged', () => {
+    expect(savedLayout(layoutJson(layout))).toEqual({ kind: 'read', value: layout });
+    expect(savedLayout({ ...layoutJson(layout), root: { panel: '1' } })).toEqual({
+      kind: 'broken',
+      message: 'The session cannot be read: root.topic is missing.',
+    });
+    expect(savedLayout('panels')).toMatchObject({ kind: 'broken' });
   });
 });
