@@ -11,7 +11,7 @@ function saved(before: Session): Session {
   return session(change.extension?.editorJson ?? '');
 }
 
-it('is saved beside the positions of nodes, and read again', () => {
+it('is saved beside the positions of nodes, and read again [EX-101]', () => {
   const before = session('{"format":"ubi-interact.graph","version":1,"nodes":{"a":{"x":1}}}');
   expect(sessionPanels(before)).toBeUndefined();
   const after = saved(before);

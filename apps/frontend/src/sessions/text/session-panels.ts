@@ -29,7 +29,7 @@ export function sessionPanels(session: Session): JsonValue | undefined {
 }
 
 /**
- * Returns the change that saves a layout with a session; graph editors keep it, because they do not know it.
+ * Returns the change that saves a layout with a session; graph editors keep it, because they do not know it. [EX-101]
  * @returns a sentence when the session cannot have it
  */
 export function withSessionPanels(session: Session, layout: JsonObject): Init<Session> | string {
