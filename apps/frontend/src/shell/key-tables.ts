@@ -4,8 +4,14 @@ export interface KeyText {
   readonly text: string;
 }
 
+/** Keys of one place, under the heading of the place. */
+export interface KeyGroup {
+  readonly title: string;
+  readonly keys: readonly KeyText[];
+}
+
 /** Keys on the focused row of a list. The lists handle them. */
-export const ROW_KEYS: readonly KeyText[] = [
+const ROW_KEYS: readonly KeyText[] = [
   { keys: '↑ ↓', text: 'Move between rows' },
   { keys: 'Enter', text: 'Open the row' },
   { keys: 'Space', text: 'Start, pause or resume a session' },
@@ -14,10 +20,10 @@ export const ROW_KEYS: readonly KeyText[] = [
 ];
 
 /** Keys on Home. `home/back/RunningCards.vue` handles them. */
-export const HOME_KEYS: readonly KeyText[] = [{ keys: '1 … 9', text: 'Open a session that runs' }];
+const HOME_KEYS: readonly KeyText[] = [{ keys: '1 … 9', text: 'Open a session that runs' }];
 
 /** Keys of an opened recording. `recordings/view/useTimelineKeys.ts` handles them. */
-export const RECORDING_KEYS: readonly KeyText[] = [
+const RECORDING_KEYS: readonly KeyText[] = [
   { keys: 'Space', text: 'Play or pause' },
   { keys: '← →', text: 'Go to the previous or next record of the selected track' },
   { keys: 'Shift ← →', text: 'Go back or forward by 1 s' },
@@ -66,3 +72,24 @@ export const GRAPH_KEYS: readonly KeyText[] = [
   { keys: 'Alt', text: 'and drag: disconnect a node from its wires' },
   { keys: 'Shift', text: 'and drag: select with a box' },
 ];
+
+const PLACES: readonly (KeyGroup & { readonly path: RegExp })[] = [
+  { title: 'On Home', keys: HOME_KEYS, path: /^\/$/ },
+  {
+    title: 'On a row of Sessions, Modules or Clients',
+    keys: ROW_KEYS,
+    path: /^\/(sessions|modules|clients)$/,
+  },
+  { title: 'In the graph of a session', keys: GRAPH_KEYS, path: /^\/sessions\/./ },
+  { title: 'In a recording', keys: RECORDING_KEYS, path: /^\/recordings/ },
+];
+
+/** Returns the groups of the dialog with the keyboard shortcuts: those of the page at `path` first. */
+export function keyGroups(path: string, everywhere: readonly KeyText[]): readonly KeyGroup[] {
+  const isHere = (place: (typeof PLACES)[number]): boolean => place.path.test(path);
+  return [
+    ...PLACES.filter(isHere),
+    { title: 'Everywhere', keys: everywhere },
+    ...PLACES.filter((place) => !isHere(place)),
+  ];
+}

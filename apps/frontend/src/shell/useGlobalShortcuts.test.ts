@@ -60,6 +60,13 @@ describe('shortcuts', () => {
     expect(world.shell.dialog.value).toBeUndefined();
   });
 
+  it('open the palette from an editor that uses Ctrl K itself', async () => {
+    const element: Element = world.wrapper.element;
+    element.addEventListener('keydown', (event) => event.stopPropagation());
+    await world.press('k', { ctrlKey: true }, element);
+    expect(world.shell.dialog.value).toBe('palette');
+  });
+
   it('keep what the flight recorder holds', async () => {
     await world.press('k');
     expect(world.keep).toHaveBeenCalledOnce();
@@ -83,6 +90,20 @@ describe('shortcuts', () => {
     await world.router.push('/');
     await world.press('c');
     expect(world.shell.dialog.value).toBe('connect-phone');
+  });
+
+  it('leave no second key of a sequence to the page', async () => {
+    await world.router.push('/graph');
+    const onPage = vi.fn();
+    const node = document.createElement('div');
+    node.addEventListener('keydown', (event) => onPage(event.key));
+    document.body.append(node);
+    await world.press('g', {}, node);
+    await world.press('b', {}, node);
+    expect(world.push).toHaveBeenLastCalledWith('/publish');
+    await world.press('b', {}, node);
+    expect(onPage.mock.calls.flat()).toEqual(['g', 'b']);
+    node.remove();
   });
 
   it('do nothing while the user types or a dialog of the shell is open', async () => {

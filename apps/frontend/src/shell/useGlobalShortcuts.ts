@@ -4,7 +4,7 @@ import type { Shell } from '../page/shell.ts';
 import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
 import { useSingleKeyShortcuts } from '../ui/keys/useSingleKeyShortcuts.ts';
 import type { RecordingActions } from './useRecordingActions.ts';
-import { matchShortcut, PAIR_MS, shortcutsOn } from './shortcuts.ts';
+import { matchShortcut, PAIR_MS, shortcutsOn, type Shortcut } from './shortcuts.ts';
 
 /** Handles the keyboard shortcuts that work on every page. */
 export function useGlobalShortcuts(shell: Shell, recordings: RecordingActions): void {
@@ -13,29 +13,50 @@ export function useGlobalShortcuts(shell: Shell, recordings: RecordingActions): 
   let pending: string | undefined;
   let pendingSinceMs = 0;
 
-  useEventListener(window, 'keydown', (event: KeyboardEvent) => {
-    if ((event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 'k') {
-      event.preventDefault();
-      if (shell.dialog.value === 'palette') shell.close();
-      else shell.open('palette');
-      return;
-    }
-    const mayFire =
-      isEnabled.value && shell.dialog.value === undefined && isSingleKeyShortcut(event);
-    if (!mayFire) {
-      pending = undefined;
-      return;
-    }
-
+  const mayFire = (event: KeyboardEvent): boolean =>
+    isEnabled.value && shell.dialog.value === undefined && isSingleKeyShortcut(event);
+  function match(event: KeyboardEvent): ReturnType<typeof matchShortcut> {
     if (event.timeStamp - pendingSinceMs > PAIR_MS) pending = undefined;
-    const match = matchShortcut(pending, event.key, shortcutsOn(router.currentRoute.value.meta));
-    pending = match.pending;
-    pendingSinceMs = event.timeStamp;
-    if (!match.shortcut) return;
+    return matchShortcut(pending, event.key, shortcutsOn(router.currentRoute.value.meta));
+  }
+  function fire({ does }: Shortcut, event: KeyboardEvent): void {
     event.preventDefault();
-    const { does } = match.shortcut;
     if (does.kind === 'go') void router.push(does.to);
     else if (does.kind === 'open') shell.open(does.dialog);
     else recordings[does.kind]();
+  }
+
+  // Before the page: the code editor has chords that begin with Ctrl K, and the second key of a sequence may have a
+  // meaning of its own, such as M in a graph.
+  useEventListener(
+    window,
+    'keydown',
+    (event: KeyboardEvent) => {
+      if ((event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 'k') {
+        event.preventDefault();
+        event.stopPropagation();
+        if (shell.dialog.value === 'palette') shell.close();
+        else shell.open('palette');
+        return;
+      }
+      if (pending === undefined || !mayFire(event)) return;
+      const { shortcut } = match(event);
+      if (!shortcut?.keys.includes(' ')) return;
+      pending = undefined;
+      event.stopPropagation();
+      fire(shortcut, event);
+    },
+    { capture: true },
+  );
+
+  useEventListener(window, 'keydown', (event: KeyboardEvent) => {
+    if (!mayFire(event)) {
+      pending = undefined;
+      return;
+    }
+    const found = match(event);
+    pending = found.pending;
+    pendingSinceMs = event.timeStamp;
+    if (found.shortcut) fire(found.shortcut, event);
   });
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Wire } from '../model/graph.ts';
-import { chipRoom, MAX_CHIP } from './chip-room.ts';
+import { chipParts, chipRoom, MAX_CHIP } from './chip-room.ts';
 
 const wire = {
   id: 'w',
@@ -32,5 +32,19 @@ describe('chipRoom', () => {
 
   it('is wide above and below both nodes', () => {
     expect(chipRoom(stageWith(190, 400), wire, { x: 185, y: 250 })).toBe(MAX_CHIP);
+  });
+});
+
+describe('chipParts', () => {
+  it('shows more on wider chips', () => {
+    expect(chipParts(61, false)).toEqual({ rate: false, age: false, beside: false });
+    expect(chipParts(62, false)).toEqual({ rate: true, age: false, beside: false });
+    expect(chipParts(72, false)).toEqual({ rate: true, age: true, beside: false });
+    expect(chipParts(104, false)).toEqual({ rate: true, age: true, beside: true });
+  });
+
+  it('counts the mark of a problem, which would cut the rate', () => {
+    expect(chipParts(72, true)).toEqual({ rate: false, age: false, beside: false });
+    expect(chipParts(80, true)).toEqual({ rate: true, age: false, beside: false });
   });
 });

@@ -29,3 +29,24 @@ export function chipRoom(stage: Drawn, { from, to }: Wire, middle: Point | undef
   }
   return Math.max(0, 2 * half);
 }
+
+/** Width of a chip with its rate, with the age of its last record, and with chart and value, pixels. */
+const RATE_PX = 62;
+const AGE_PX = 72;
+const BESIDE_PX = 104;
+/** Width of the mark of a problem, pixels. */
+const MARK_PX = 18;
+
+/** What a chip has room for beside the mark of a problem: less is shown instead of a cut text. */
+export interface ChipParts {
+  readonly rate: boolean;
+  readonly age: boolean;
+  /** Chart and value. */
+  readonly beside: boolean;
+}
+
+/** Returns what a chip of this width has room for, pixels. */
+export function chipParts(width: number, isWrong: boolean): ChipParts {
+  const room = isWrong ? width - MARK_PX : width;
+  return { rate: room >= RATE_PX, age: room >= AGE_PX, beside: room >= BESIDE_PX };
+}

@@ -13,6 +13,7 @@ function field(props: { value?: number; range?: { min: number; max: number } } =
       await input.setValue(text);
       await input.trigger('blur');
     },
+    press: (key: string) => input.trigger('keydown', { key }),
     changed: () => wrapper.emitted('change')?.map(([value]) => value) ?? [],
     problem: () => wrapper.emitted('problem')?.at(-1)?.[0],
   };
@@ -61,4 +62,19 @@ it('takes back a refused text by Ctrl Z, and leaves other steps to the history o
   const next = new KeyboardEvent('keydown', { key: 'z', ctrlKey: true, cancelable: true });
   input.element.dispatchEvent(next);
   expect(next.defaultPrevented).toBe(false);
+});
+
+it('keeps the focus when Enter takes a number, and when Escape cancels one', async () => {
+  const { input, press, changed } = field();
+  document.body.append(input.element);
+  input.element.focus();
+  await input.setValue('0.7');
+  await press('Enter');
+  expect(changed()).toEqual([0.7]);
+  expect(document.activeElement).toBe(input.element);
+  await input.setValue('0.9');
+  await press('Escape');
+  expect(input.element.value).toBe('0.5');
+  expect(document.activeElement).toBe(input.element);
+  input.element.remove();
 });

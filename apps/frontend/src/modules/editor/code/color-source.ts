@@ -21,7 +21,12 @@ export async function colorLines(
 ): Promise<{ readonly lines: readonly string[]; readonly end: () => void }> {
   const { monaco, end } = await openHighlighter();
   const html = await monaco.editor.colorize(source, 'javascript', { tabSize: 2 });
-  return { lines: html.split('<br/>'), end };
+  return { lines: htmlLines(html), end };
+}
+
+/** Returns the lines of Monaco's HTML, with spaces at which they wrap: Monaco writes spaces that do not break. */
+export function htmlLines(html: string): readonly string[] {
+  return html.replace(/&#160;|&nbsp;|\u00a0/g, ' ').split('<br/>');
 }
 
 async function openHighlighter(): Promise<{
