@@ -1,10 +1,12 @@
 // @vitest-environment happy-dom
-import { enableAutoUnmount, mount } from '@vue/test-utils';
+import { disableAutoUnmount, enableAutoUnmount, mount } from '@vue/test-utils';
 import { afterEach, describe, expect, it } from 'vitest';
 import { defineComponent, h, nextTick, ref, type Ref } from 'vue';
 import type { CanvasStage } from './canvas-stage.ts';
 import { useSpacePan } from './useSpacePan.ts';
 
+// Another file of this worker may have enabled it.
+disableAutoUnmount();
 enableAutoUnmount(afterEach);
 
 async function setUp() {

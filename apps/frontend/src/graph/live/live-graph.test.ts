@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { enableAutoUnmount, flushPromises, mount } from '@vue/test-utils';
+import { disableAutoUnmount, enableAutoUnmount, flushPromises, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { computed, defineComponent, nextTick, ref, shallowRef } from 'vue';
 import { CONNECTION } from '../../connection/connection.ts';
@@ -15,6 +15,8 @@ beforeEach(() => {
 afterEach(() => {
   vi.useRealTimers();
 });
+// Another file of this worker may have enabled it.
+disableAutoUnmount();
 enableAutoUnmount(afterEach);
 
 /** Statistics of a topic that was subscribed and never published. */

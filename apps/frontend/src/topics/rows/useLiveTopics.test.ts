@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { enableAutoUnmount, flushPromises, mount } from '@vue/test-utils';
+import { disableAutoUnmount, enableAutoUnmount, flushPromises, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { defineComponent, nextTick, ref, shallowRef } from 'vue';
 import { CONNECTION } from '../../connection/connection.ts';
@@ -12,6 +12,8 @@ beforeEach(() => {
 afterEach(() => {
   vi.useRealTimers();
 });
+// Another file of this worker may have enabled it.
+disableAutoUnmount();
 enableAutoUnmount(afterEach);
 
 it('shows the first value of a topic before the master has counted it', async () => {

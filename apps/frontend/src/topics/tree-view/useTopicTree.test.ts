@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { enableAutoUnmount, mount } from '@vue/test-utils';
+import { disableAutoUnmount, enableAutoUnmount, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, ref, shallowRef, triggerRef } from 'vue';
 import { CONNECTION, type Connection } from '../../connection/connection.ts';
@@ -77,6 +77,8 @@ beforeEach(() => {
 afterEach(() => {
   vi.useRealTimers();
 });
+// Another file of this worker may have enabled it.
+disableAutoUnmount();
 enableAutoUnmount(afterEach);
 
 describe('useTopicTree', () => {
