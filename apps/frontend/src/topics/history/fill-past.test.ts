@@ -57,6 +57,23 @@ describe('the past of a topic', () => {
     expect(valuesOf(history).map(([, value]) => value)).toEqual([1, 2, 3, 4]);
   });
 
+  it('goes on with its own clock: a first record that was there before looks older than it is', async () => {
+    const startMs = Date.UTC(2026, 0);
+    const history = new TopicHistory();
+    history.add(live(3, startMs + 300), startMs - 500);
+    history.add(live(4, startMs + 400), startMs + 430);
+    const past = [100, 200, 300].map((ms) =>
+      flight(ms / 100, startMs + ms + 5, '/a', startMs + ms),
+    );
+    await fillPast(history, past, turn);
+    expect(valuesOf(history).map(([ms]) => Math.round(ms! - startMs))).toEqual([
+      105, 205, 305, 405,
+    ]);
+    expect(history.count).toBe(2);
+    history.add(live(5, startMs + 500), startMs + 530);
+    expect(Math.round(history.latestLocalMs - startMs)).toBe(505);
+  });
+
   it('is all there is of a topic that is silent', async () => {
     const history = new TopicHistory();
     await fillPast(history, [flight(1, 1100)], turn);

@@ -29,18 +29,18 @@ export async function fillPast(
     if (record.format !== undefined) decoded.push({ record, timeMs });
   });
   const first = history.records.oldest;
-  const before = first === undefined ? decoded : thoseBefore(decoded, first);
+  // Several may have been measured in the same millisecond.
+  const at =
+    first === undefined ? -1 : decoded.findLastIndex(({ record }) => isSame(record, first));
+  const before =
+    at >= 0
+      ? decoded.slice(0, at + 1)
+      : decoded.filter(({ timeMs }) => timeMs < (first?.localMs ?? Infinity));
   if (before.length === 0) return;
-  const earlier = history.before(before.length);
+  const lastNumber = (first?.number ?? 1) - (at >= 0 ? 0 : 1);
+  const earlier = history.before(before.length - lastNumber);
   await inTurns(before, pause, ({ record, timeMs }) => earlier.add(record, timeMs));
   history.beginWith(earlier);
-}
-
-/** The last of the past have come as new ones, too. */
-function thoseBefore(past: readonly PastRecord[], first: KeptRecord): readonly PastRecord[] {
-  // Several may have been measured in the same millisecond.
-  const at = past.findLastIndex(({ record }) => isSame(record, first));
-  return at >= 0 ? past.slice(0, at) : past.filter(({ timeMs }) => timeMs < first.localMs);
 }
 
 function isSame(record: TopicRecord, { timestampMs, clientId, value }: KeptRecord): boolean {

@@ -42,7 +42,7 @@ const MAX_COLUMNS = 2 * MAX_FIELDS;
 /** Newest value, records and numbers of a topic since it was opened. Bounded. */
 export class TopicHistory {
   readonly #limits: HistoryLimits;
-  readonly #clock = new SampleClock();
+  #clock = new SampleClock();
   #log: RecordLog;
   #format: DataFormat | undefined;
   #series: ValueSeries | undefined;
@@ -153,18 +153,21 @@ export class TopicHistory {
     return earlier;
   }
 
-  /** Puts the records of `earlier` before its own, unless its values are too large to keep: then there is nothing to plot. */
+  /**
+   * Puts the records of `earlier` before its own with higher numbers, unless its values are too large to keep: then there is nothing to plot.
+   * The clock of `earlier` goes on: it knows when its records came, while the first own one may be older than it looks.
+   */
   beginWith(earlier: TopicHistory): void {
     const kept = this.#log.kept();
     if (kept.some(({ value }) => value === undefined)) return;
-    for (const { format, value, timestampMs, clientId, arrivalMs, localMs } of kept) {
-      const record = { format, value, timestampMs, clientId } as TopicRecord;
-      earlier.#take(record, arrivalMs, localMs);
+    const last = earlier.count;
+    for (const { number, format, value, timestampMs, clientId, arrivalMs } of kept) {
+      if (number <= last) continue;
+      earlier.add({ format, value, timestampMs, clientId } as TopicRecord, arrivalMs);
     }
-    if (this.#latest === undefined) {
-      this.#latest = earlier.#latest;
-      this.#latestLocalMs = earlier.#latestLocalMs;
-    }
+    this.#latest ??= earlier.#latest;
+    this.#latestLocalMs = earlier.#latestLocalMs;
+    this.#clock = earlier.#clock;
     for (const path of this.#wanted) earlier.lineOf(path);
     this.#log = earlier.#log;
     this.#format = earlier.#format;
