@@ -57,7 +57,7 @@ describe('the past of a topic', () => {
     expect(valuesOf(history).map(([, value]) => value)).toEqual([1, 2, 3, 4]);
   });
 
-  it('goes on with its own clock: a first record that was there before looks older than it is', async () => {
+  it('continues with its own clock: a first record that was there before looks older than it is', async () => {
     const startMs = Date.UTC(2026, 0);
     const history = new TopicHistory();
     history.add(live(3, startMs + 300), startMs - 500);
