@@ -27,7 +27,7 @@ test.afterEach(() => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** Environment of somebody who has used neither npm nor this product, and has no network but the loopback. */
+/** Environment of a user who has used neither npm nor this product, and has no network but the loopback. */
 const environment = (): NodeJS.ProcessEnv => ({
   PATH: process.env['PATH'],
   HOME: folder,

@@ -18,7 +18,7 @@ export interface Channel {
 /** A channel as threads are told of it. */
 export type NamedChannel = Pick<Channel, 'number' | 'topic' | 'clientId'>;
 
-/** Somebody who publishes on a topic; remembers the channel. */
+/** A publisher on a topic; remembers the channel. */
 export interface ChannelSource {
   readonly topic: string;
   readonly clientId: string;

@@ -132,7 +132,7 @@ export class SharedRecorder implements Recorder {
     this.#told = memory.spans;
     void this.#context.files
       .read(spans, names)
-      .catch(() => undefined) // Whoever failed said so.
+      .catch(() => undefined) // The recording that failed said so.
       .then(() => memory.markRead(spans));
   }
 
