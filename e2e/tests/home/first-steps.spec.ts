@@ -50,7 +50,10 @@ test('a new user touches a living session at once, and sees what to do next @smo
     const left = page.getByRole('region', { name: 'Next steps' });
     await expect(left.getByRole('link', { name: 'Start an example' })).toBeVisible();
     await left.getByRole('button', { name: 'Use your phone' }).click();
+    const connect = page.getByRole('dialog', { name: 'Connect a phone' });
+    await expect(connect).toBeVisible();
     await page.keyboard.press('Escape');
+    await expect(connect).toBeHidden();
     await expect(left).not.toContainText('phone');
     await left.getByRole('button', { name: 'Dismiss' }).click();
     await expect(left).toBeHidden();
