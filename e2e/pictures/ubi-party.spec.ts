@@ -54,10 +54,13 @@ test('three phones play King of the Hill with their sticks', async ({ browser, r
     await page.waitForTimeout(30);
   }
   await expect(page.getByText('3 standing')).toBeVisible();
-  // The stage takes longest where the processor draws it: alone, so that the round is not over before
+  // Where the processor draws the stage, its picture takes longer than the round
+  const round = (await eyes.call('sessionRuntimeGetList')).elements.find(({ name }) => name.startsWith('Ubi-Party'))!;
+  await eyes.call('sessionPause', round);
   const desk = await page.screenshot();
   const hands = await Promise.all(phones.map((phone) => phone.page.screenshot()));
   await screen.expectPhase('play', 1);
+  await eyes.call('sessionResume', round);
   await layOver(browser, desk, hands, pictureFile('ubi-party'));
   for (const phone of phones) await phone.release();
 });
