@@ -139,6 +139,14 @@ test('panels are arranged, and their layouts kept', async ({ room }) => {
     await expect(lines).toHaveCount(1);
     await speed.getByRole('heading').locator('[draggable]').dragTo(angle);
     await expect(lines).toHaveCount(2);
+    await anna.page.getByRole('button', { name: 'Undo' }).click();
+    await expect(lines).toHaveCount(1);
+    await anna.page.getByRole('button', { name: 'Add panel' }).click();
+    await anna.page
+      .getByRole('option', { name: '/lab/speed' })
+      .dragTo(angle, { targetPosition: { x: 60, y: 120 } });
+    await expect(lines).toHaveCount(2);
+    await anna.page.keyboard.press('Escape');
     await anna.choose('/lab/speed', 'Remove panel');
   });
 
