@@ -82,6 +82,21 @@ describe('a busy master', () => {
     ]);
   });
 
+  it('names other programs when it waits for the processor, and no client [EX-46]', async () => {
+    const { master, ben, status, pass } = await createRoom();
+    master.usage.measured = { ...BUSY, cpuPercent: 8 };
+    pass(3, ben, 10);
+    expect((await status()).problems).toMatchObject([
+      {
+        code: 'master_busy',
+        text: 'The main thread of the master is busy for 90 % of the time. Its event-loop delay is 34 ms, so values arrive later; it waits most of that time, because other programs use the processor.',
+        clientId: '',
+        remedy:
+          'End other programs on the machine of the master, or run the master on another machine.',
+      },
+    ]);
+  });
+
   it('is forgotten 30 s after the last look that found it [EX-45] [EX-18]', async () => {
     const { master, ben, codes, pass } = await createRoom();
     master.usage.measured = BUSY;

@@ -28,9 +28,12 @@ export function* checkMachine(state: MachineState): Iterable<[key: string, Found
 }
 
 function masterBusy({ usage, clients }: MachineState): FoundProblem {
-  const first = busiest(clients);
-  const cause =
-    first === undefined
+  // The master waits for a processor most of the time: clients and modules are not the cause.
+  const isStarved = usage.cpuPercent < usage.busyPercent / 2;
+  const first = isStarved ? undefined : busiest(clients);
+  const cause = isStarved
+    ? 'it waits most of that time, because other programs use the processor'
+    : first === undefined
       ? 'no single client causes it'
       : `${percent(first.traffic.workShare * 100)} of the forwarding work is caused by ${first.label}`;
   return {
@@ -41,8 +44,9 @@ function masterBusy({ usage, clients }: MachineState): FoundProblem {
         : StatusProblemSeverity.WARNING,
     text: `The main thread of the master is busy for ${percent(usage.busyPercent)} of the time. Its event-loop delay is ${Math.round(usage.delayMs)} ms, so values arrive later; ${cause}.`,
     clientId: first?.id ?? '',
-    remedy:
-      first === undefined
+    remedy: isStarved
+      ? 'End other programs on the machine of the master, or run the master on another machine.'
+      : first === undefined
         ? 'Publish less often, subscribe to less or at a lower rate, or run the master on a faster machine.'
         : 'Publish or subscribe at a lower rate in that client, or throttle it.',
   };
