@@ -15,10 +15,11 @@ it.each([
   ['/sessions', 'On a row of Sessions, Modules or Clients'],
   ['/sessions/3f1d', 'In the graph of a session'],
   ['/sessions/3f1d/log', 'In the graph of a session'],
+  ['/panels', 'On Panels'],
   ['/recordings/walk', 'In a recording'],
   ['/topics', 'Everywhere'],
 ])('shows the keys of the page %s first', (path, first) => {
   const groups = keyGroups(path, []).map(({ title }) => title);
   expect(groups[0]).toBe(first);
-  expect(new Set(groups).size).toBe(5);
+  expect(new Set(groups).size).toBe(6);
 });

@@ -34,6 +34,16 @@ const RECORDING_KEYS: readonly KeyText[] = [
   { keys: 'Shift', text: 'and drag: loop what is marked' },
 ];
 
+/** Keys on Panels. `topics/panels/PanelsPage.vue`, `useWholeWindow.ts` and the plots handle them. */
+const PANEL_KEYS: readonly KeyText[] = [
+  { keys: 'F', text: 'Start or end full screen' },
+  { keys: 'Ctrl Z', text: 'Undo' },
+  { keys: 'Ctrl Y', text: 'Redo' },
+  { keys: '← →', text: 'Move the reading line of a plot; with Shift its time' },
+  { keys: '+ −', text: 'Zoom a plot in or out' },
+  { keys: 'A B', text: 'Set a cursor at the reading line' },
+];
+
 /** Keys on the canvas of a graph. `graph/canvas/canvas-keys.ts` handles them. */
 export const GRAPH_KEYS: readonly KeyText[] = [
   { keys: '← → ↑ ↓', text: 'Go to the next node, to its sockets, and along wires' },
@@ -81,6 +91,7 @@ const PLACES: readonly (KeyGroup & { readonly path: RegExp })[] = [
     path: /^\/(sessions|modules|clients)$/,
   },
   { title: 'In the graph of a session', keys: GRAPH_KEYS, path: /^\/sessions\/./ },
+  { title: 'On Panels', keys: PANEL_KEYS, path: /^\/panels/ },
   { title: 'In a recording', keys: RECORDING_KEYS, path: /^\/recordings/ },
 ];
 

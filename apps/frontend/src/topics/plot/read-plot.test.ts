@@ -33,5 +33,7 @@ describe('pointAt', () => {
   it('reads nothing in a gap and before the first point', () => {
     expect(pointAt(line, 2500, 9000)).toBeUndefined();
     expect(pointAt(line, -2000, 9000)).toBeUndefined();
+    expect(pointAt(aLine([[100, 1]]), 50, 9000)).toBeUndefined();
+    expect(pointAt(aLine([[100, 1]]), 150, 9000)?.value).toBe(1);
   });
 });

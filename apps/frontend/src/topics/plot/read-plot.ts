@@ -26,7 +26,7 @@ export function pointNear(line: LinePoints, timeMs: number, endMs: number): Plot
  */
 export function pointAt(line: LinePoints, timeMs: number, endMs: number): PlotPoint | undefined {
   const point = pointNear(line, timeMs, endMs);
-  if (point === undefined) return undefined;
+  if (point === undefined || timeMs < line.timeAt(0)) return undefined;
   const isHeld = timeMs >= line.timeAt(line.size - 1);
   return isHeld || Math.abs(point.timeMs - timeMs) <= gapOf(line) / 2 ? point : undefined;
 }
