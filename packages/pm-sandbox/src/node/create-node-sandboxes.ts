@@ -7,6 +7,7 @@ import { createPooledSandboxes } from '../sandbox/worker-pool.ts';
 import type { WorkerBatch, WorkerStart } from '../worker/protocol.ts';
 import type { NodeWorkerData } from './node-worker.ts';
 import { defaultModuleMemory, defaultSessionMemory } from './default-memory.ts';
+import { processCpuMs } from './process-cpu.ts';
 import { createProgressMemory, readProgress } from './shared-progress.ts';
 
 /** Options for sandboxes in Node.js. */
@@ -49,6 +50,7 @@ export function createNodeSandboxes(options: NodeSandboxOptions): SandboxFactory
         const timer = setInterval(fn, intervalMs);
         return () => clearInterval(timer);
       },
+      cpuMs: processCpuMs,
       atEndOfTurn: (fn) => queueMicrotask(fn),
     },
     {

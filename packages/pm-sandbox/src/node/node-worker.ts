@@ -7,6 +7,7 @@ import { evaluateLibrary } from '../worker/v8/evaluate-callback.ts';
 import { createV8Engine } from '../worker/v8/v8-engine.ts';
 import { WorkerLoop } from '../worker/worker-loop.ts';
 import { locateSyntaxError } from './locate-syntax-error.ts';
+import { processCpuMs } from './process-cpu.ts';
 import { createProgressWriter } from './shared-progress.ts';
 
 /** Data from `createNodeSandboxes`. */
@@ -31,7 +32,7 @@ const engine =
   start.kind === 'trusted'
     ? createV8Engine({ locateSyntaxError })
     : await createQuickJsEngine(
-        { stackBytes: STACK_BYTES, nowMs },
+        { stackBytes: STACK_BYTES, nowMs, cpuMs: processCpuMs },
         new MemoryAccount(start.memory),
       );
 const loop = new WorkerLoop({

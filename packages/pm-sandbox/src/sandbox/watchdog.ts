@@ -42,6 +42,8 @@ const START_TIMEOUT_MS = 30_000;
  * on a busy computer it just gets no CPU time, and ending it would cost all its instances their state.
  */
 const DEAF_TIMEOUT_MS = 5_000;
+/** A call that gets no CPU time is ended after this many times its limit: it may also block without computing. */
+const MAX_STARVED_LIMITS = 10;
 
 /**
  * Looks at a worker again and again while calls are under way. It counts its looks, not time: a
@@ -50,14 +52,26 @@ const DEAF_TIMEOUT_MS = 5_000;
 export class Watchdog<C extends WatchedCall> {
   readonly #watched: Watched<C>;
   readonly #every: (intervalMs: number, fn: () => void) => Cancel;
+  readonly #cpuMs: (() => number) | undefined;
+  /** CPU time of the program when what is seen now was first seen, milliseconds. */
+  #cpuAtChangeMs = 0;
   #stop: Cancel | undefined;
   #seen: Progress = { received: -1, running: 0, sequence: -1 };
   /** Looks that saw the same. */
   #looks = 0;
 
-  constructor(watched: Watched<C>, every: (intervalMs: number, fn: () => void) => Cancel) {
+  /**
+   * @param cpuMs CPU time of the program, milliseconds, at least that of its workers: the code of an instance that got no
+   *   CPU time on a busy machine does not loop. Left out where it is not known.
+   */
+  constructor(
+    watched: Watched<C>,
+    every: (intervalMs: number, fn: () => void) => Cancel,
+    cpuMs?: () => number,
+  ) {
     this.#watched = watched;
     this.#every = every;
+    this.#cpuMs = cpuMs;
   }
 
   /** @returns whether it was not watching before */
@@ -89,7 +103,7 @@ export class Watchdog<C extends WatchedCall> {
       return;
     }
     const { running, received } = now;
-    if (running !== 0 && silentMs >= watched.limitMs(running) + WATCHDOG_GRACE_MS) {
+    if (running !== 0 && this.#isLoop(silentMs, watched.limitMs(running))) {
       watched.onVerdict({ kind: 'loop', instance: running });
       return;
     }
@@ -106,12 +120,19 @@ export class Watchdog<C extends WatchedCall> {
     }
   }
 
+  #isLoop(silentMs: number, limitMs: number): boolean {
+    if (silentMs < limitMs + WATCHDOG_GRACE_MS) return false;
+    const hasComputed = this.#cpuMs === undefined || this.#cpuMs() - this.#cpuAtChangeMs >= limitMs;
+    return hasComputed || silentMs >= MAX_STARVED_LIMITS * limitMs;
+  }
+
   /** Returns the time without progress, milliseconds. */
   #silentMs(now: Progress): number {
     const { received, running, sequence } = this.#seen;
     const isSame =
       received === now.received && running === now.running && sequence === now.sequence;
     this.#looks = isSame ? this.#looks + 1 : 0;
+    if (!isSame) this.#cpuAtChangeMs = this.#cpuMs?.() ?? 0;
     this.#seen = now;
     return this.#looks * WATCHDOG_INTERVAL_MS;
   }

@@ -16,6 +16,7 @@ function fakeWorker() {
   let listener!: WorkerListener;
   let look: (() => void) | undefined;
   let progress: Progress = { received: 0, running: 0, sequence: 0 };
+  let cpuMs = 0;
   const platform: PoolPlatform = {
     startWorker(_, given) {
       listener = given;
@@ -32,6 +33,7 @@ function fakeWorker() {
         look = undefined;
       };
     },
+    cpuMs: () => cpuMs,
     atEndOfTurn: (fn) => void turns.push(fn),
   };
   const host = new WorkerHost(
@@ -60,9 +62,12 @@ function fakeWorker() {
     setProgress(next: Partial<Progress>) {
       progress = { ...progress, ...next };
     },
-    /** Lets so much time pass for the watchdog. */
-    pass(ms: number) {
-      for (let i = 0; i < Math.ceil(ms / WATCHDOG_INTERVAL_MS); i++) look?.();
+    /** Lets so much time pass for the watchdog. @param share of it in which the program computes */
+    pass(ms: number, share = 1) {
+      for (let i = 0; i < Math.ceil(ms / WATCHDOG_INTERVAL_MS); i++) {
+        cpuMs += share * WATCHDOG_INTERVAL_MS;
+        look?.();
+      }
     },
     add() {
       const who = ++count;
@@ -124,6 +129,19 @@ describe('WorkerHost', () => {
       [2, 'timeout'],
     ]);
     expect(worker.ended).toEqual(['module 2']);
+  });
+
+  it('gives an instance more time while the machine gives the program no CPU time, and ends it in the end [PM-53]', async () => {
+    const worker = fakeWorker();
+    const a = worker.add();
+    worker.tell({ kind: 'ready' });
+    const run = faultFrom(worker.host.run(a, CALL));
+    worker.endTurn();
+    worker.setProgress({ received: 1, running: a, sequence: 1 });
+    worker.pass(2_000, 0.1);
+    expect(worker.ended).toEqual([]);
+    worker.pass(5_000, 0.1);
+    expect(await run).toMatchObject({ kind: 'timeout' });
   });
 
   it('leaves a worker alone that gets on', () => {

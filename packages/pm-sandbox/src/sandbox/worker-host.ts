@@ -89,6 +89,7 @@ export class WorkerHost {
         onRest: () => this.#link.setActive(false),
       },
       (intervalMs, fn) => platform.every(intervalMs, fn),
+      platform.cpuMs,
     );
     const hostLibraries = Object.fromEntries(
       Object.entries(options.hostLibraries).map(([name, library]) => [name, Object.keys(library)]),

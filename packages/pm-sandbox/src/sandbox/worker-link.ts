@@ -26,6 +26,8 @@ export interface WorkerListener {
 export interface PoolPlatform {
   startWorker(start: WorkerStart, listener: WorkerListener): WorkerLink;
   every(intervalMs: number, fn: () => void): Cancel;
+  /** CPU time of all threads of the program, milliseconds; left out where it is not known. */
+  cpuMs?(): number;
   /** Calls `fn` once what is running now is done. */
   atEndOfTurn(fn: () => void): void;
 }

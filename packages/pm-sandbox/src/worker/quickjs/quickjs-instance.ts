@@ -31,6 +31,8 @@ export interface QuickJsOptions {
   /** Of the engine, bytes; the stack of the thread must bear it several times over. */
   readonly stackBytes: number;
   nowMs(): number;
+  /** See TimeBudget; left out where it is not known. */
+  cpuMs?(): number;
 }
 
 const PHASES: readonly Phase[] = ['onCreated', 'onProcessing', 'onHalted', 'onDestroyed'];
@@ -71,7 +73,7 @@ export class QuickJsInstance implements EngineInstance {
     this.#memory = memory;
     this.#request = request;
     this.#hooks = hooks;
-    this.#budget = new TimeBudget(() => options.nowMs());
+    this.#budget = new TimeBudget(() => options.nowMs(), options.cpuMs);
     this.#copy = copy;
     this.#runtime = copy.quickJs.newRuntime();
     this.#runtime.setMemoryLimit(request.limits.memoryBytes);
