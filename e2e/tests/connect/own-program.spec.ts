@@ -138,12 +138,22 @@ test('a program and a page outside the repository use the library of the master 
   });
 
   await test.step('a page of another port needs none', async () => {
-    const server = createServer((_request, response) => {
+    const touch = readFileSync(join(folder, 'touch-page.html'), 'utf8');
+    const server = createServer(({ url }, response) => {
       response.setHeader('content-type', 'text/html');
-      response.end(page.replace(", joinToken: 'TOKEN'", ''));
+      response.end((url === '/touch' ? touch : page).replace(", joinToken: 'TOKEN'", ''));
     });
     await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
-    await showsLamp(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+    const address = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
+    await showsLamp(address);
+
+    const tab = await context.newPage();
+    await tab.setViewportSize({ width: 1000, height: 500 });
+    await tab.goto(`${address}touch`);
+    const topic = `/${ada.id}/web-interface-smart-device/touch_position`;
+    ada.publish(topic, 'vector2', { x: 0.25, y: 0.5 });
+    const box = () => tab.locator('div').boundingBox();
+    await expect.poll(box).toMatchObject({ x: 250, y: 250 });
     server.closeAllConnections();
     server.close();
   });
