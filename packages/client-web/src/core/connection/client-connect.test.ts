@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../../testing/create-test-client.ts';
 import { FakeMaster } from '../../testing/fake-master.ts';
 import { createMemoryIdentity } from './identity.ts';
+import { LIBRARY_NAME } from './library-name.ts';
 
 describe('client.connect()', () => {
   it('registers with what it is told, and asks for record lists [EX-1 EX-2]', async () => {
@@ -21,7 +22,7 @@ describe('client.connect()', () => {
         name: 'ada',
         description: 'a test',
         tags: ['x'],
-        extension: { recordLists: true, library: 'client-web/0.1.0', resumeToken: '' },
+        extension: { recordLists: true, library: LIBRARY_NAME, resumeToken: '' },
       },
     });
     expect(client.id).toBe('client-1');

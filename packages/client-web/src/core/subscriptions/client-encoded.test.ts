@@ -10,6 +10,7 @@ import { settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../../testing/create-test-client.ts';
 import { FakeMaster } from '../../testing/fake-master.ts';
+import { LIBRARY_NAME } from '../connection/library-name.ts';
 import type { EncodedRecord } from './encoded-record.ts';
 import type { TopicPattern } from './topic-pattern.ts';
 import type { UbiiClient } from '../client/ubii-client.ts';
@@ -322,7 +323,7 @@ describe('what a client is as a node', () => {
       processingModules: [module],
       extension: {
         recordLists: true,
-        library: 'client-web/0.1.0',
+        library: LIBRARY_NAME,
         node: { runsJavascript: true, libraries: ['http'] },
       },
     });
