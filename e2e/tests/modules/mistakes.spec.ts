@@ -82,7 +82,8 @@ test('a mistake in an output is told in the words of the author, once, in all pl
       'Output "reslt" is not declared. Did you mean "result"?',
     );
 
-    await editor.tryIt.getByRole('button', { name: 'Run', exact: true }).click();
+    await editor.tryIt.getByRole('button', { name: 'Run', exact: true }).press('Enter');
+    await expect(editor.tryIt.getByRole('button', { name: 'Pause' })).toBeFocused();
     await editor.input('value').getByRole('textbox', { name: 'value' }).fill('21');
     await expect(cause).toBeVisible();
     await editor.typeAfter('reslt: 3', ' +');
