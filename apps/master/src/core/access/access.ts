@@ -157,7 +157,7 @@ export class Access {
     const credential = writeCredential(secrets, {
       clientId,
       grantId: grant.id,
-      holderId: holderId || clientId,
+      holderId: holderId ?? clientId,
       expiresMs,
     });
     return { credential, credentialExpiresMs: expiresMs };

@@ -1,5 +1,5 @@
 import type { ServiceError } from '@ubii/proto';
-import type { Grant } from './grant.ts';
+import type { Grant, GrantId } from './grant.ts';
 import type { Role } from './roles.ts';
 
 /**
@@ -34,8 +34,8 @@ export interface ClientAccess {
   readonly role: Role;
   /** Its invitation; undefined for all but `grant`. */
   readonly grant: Grant | undefined;
-  /** The client that joined first, with whose credential this one did [AC-23]; empty for itself. */
-  readonly holderId: string;
+  /** The client that joined first, with whose credential this one did [AC-23]; undefined for itself. */
+  readonly holderId: string | undefined;
   /** End of its newest credential, epoch milliseconds. */
   readonly expiresMs: number;
 }
@@ -59,7 +59,7 @@ export function accessOf(caller: Caller, expiresMs: number): ClientAccess {
     case 'client':
     case 'joining': {
       const { grant } = caller;
-      const holderId = caller.kind === 'client' ? caller.holderId : '';
+      const holderId = caller.kind === 'client' ? caller.holderId : undefined;
       return { kind: 'grant', role: grant.role, grant, holderId, expiresMs };
     }
     case 'stranger':
@@ -67,16 +67,16 @@ export function accessOf(caller: Caller, expiresMs: number): ClientAccess {
   }
 }
 
-/** Id of the grant with which a caller creates objects; empty for callers that need none [AC-90]. */
-export function makerOf(caller: Caller): string {
-  return caller.kind === 'client' && !caller.grant.hereOnly ? caller.grant.id : '';
+/** Grant with which a caller creates objects; undefined for callers that need none [AC-90]. */
+export function grantOf(caller: Caller): GrantId | undefined {
+  return caller.kind === 'client' && !caller.grant.hereOnly ? caller.grant.id : undefined;
 }
 
 /** The same for a client. */
-export function makerOfAccess({ grant }: ClientAccess): string {
-  return grant === undefined || grant.hereOnly ? '' : grant.id;
+export function grantOfAccess({ grant }: ClientAccess): GrantId | undefined {
+  return grant === undefined || grant.hereOnly ? undefined : grant.id;
 }
 
 function withoutGrant(kind: 'local' | 'network', role: Role): ClientAccess {
-  return { kind, role, grant: undefined, holderId: '', expiresMs: Number.POSITIVE_INFINITY };
+  return { kind, role, grant: undefined, holderId: undefined, expiresMs: Number.POSITIVE_INFINITY };
 }

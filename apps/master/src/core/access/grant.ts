@@ -1,6 +1,21 @@
 import type { AccessGrant, Init, JsonObject } from '@ubii/proto';
 import { isGivenRole, wireRole, type GivenRole } from './roles.ts';
 
+declare const GRANT: unique symbol;
+
+/** Id of a grant. A client without one has `undefined`. */
+export type GrantId = string & { readonly [GRANT]: true };
+
+/** Reads an id from outside; undefined for an empty one. */
+export function toGrantId(text: string): GrantId | undefined {
+  return text === '' ? undefined : (text as GrantId);
+}
+
+/** Reads ids from outside. */
+export function toGrantIds(texts: readonly string[] = []): GrantId[] {
+  return texts.flatMap((text) => toGrantId(text) ?? []);
+}
+
 /** Fixed properties of a grant. Times are epoch milliseconds. */
 export interface GrantSpec {
   readonly label: string;
@@ -18,15 +33,15 @@ export interface GrantSpec {
   readonly isTerminal: boolean;
   /** The grant and its credentials are valid only on the master's machine [AC-43]. */
   readonly hereOnly: boolean;
-  /** The grant of who made it, with which it ends; empty for the operator's [AC-93]. */
-  readonly madeWith: string;
+  /** The grant of the client that made it, with which it ends; undefined for the operator's [AC-93]. */
+  readonly madeWith: GrantId | undefined;
   /** The installation whose terminal it is of; empty for all others, and for a master that is alone. [CU-27] */
   readonly terminalOf: string;
 }
 
 /** An invitation: lets clients join [AC-10]. */
 export interface Grant extends GrantSpec {
-  readonly id: string;
+  readonly id: GrantId;
   readonly createdMs: number;
   /** Keyed hashes of its secrets [AC-11], which change where each start shows new ones [AC-42]. */
   token: string;
@@ -95,8 +110,8 @@ function copied({ sessionIds, runningSessionIds, storedSessionNames, moduleNames
 
 /** The grant as it is kept [AC-19]. */
 export function grantToJson(grant: Grant): JsonObject {
-  const { readTopics, writeTopics, ...rest } = grant;
-  return { ...rest, readTopics: [...readTopics], writeTopics: [...writeTopics] };
+  const { readTopics, writeTopics, madeWith = '', ...rest } = grant;
+  return { ...rest, madeWith, readTopics: [...readTopics], writeTopics: [...writeTopics] };
 }
 
 /** Members that grants of earlier versions do not have. */
@@ -126,12 +141,17 @@ export function grantFromJson(json: unknown): Grant | undefined {
     isTextList(kept.writeTopics);
   if (!isGrant) return undefined;
   const grant = json as Omit<Grant, LaterMember> & Partial<Pick<Grant, LaterMember>>;
+  const { madeWith = '' } = kept as { readonly madeWith?: string };
   // Grants of earlier versions are good everywhere, and last as long as what they gave.
   const staysUntilMs = Math.max(grant.expiresMs, grant.credentialsEndMs);
   return {
-    ...{ hereOnly: false, madeWith: '', isOver: false, terminalOf: '', isHandedOver: false },
+    hereOnly: false,
+    isOver: false,
+    terminalOf: '',
+    isHandedOver: false,
     staysUntilMs,
     ...grant,
+    madeWith: toGrantId(madeWith),
   };
 }
 

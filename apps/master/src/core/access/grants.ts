@@ -6,7 +6,7 @@ import type { IdSource } from '../ports/id-source.ts';
 import type { Log } from '../ports/log.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { CREDENTIAL_LIFETIME_MS } from './credentials.ts';
-import { grantFromJson, grantToJson, type Grant, type GrantSpec } from './grant.ts';
+import { grantFromJson, grantToJson, type Grant, type GrantId, type GrantSpec } from './grant.ts';
 import { createJoinCode, readJoinCode } from './join-code.ts';
 
 /** The end of credentials is kept in steps of this size, so that not every registration writes a file. */
@@ -110,7 +110,7 @@ export class Grants {
     const { token, code, hashes } = this.#newSecrets();
     const grant: Grant = {
       ...spec,
-      id: ids.uuid(),
+      id: ids.uuid() as GrantId,
       createdMs: clock.nowMs(),
       ...hashes,
       revokedMs: 0,
@@ -167,8 +167,8 @@ export class Grants {
     return over;
   }
 
-  /** Whether those who joined with it may be here. */
-  isGood(id: string): boolean {
+  /** Tells whether clients that joined with it still have access. */
+  isValid(id: GrantId): boolean {
     const grant = this.#grants.get(id);
     return (
       grant !== undefined &&

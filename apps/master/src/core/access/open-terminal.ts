@@ -79,6 +79,6 @@ function terminalSpec(
     writeTopics: [],
     isTerminal: true,
     hereOnly: false,
-    madeWith: '',
+    madeWith: undefined,
   };
 }

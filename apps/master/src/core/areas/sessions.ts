@@ -2,7 +2,6 @@ import { StatusEventKind } from '@ubii/proto';
 import { readRecordHead } from '@ubii/proto/wire';
 import { Hook } from '../hooks/hook.ts';
 import { createChecks } from '../sessions/checks/create-checks.ts';
-import type { DraftContext } from '../sessions/draft-maker.ts';
 import type { LifeContext } from '../sessions/life-context.ts';
 import { Lockstep } from '../sessions/lockstep/lockstep.ts';
 import { handleNodeBack, handleNodeGone } from '../sessions/node-changes.ts';
@@ -13,6 +12,7 @@ import { ForeignSessions } from '../sessions/foreign-sessions.ts';
 import { SessionClaims } from '../sessions/session-claims.ts';
 import { MASTER_ALIAS } from '../sessions/session-library.ts';
 import { SessionNews } from '../sessions/session-news.ts';
+import type { RequestContext } from '../sessions/session-request.ts';
 import { Sessions } from '../sessions/sessions.ts';
 import { Supervision } from '../sessions/supervision.ts';
 import { TopicTroubles } from '../sessions/topic-troubles.ts';
@@ -78,7 +78,7 @@ export function createSessions(dependencies: SessionDependencies) {
     ...dependencies,
     limits,
     table: sessionTable,
-    drafts: draftContext(dependencies),
+    requests: requestContext(dependencies),
     life,
     claims,
     library: sessionLibrary,
@@ -139,7 +139,7 @@ function createLockstep(dependencies: SessionDependencies, news: SessionNews): L
   });
 }
 
-function draftContext(dependencies: SessionDependencies): DraftContext {
+function requestContext(dependencies: SessionDependencies): RequestContext {
   const { ids, limits, limitWatch, sessionTable, nodes, modules, sandboxes, clock } = dependencies;
   return {
     limits: limitWatch,

@@ -120,11 +120,11 @@ export class Directory {
   }
 
   #accessOf({ role, grantId, accessKind }: ClusterClient): ClientAccess {
-    const grant = grantId === '' ? undefined : this.#context.grants.get(grantId);
+    const grant = this.#context.grants.get(grantId);
     const kind = ACCESS_KINDS.find((one) => one === accessKind) ?? 'grant';
     const expiresMs = Number.POSITIVE_INFINITY;
     // Its own master knows the holder, and so does the credential that it would bring here.
-    return { kind, role: givenRole(role) ?? 'none', grant, holderId: '', expiresMs };
+    return { kind, role: givenRole(role) ?? 'none', grant, holderId: undefined, expiresMs };
   }
 
   #homeOf(masterId: string): ClientHome {

@@ -32,7 +32,7 @@ export interface TakeoverContext {
   readonly sessionLibrary: Pick<SessionLibrary, 'rememberUnsaved'>;
   readonly foreignSessions: ForeignSessions;
   readonly events: EventLog;
-  readonly grants: Pick<Grants, 'isGood'>;
+  readonly grants: Pick<Grants, 'isValid'>;
   readonly publisher: Pick<MasterPublisher, 'publish'>;
 }
 
@@ -134,9 +134,12 @@ export class Takeover {
   #continue(sessionId: string, from: string): boolean {
     const { clock, sessions, foreignSessions, grants, events } = this.#context;
     const name = this.#names.get(from);
-    const isGood = (grantId: string): boolean => grants.isGood(grantId);
     const move = { from: name ?? '', atMs: clock.nowMs() };
-    const session = sessions.takeOver(sessionId, isGood, move);
+    const session = sessions.restored.takeOver(
+      sessionId,
+      (grantId) => grants.isValid(grantId),
+      move,
+    );
     if (session === undefined) return false;
     foreignSessions.forget(sessionId);
     this.#missing.delete(sessionId);

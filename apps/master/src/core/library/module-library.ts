@@ -1,4 +1,5 @@
 import { ModuleOrigin, ServiceError, toJson, type ProcessingModule } from '@ubii/proto';
+import type { GrantId } from '../access/grant.ts';
 import { quote } from '../texts/quote.ts';
 import { NO_LANGUAGE, type ModuleOffer } from './module-offer.ts';
 import type { StoredMessages } from './stored-messages.ts';
@@ -55,14 +56,14 @@ export class ModuleLibrary {
   }
 
   /** Names of the stored ones that clients of a grant made or changed [AC-90]. */
-  madeWith(grantId: string): string[] {
+  madeWith(grantId: GrantId): string[] {
     return [...this.stored.list().values()]
       .filter(({ message }) => message.extension?.grantIds.includes(grantId))
       .map(({ message }) => message.name);
   }
 
   /** Stored modules are no longer those of a grant [AC-92]. */
-  async handOver(grantId: string): Promise<void> {
+  async handOver(grantId: GrantId): Promise<void> {
     for (const name of this.madeWith(grantId)) {
       const module = this.stored.get(name)!;
       const grantIds = grantIdsOf(module).filter((id) => id !== grantId);
@@ -72,13 +73,13 @@ export class ModuleLibrary {
   }
 
   /**
-   * @param maker Grant of who saves it; empty for who needs none [AC-90].
+   * @param maker grant of the client that saves it; undefined for callers without one [AC-90]
    * @throws ServiceError when the module may not be changed.
    */
-  async save(module: ProcessingModule, maker: string): Promise<ProcessingModule> {
+  async save(module: ProcessingModule, maker: GrantId | undefined): Promise<ProcessingModule> {
     this.#requireStorable(module.name);
     const before = this.stored.get(module.name);
-    const makers = new Set([...grantIdsOf(before), ...(maker === '' ? [] : [maker])]);
+    const makers = new Set([...grantIdsOf(before), ...(maker === undefined ? [] : [maker])]);
     const stored = withGrants(storable(module), [...makers]);
     const json = toJson('ubii.processing.ProcessingModule', stored);
     await this.stored.store.write(this.stored.keyOf(module.name), json);

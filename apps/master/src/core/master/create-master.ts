@@ -24,7 +24,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
   const { masters } = core;
   if (masters !== undefined) {
     masters.answer = (request, facts) => answerRequest(core, request, facts); // [CU-28]
-  } else core.sessions.restore((grantId) => core.access.grants.isGood(grantId)); // [SE-24]
+  } else core.sessions.restored.restore((grantId) => core.access.grants.isValid(grantId)); // [SE-24]
   core.onClose.add(watchGrants(core));
   return {
     id: core.id,

@@ -1,4 +1,5 @@
 import { RecordingState, ServiceError, type Recording } from '@ubii/proto';
+import type { GrantId } from '../access/grant.ts';
 import type { Client } from '../clients/client.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
@@ -12,7 +13,7 @@ export interface NodeRecording {
   readonly makerId: string;
   readonly author: string;
   /** Id of the invitation of its node. */
-  readonly nodeMakerId: string;
+  readonly nodeMakerId: GrantId | undefined;
   /** Undefined when it has ended. */
   sources: NodeSources | undefined;
 }

@@ -12,7 +12,7 @@ import type {
   RecordingPage,
   RecordingTexts,
 } from '@ubii/recording/recorder';
-import { makerOfAccess, type Caller } from '../access/caller.ts';
+import { grantOfAccess, type Caller } from '../access/caller.ts';
 import type { Client } from '../clients/client.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Hook } from '../hooks/hook.ts';
@@ -94,7 +94,7 @@ export class NodeRecordings {
     const sources = new NodeSources(this.#context, job.id, what.selection);
     const entry = {
       recording: { ...newRecording(job, this.#context.clock.nowMs()), ...what, nodeId },
-      ...{ makerId, author: job.author, nodeMakerId: makerOfAccess(node.access), sources },
+      ...{ makerId, author: job.author, nodeMakerId: grantOfAccess(node.access), sources },
     };
     const start = {
       ...{ recording: entry.recording, makerId, masterName, version, personalData },

@@ -1,5 +1,5 @@
 import type { NodeRecorderAnswer, NodeRecorderReport, Recording } from '@ubii/proto';
-import { makerOfAccess } from '../access/caller.ts';
+import { grantOfAccess } from '../access/caller.ts';
 import type { Client } from '../clients/client.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { cutTexts } from '../texts/bound-texts.ts';
@@ -96,7 +96,7 @@ export class NodeReports {
       // Whose it is, the master alone knew, which was started again: an admin's. [RC-66]
       entry = {
         ...{ recording: told, makerId: '', author: told.author },
-        ...{ nodeMakerId: makerOfAccess(client.access), sources: undefined },
+        ...{ nodeMakerId: grantOfAccess(client.access), sources: undefined },
       };
       table.add(id, entry);
     } else if (entry.recording.nodeId !== client.id && !this.#isSuccessor(entry, client)) {
@@ -113,7 +113,7 @@ export class NodeReports {
   /** Whether a client is the node of a recording that lost its identity. */
   #isSuccessor(entry: NodeRecording, { access }: Client): boolean {
     const { nodeIsAway } = this.#context.table.describe(entry);
-    return nodeIsAway && entry.nodeMakerId === makerOfAccess(access);
+    return nodeIsAway && entry.nodeMakerId === grantOfAccess(access);
   }
 
   /** Tells the node who publishes what it records, while it records. */

@@ -5,7 +5,7 @@ import {
   type ReplayChangeRequest,
   type ReplayStartRequest,
 } from '@ubii/proto';
-import { makerOfAccess, type ClientAccess } from '../access/caller.ts';
+import { grantOfAccess, type ClientAccess } from '../access/caller.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import type { IdSource } from '../ports/id-source.ts';
@@ -139,7 +139,7 @@ export class Replays {
   #rerunOf({ id, request, wish, file, recording, ...by }: Facts): Promise<Rerun> {
     const { sessionId } = request;
     const { author, makerId, access } = by;
-    const grantId = makerOfAccess(access);
+    const grantId = grantOfAccess(access);
     const what = { replayId: id, sessionId, recording, author, makerId, grantId };
     return Rerun.prepare(this.#context, what, file, wish.span);
   }

@@ -8,6 +8,7 @@ import {
 import { devicesByTopic, type RecordedDevice, type Span } from '@ubii/recording';
 import type { Cancel, Clock } from '@ubii/timing';
 import { shortened } from '@ubii/words';
+import type { GrantId } from '../access/grant.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import type { ReplayFile } from '../ports/replay-files.ts';
@@ -39,7 +40,7 @@ export interface RerunWish {
   /** Whose the comparison is. [RC-66] */
   readonly makerId: string;
   /** Invitation of the session; empty for none. [AC-90] */
-  readonly grantId: string;
+  readonly grantId: GrantId | undefined;
 }
 
 interface RerunParts {

@@ -11,7 +11,7 @@ import {
 } from '@ubii/proto';
 import { isLongerThan, oneLine } from '@ubii/words';
 import { isUsedUp } from '../access/access.ts';
-import { makerOf, type Caller } from '../access/caller.ts';
+import { grantOf, type Caller } from '../access/caller.ts';
 import { clientIdsOf, endGrant, withDescendants, workOf, type GrantParts } from './grant-work.ts';
 import { grantMessage, type Grant, type GrantSpec } from '../access/grant.ts';
 import { joinRefusal } from '../access/join-refusals.ts';
@@ -208,7 +208,7 @@ function specOf(core: Parts, wanted: AccessGrantCreateRequest, caller: Caller): 
     isTerminal: false,
     terminalOf: '',
     hereOnly: false,
-    madeWith: makerOf(caller),
+    madeWith: grantOf(caller),
   };
 }
 

@@ -7,7 +7,7 @@ import {
   type ProcessingModuleList,
   type Success,
 } from '@ubii/proto';
-import { makerOf } from '../access/caller.ts';
+import { grantOf } from '../access/caller.ts';
 import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import { requireRoom } from '../library/require-room.ts';
@@ -41,7 +41,7 @@ export const MODULE_SERVICES = [
       }
       requireRoom(core.limitWatch, modules.stored, 'ubii.processing.ProcessingModule', module);
       const before = modules.stored.get(module.name);
-      const saved = await modules.save(module, makerOf(caller));
+      const saved = await modules.save(module, grantOf(caller));
       reload.look();
       await history.record(`module ${module.name}`, before, saved, ModuleVersionOrigin.SAVED); // [EX-41]
       return saved;

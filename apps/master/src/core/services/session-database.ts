@@ -1,5 +1,6 @@
 import { ServiceError, type Session as SessionMessage } from '@ubii/proto';
-import { makerOf } from '../access/caller.ts';
+import type { GrantId } from '../access/grant.ts';
+import { grantOf } from '../access/caller.ts';
 import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import { requireRoom } from '../library/require-room.ts';
@@ -32,7 +33,7 @@ export const STORED_SESSION_SERVICES = [
       ];
       const elements: SessionMessage[] = [];
       for (const message of messages) {
-        elements.push((await saveSession(core, message, makerOf(caller))).toMessage());
+        elements.push((await saveSession(core, message, grantOf(caller))).toMessage());
       }
       return { elements };
     },
@@ -76,7 +77,11 @@ function namesOf(sessions: readonly SessionMessage[]): string {
 }
 
 /** Makes a session known, and stores it under its name. */
-async function saveSession(core: Parts, message: SessionMessage, maker: string): Promise<Session> {
+async function saveSession(
+  core: Parts,
+  message: SessionMessage,
+  maker: GrantId | undefined,
+): Promise<Session> {
   const { sessions, sessionLibrary } = core;
   if (message.name === '') {
     throw new ServiceError(

@@ -1,5 +1,5 @@
 import type { Session as SessionMessage } from '@ubii/proto';
-import { makerOf } from '../access/caller.ts';
+import { grantOf } from '../access/caller.ts';
 import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import { definer, success } from './define-service.ts';
@@ -18,7 +18,7 @@ export const SESSION_SERVICES = [
   define('sessionRuntimeAdd', {
     ...CHANGE,
     async handle(parts, message, { caller }) {
-      const session = await parts.sessions.add(message, makerOf(caller));
+      const session = await parts.sessions.add(message, grantOf(caller));
       return whenRemembered(parts, session.id, session.toMessage());
     },
   }),
@@ -48,7 +48,7 @@ export const SESSION_SERVICES = [
   define('sessionRuntimeStart', {
     ...CHANGE,
     async handle(parts, message, { caller }) {
-      const session = await parts.sessions.start(message, makerOf(caller));
+      const session = await parts.sessions.start(message, grantOf(caller));
       return whenRemembered(parts, session.id, session.toMessage());
     },
   }),
@@ -68,7 +68,7 @@ export const SESSION_SERVICES = [
     async handle(parts, message, { caller }) {
       const { sessions } = parts;
       const session = await sessions.find(message.id);
-      await sessions.update(session, message, makerOf(caller));
+      await sessions.update(session, message, grantOf(caller));
       return whenRemembered(parts, session.id, session.toMessage());
     },
   }),

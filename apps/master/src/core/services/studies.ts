@@ -1,5 +1,5 @@
 import { StudyRunAction, type StudyRunChangeRequest } from '@ubii/proto';
-import { makerOf, type Caller } from '../access/caller.ts';
+import { grantOf, type Caller } from '../access/caller.ts';
 import { fileMakerOf, mayUseFilesOf, requireFilesOf } from '../access/file-maker.ts';
 import { ADMINS, PARTICIPANTS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
@@ -82,7 +82,7 @@ export const STUDY_SERVICES = [
     handle(core, request, { caller }) {
       requireRun(core, request.runId, caller);
       const author = nameOfCaller(core, request.clientId);
-      return core.studyRuns.change(request, { author, grantId: makerOf(caller) });
+      return core.studyRuns.change(request, { author, grantId: grantOf(caller) });
     },
   }),
   // [ST-20]

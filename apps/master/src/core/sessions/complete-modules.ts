@@ -8,11 +8,26 @@ import {
   type Session,
   type SessionProblem,
 } from '@ubii/proto';
-import type { DraftModule } from './draft.ts';
 import { withOrigin } from '../library/module-library.ts';
 import type { ModuleOffer } from '../library/module-offer.ts';
 import { errorProblem } from './problems.ts';
 import { quote } from '../texts/quote.ts';
+
+/** One module of a request with its mapping, complete. */
+export interface DraftModule {
+  /** Complete [SE-1], but for the node that the master will choose. */
+  spec: ProcessingModule;
+  /** Its one mapping [SE-2]. */
+  mapping: IOMapping;
+  /** The node that the session names; empty when the master chooses. */
+  wishedNodeId: string;
+  /** Path in the request, such as `processingModules[0]`. */
+  readonly path: string;
+  /** Path of its mapping in the request; the path it would have if there is none. */
+  mappingPath: string;
+  /** The source is from the library, so that it needs no check [PM-64]. */
+  isLibraryCode: boolean;
+}
 
 /** Dependencies for completing a specification. */
 export interface CompletionContext {

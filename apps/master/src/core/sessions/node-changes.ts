@@ -4,7 +4,7 @@ import type { Session } from './session.ts';
 import { evaluate, syncLocal } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
 
-/** A node became unavailable, or left: its modules go elsewhere, or wait for it [SE-31]. */
+/** A node became unavailable, or left: places its modules on other nodes, or makes them wait [SE-31]. */
 export function handleNodeGone(context: LifeContext, nodeId: string): void {
   for (const session of context.sessions()) {
     const affected = session
@@ -12,7 +12,7 @@ export function handleNodeGone(context: LifeContext, nodeId: string): void {
       .filter((module) => module.isPlaced || module.phase === 'ending');
     if (affected.length === 0) continue;
     if (session.life === 'stopping') {
-      for (const module of affected) module.phase = 'idle';
+      for (const module of affected) module.end(false);
       evaluate(context, session);
     } else if (session.isLive) {
       placeAgain(context, session, affected);
@@ -20,7 +20,7 @@ export function handleNodeGone(context: LifeContext, nodeId: string): void {
   }
 }
 
-/** A node came, or is back: modules that wait may run there [SE-31]. */
+/** A node connected: places modules that wait [SE-31]. */
 export function handleNodeBack(context: LifeContext, nodeId: string): void {
   for (const session of context.sessions()) {
     if (!session.isLive) continue;
@@ -32,7 +32,7 @@ export function handleNodeBack(context: LifeContext, nodeId: string): void {
   }
 }
 
-/** Gives modules to nodes again, and tells those. */
+/** Places modules again, and announces that to their nodes. */
 export function placeAgain(
   context: LifeContext,
   session: Session,

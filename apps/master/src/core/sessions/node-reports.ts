@@ -11,16 +11,102 @@ import type { Client } from '../clients/client.ts';
 import type { EventLog } from '../counters/event-log.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Hook } from '../hooks/hook.ts';
+import { chooseNode } from '../nodes/placement.ts';
 import { cutTexts } from '../texts/bound-texts.ts';
 import { quote } from '../texts/quote.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { LifeContext } from './life-context.ts';
 import type { Lockstep } from './lockstep/lockstep.ts';
-import { handleFailed, handleStarted, handleStopped } from './module-reports.ts';
+import { placeAgain } from './node-changes.ts';
+import { errorProblem } from './problems.ts';
 import type { RunTroubles } from './run-troubles.ts';
 import type { Session } from './session.ts';
+import { evaluate } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
 import type { SessionTable } from './session-table.ts';
+
+/** A node reports that a module runs; a late report counts as well [SE-12]. */
+function handleStarted(context: LifeContext, session: Session, module: SessionModule): void {
+  if (!session.isLive) {
+    sendStop(context, session, module.nodeId);
+    return;
+  }
+  if (module.phase === 'running') return;
+  const hadProblem = module.problem !== undefined;
+  module.handleRunning();
+  const before = session.life;
+  evaluate(context, session);
+  if (hadProblem && session.life === before) context.news.announceChange(session);
+}
+
+/** A node reports that a module has ended: on request, or by itself. */
+function handleStopped(context: LifeContext, session: Session, module: SessionModule): void {
+  if (module.phase === 'ending') {
+    module.end(false);
+    evaluate(context, session);
+  } else if (session.isLive && module.phase === 'running') {
+    if (canMove(context, module)) placeAgain(context, session, [module]);
+    else fail(context, session, module, 'its node ended it');
+  }
+}
+
+/** A module could not be started, or broke [SE-12]. */
+function handleFailed(
+  context: LifeContext,
+  session: Session,
+  module: SessionModule,
+  reason: string,
+  place: Pick<ModuleFault, 'line' | 'column'> | undefined,
+): void {
+  if (module.phase === 'ending') return handleStopped(context, session, module);
+  if (session.isLive && module.isPlaced) fail(context, session, module, reason, place);
+}
+
+/** Another node can run the module: its own would only end it again. */
+function canMove({ nodes, loadOf }: LifeContext, module: SessionModule): boolean {
+  if (module.wishedNodeId !== '') return false;
+  const node = chooseNode(module.spec, nodes.list(), loadOf);
+  return node !== undefined && node.id !== module.nodeId;
+}
+
+function fail(
+  context: LifeContext,
+  session: Session,
+  module: SessionModule,
+  reason: string,
+  place?: Pick<ModuleFault, 'line' | 'column'>,
+): void {
+  const node = context.nodes.get(module.nodeId);
+  const where = node === undefined ? '' : ` on ${quote(node.label)}`;
+  module.handleFailed(
+    errorProblem({
+      code: 'module_failed',
+      message: `The module ${quote(module.name)}${where} does not run: ${reason}`.replace(
+        /\.?$/,
+        '.',
+      ),
+      moduleId: module.id,
+      moduleName: module.name,
+      nodeId: module.nodeId,
+      line: place?.line ?? 0,
+      column: place?.column ?? 0,
+    }),
+  );
+  context.log.warn('a module does not run', {
+    session: session.label,
+    module: module.name,
+    node: node?.label ?? module.nodeId,
+    reason,
+  });
+  evaluate(context, session);
+  context.news.announceChange(session);
+}
+
+/** Sends the stop of a session to a node that still runs its modules [SE-33]. */
+function sendStop({ clients, news }: LifeContext, session: Session, nodeId: string): void {
+  const client = clients.get(nodeId);
+  if (client !== undefined) news.tellNode(client, 'stopSession', session.toMessage());
+}
 
 /** Dependencies for handling the reports of nodes. */
 export interface NodeReportsContext {
@@ -33,12 +119,12 @@ export interface NodeReportsContext {
   readonly runTroubles: RunTroubles;
 }
 
-/** Takes what nodes say: answers of passes, and how their modules do [EX-20]. The master is one of the nodes. */
+/** Handles messages of nodes: replies to lockstep passes, and reports on modules [EX-20]. The master is one of the nodes. */
 export class NodeReports {
   readonly #context: NodeReportsContext;
   /** Called with the bytes of each message, before it is read. */
   readonly onBytes = new Hook<[client: Client, bytes: Uint8Array]>();
-  /** Called with each message: what is not about sessions is handled by others. */
+  /** Called with each message, for parts that handle other members. */
   readonly onMessage = new Hook<[client: Client, message: EncodedNodeMessage]>();
 
   constructor(context: NodeReportsContext) {
@@ -52,7 +138,7 @@ export class NodeReports {
     const { lockstepReply, moduleReports, endedTopics } = message;
     if (lockstepReply !== undefined) {
       const { sessionId, pass } = lockstepReply.head;
-      // The frame may be reused for something else before all have answered.
+      // The frame may be reused before all nodes have replied.
       const records = lockstepReply.records.map((record) => record.slice());
       this.#context.lockstep.handleReply(client.id, sessionId, pass, records);
     }
@@ -71,7 +157,7 @@ export class NodeReports {
     return true;
   }
 
-  /** A module could not be created, or was given up [SE-12]. */
+  /** A module could not be created, or failed later [SE-12]. */
   handleFailed(
     nodeId: string,
     moduleId: string,
@@ -86,7 +172,7 @@ export class NodeReports {
     if (module.nodeId === nodeId) handleFailed(life, session, module, reason, fault);
   }
 
-  /** An event of a module, from whichever node [SE-51]. */
+  /** An event of a module on any node [SE-51]. */
   handleEvent(nodeId: string, event: ModuleEvent): void {
     const { table, life, runTroubles } = this.#context;
     const found = table.findModule(event.moduleId);
@@ -135,7 +221,7 @@ export class NodeReports {
       const module = table.findModule(one.moduleId)?.module;
       if (module?.nodeId === client.id) {
         const bounded = cutTexts('ubii.extension.ModuleStatistics', one, limits);
-        module.noteStatistics(
+        module.recordStatistics(
           { ...bounded, nodeId: client.id, moduleName: module.name },
           clock.monotonicMs(),
         );

@@ -7,7 +7,7 @@ import { isJavaScript, offerOf, type Node } from '../nodes/node.ts';
 import type { LifeContext } from './life-context.ts';
 import { errorProblem } from './problems.ts';
 
-/** Gives a module that is to run to a node; without one it waits until one comes [SE-30] [SE-31]. */
+/** Places a module that is to run on a node, or makes it wait for one [SE-30] [SE-31]. */
 export function placeModule(context: LifeContext, module: SessionModule): void {
   const { nodes, clock, loadOf } = context;
   const { spec, wishedNodeId } = module;
@@ -16,31 +16,26 @@ export function placeModule(context: LifeContext, module: SessionModule): void {
       ? chooseNode(spec, nodes.list(), loadOf)
       : availableNode(nodes.get(wishedNodeId));
   if (node === undefined) {
-    module.phase = 'away';
-    module.problem = nodeGone(module, nodes.get(module.nodeId));
+    module.handleNodeGone(nodeGone(module, nodes.get(module.nodeId)));
     return;
   }
-  if (node.id !== module.nodeId) module.statistics = undefined;
-  module.spec = specFor(node, spec);
-  module.phase = 'waiting';
-  module.waitingSinceMs = clock.monotonicMs();
-  module.problem = undefined;
+  module.place(specFor(node, spec), clock.monotonicMs());
 }
 
-/** Shows where a module of a session that does not run would run [SE-30]. */
+/** Names the node that would run a module of a stopped session [SE-30]. */
 export function assignNode({ nodes, loadOf }: LifeContext, module: SessionModule): void {
   const { spec, wishedNodeId } = module;
   const node =
     wishedNodeId === '' ? chooseNode(spec, nodes.list(), loadOf) : nodes.get(wishedNodeId);
-  if (node !== undefined) module.spec = specFor(node, spec);
+  if (node !== undefined) module.assign(specFor(node, spec));
 }
 
-/** The specification as this node wants it [SE-2]. */
+/** The specification in the form that this node accepts [SE-2]. */
 export function specFor(node: Node, spec: ProcessingModule): ProcessingModule {
   return { ...spec, nodeId: node.id, language: languageFor(node, spec) };
 }
 
-/** Existing nodes end when they read of a language that is not theirs, so they read of none that they did not name. */
+/** Existing nodes exit when a language is not theirs: send only languages that they named. */
 function languageFor(node: Node, spec: ProcessingModule): ProcessingModuleLanguage {
   if (node.extension === undefined) return offerOf(node, spec.name)?.language ?? NO_LANGUAGE;
   const isCode = spec.onProcessingStringified !== '' && isJavaScript(spec);

@@ -1,4 +1,4 @@
-import { hasSameCode } from '@ubii/pm-sandbox';
+import { hasSameCode, isSameValue } from '@ubii/pm-sandbox';
 import { ServiceError, type ProcessingModule, type Session as SessionMessage } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
 import type { ModuleLibrary } from '../library/module-library.ts';
@@ -41,7 +41,7 @@ export class ModuleReload {
     this.#known = this.#stored();
     for (const [name, now] of this.#known) {
       const old = before.get(name);
-      if (old === undefined || old === now || isSame(old, now)) continue;
+      if (old === undefined || old === now || isSameValue(old, now)) continue;
       // The operator's module of that name is the one that counts [PM-64]
       if (this.#context.library.get(name)?.isTrusted !== false) continue;
       this.#work = this.#work.then(() => this.#reload(old, now));
@@ -75,7 +75,7 @@ export class ModuleReload {
     const key = `reload ${now.name}`;
     try {
       const next: SessionMessage = { ...message, processingModules };
-      await this.#context.sessions.update(session, next, '');
+      await this.#context.sessions.update(session, next, undefined);
       for (const { module } of users) this.#behind.delete(module.id);
       if (session.troubles.delete(key)) this.#context.news.announceChange(session);
     } catch (error) {
@@ -111,7 +111,7 @@ function replaced(
   old: ProcessingModule,
   now: ProcessingModule,
 ): ProcessingModule {
-  const isOwnMode = !isSame(module.processingMode, old.processingMode);
+  const isOwnMode = !isSameValue(module.processingMode, old.processingMode);
   const { version = '', libraries = [], assets = [], optionalAssets = [] } = now.extension ?? {};
   return {
     ...module,
@@ -135,8 +135,4 @@ function replaced(
       optionalAssets,
     },
   };
-}
-
-function isSame(a: unknown, b: unknown): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
 }

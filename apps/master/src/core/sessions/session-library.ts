@@ -5,6 +5,7 @@ import {
   toJson,
   type Session as SessionMessage,
 } from '@ubii/proto';
+import type { GrantId } from '../access/grant.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Log } from '../ports/log.ts';
 import type { Session } from './session.ts';
@@ -106,7 +107,7 @@ export class SessionLibrary {
   }
 
   /** Stored sessions are no longer those of a grant [AC-92]. */
-  async handOver(grantId: string): Promise<void> {
+  async handOver(grantId: GrantId): Promise<void> {
     for (const { key, message } of this.stored.entries()) {
       const { extension } = message;
       if (extension?.grantIds.includes(grantId) !== true) continue;

@@ -1,15 +1,15 @@
 import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';
 
-/** Every session, and which module is in which. */
+/** All sessions, also by the ids of their modules. */
 export class SessionTable {
-  readonly #masterId: string;
+  /** This master in a cluster; empty for one that is alone. */
+  readonly masterId: string;
   readonly #sessions = new Map<string, Session>();
   readonly #byModule = new Map<string, Session>();
 
-  /** @param masterId of this master in a cluster; empty for one that is alone */
   constructor(masterId = '') {
-    this.#masterId = masterId;
+    this.masterId = masterId;
   }
 
   get size(): number {
@@ -38,7 +38,6 @@ export class SessionTable {
   }
 
   add(session: Session): void {
-    session.masterId = this.#masterId;
     this.#sessions.set(session.id, session);
     this.reindex(session);
   }
@@ -54,7 +53,7 @@ export class SessionTable {
     for (const { id } of session.modules) this.#byModule.set(id, session);
   }
 
-  /** Modules of sessions a node runs now, or was told to run. */
+  /** Number of modules that a node runs, or was asked to run. */
   loadOf(nodeId: string): number {
     let load = 0;
     for (const { modules } of this.#sessions.values()) {
@@ -63,7 +62,7 @@ export class SessionTable {
     return load;
   }
 
-  /** Memory of modules on a node, bytes, as far as it was told. */
+  /** Reported memory of modules on a node, bytes. */
   memoryOn(nodeId: string): number {
     let bytes = 0;
     for (const session of this.#sessions.values()) bytes += session.memoryOn(nodeId);

@@ -4,31 +4,28 @@ import {
   isUuid,
   ModuleVersionOrigin,
   ServiceError,
-  SessionStatus,
   type NodeInfo,
   type ProcessingModule,
   type Session as SessionMessage,
-  type SessionProblem,
 } from '@ubii/proto';
+import { toGrantIds, type GrantId } from '../access/grant.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import { isSame, type ModuleHistory } from '../library/module-history.ts';
-import type { SessionLibrary } from './session-library.ts';
 import type { LocalTopics } from '../nodes/local-topics.ts';
 import type { IdSource } from '../ports/id-source.ts';
-import type { LimitWatch } from '../counters/limit-watch.ts';
 import { quote } from '../texts/quote.ts';
-import { checkSession, checkSurroundings, SURROUNDINGS } from './checks/check-session.ts';
-import { completeDraft, draftOf, makeDraft, type DraftContext } from './draft-maker.ts';
-import type { SessionDraft } from './draft.ts';
+import type { DraftModule } from './complete-modules.ts';
 import type { LifeContext } from './life-context.ts';
-import { memoryShortage } from './memory-room.ts';
 import { assignNode } from './place-module.ts';
 import { RestoredSessions, type SessionsAtStop } from './restored-sessions.ts';
-import { Session, type SessionMove } from './session.ts';
+import { Session } from './session.ts';
+import type { SessionClaims } from './session-claims.ts';
+import type { SessionLibrary } from './session-library.ts';
 import { pauseSession, resumeSession, startSession, stopSession } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
-import type { SessionClaims } from './session-claims.ts';
+import { checkRequest, recheckWarnings, type RequestContext } from './session-request.ts';
 import type { SessionTable } from './session-table.ts';
-import { StartPace } from './start-pace.ts';
+import { StartLimits } from './start-limits.ts';
 import { updateSession } from './update-session.ts';
 
 /** Dependencies of sessions. */
@@ -36,7 +33,7 @@ export interface SessionsContext {
   readonly ids: IdSource;
   readonly limits: LimitWatch;
   readonly table: SessionTable;
-  readonly drafts: DraftContext;
+  readonly requests: RequestContext;
   readonly life: LifeContext;
   readonly claims: SessionClaims;
   readonly library: SessionLibrary;
@@ -48,15 +45,19 @@ export interface SessionsContext {
 /** Everything that can be done with sessions. Requests are checked before anything is changed. */
 export class Sessions {
   readonly #context: SessionsContext;
-  readonly #startPace: StartPace;
-  /** Those that the master was to start at startup [SE-24]. */
-  readonly restored = new RestoredSessions();
+  readonly #startLimits: StartLimits;
+  /** Sessions that come back without a request: at startup [SE-24], and from lost masters [CU-32]. */
+  readonly restored: RestoredSessions;
   /** Stored sessions that are being opened, by id. */
   readonly #opening = new Map<string, Promise<Session>>();
 
   constructor(context: SessionsContext) {
     this.#context = context;
-    this.#startPace = new StartPace(context.life.clock, context.limits);
+    this.#startLimits = new StartLimits(context.life, context.limits);
+    this.restored = new RestoredSessions({
+      ...context,
+      recheck: (session) => void this.#recheck(session),
+    });
   }
 
   list(): Session[] {
@@ -117,14 +118,14 @@ export class Sessions {
     return { startAgain: labels(true), end: labels(false) };
   }
 
-  /** Those that clients of a grant made or changed [AC-90]. */
-  madeWith(grantId: string): Session[] {
+  /** Sessions that clients of a grant created or changed [AC-90]. */
+  madeWith(grantId: GrantId): Session[] {
     return this.list().filter(({ grantIds }) => grantIds.has(grantId));
   }
 
-  /** It is the operator's from now on, and no longer that of a grant [AC-92]. */
-  handOver(session: Session, grantId: string): void {
-    if (!session.grantIds.delete(grantId)) return;
+  /** Removes a grant from a session, which belongs to the operator from now on [AC-92]. */
+  handOver(session: Session, grantId: GrantId): void {
+    if (!session.removeGrant(grantId)) return;
     const { life } = this.#context;
     life.onModules.emit(session);
     life.news.announceChange(session);
@@ -132,9 +133,10 @@ export class Sessions {
 
   /**
    * Creates a session, or opens the stored one of its id or name when it has no modules [SE-1] [SE-27].
-   * @param maker Grant of who asks for it; empty for who needs none [AC-90].
+   *
+   * @param maker grant of the client that asks; undefined for callers without one [AC-90]
    */
-  async add(message: SessionMessage, maker: string): Promise<Session> {
+  async add(message: SessionMessage, maker: GrantId | undefined): Promise<Session> {
     if (message.processingModules.length === 0) {
       const stored = this.#context.library.find(message);
       if (stored !== undefined) return this.find(stored.id);
@@ -145,11 +147,12 @@ export class Sessions {
   }
 
   /**
-   * The session that a stored one is made of: that of the id, else that of the name, else a new one, which
-   * keeps the id when it is a UUID that no session has [SE-21].
+   * Returns the session to be stored: by its id, else by its name, else a new one, which keeps the id when it is a UUID
+   * that no session has [SE-21].
+   *
    * @param maker as for `add`
    */
-  async toStore(message: SessionMessage, maker: string): Promise<Session> {
+  async toStore(message: SessionMessage, maker: GrantId | undefined): Promise<Session> {
     const { table, library } = this.#context;
     const stored = library.find(message);
     const known =
@@ -166,11 +169,10 @@ export class Sessions {
     return known;
   }
 
-  /** Starts a session that is there, a stored one, or one that is created for it [SE-11]. */
-  async start(message: SessionMessage, maker: string): Promise<Session> {
+  /** Starts an open session, a stored one, or one that it creates [SE-11]. */
+  async start(message: SessionMessage, maker: GrantId | undefined): Promise<Session> {
     const session = await this.#toStart(message, maker);
-    this.#requireMemory(session);
-    if (!session.isLive) this.#startPace.spend(session, maker);
+    this.#startLimits.spend(session, maker);
     startSession(this.#context.life, session);
     return session;
   }
@@ -189,46 +191,43 @@ export class Sessions {
 
   /**
    * [SE-15]
+   *
    * @param isBeingStored the session counts as stored under its new name already: otherwise clients would not delete its file
    */
   async update(
     session: Session,
     message: SessionMessage,
-    maker: string,
+    maker: GrantId | undefined,
     { isBeingStored = false } = {},
   ): Promise<void> {
+    const { requests, life, topics, table } = this.#context;
     this.#requireNewest(session, message);
     const byteLength = this.#requireSpace(message, session);
-    const { draft, warnings } = await makeDraft(this.#context.drafts, message, session);
-    // Others may have been faster while the code was looked at.
+    const { modules, warnings } = await checkRequest(requests, message, session);
+    // Another request may have changed the session while the code was checked.
     this.require(session.id);
     this.#requireNewest(session, message);
     const before = new Map(session.modules.map(({ id, spec }) => [id, spec]));
-    this.#noteMakers(session, draft, maker);
-    // Sessions are stored by name: a renamed one is not stored yet.
-    if (!isBeingStored) session.isStored &&= draft.name === session.description.name;
-    updateSession(this.#context.life, session, draft);
-    this.#context.topics.keepOnly(session.id, session.outputTopics());
+    const grantIds = this.#grantsOf(modules, maker);
+    const content = { message, modules, byteLength, warnings, grantIds };
+    updateSession(life, session, content, isBeingStored);
+    topics.keepOnly(session.id, session.outputTopics());
     this.#recordVersions(session, before);
-    session.byteLength = byteLength;
-    session.warnings = this.#warningsOf(draft, warnings);
-    this.#context.life.news.announceChange(session);
-    this.#context.table.reindex(session);
-    this.#context.life.onModules.emit(session);
+    life.news.announceChange(session);
+    table.reindex(session);
+    life.onModules.emit(session);
   }
 
-  /**
-   * Records the invitations behind the session's code: that of the client that changes it, and those of the clients
-   * that stored its modules. [AC-90]
-   */
-  #noteMakers(session: Session, { modules }: SessionDraft, maker: string): void {
-    if (maker !== '') session.grantIds.add(maker);
-    const { stored } = this.#context.drafts.completion;
+  /** Grants behind the code of modules: of the client that sends them, and of the clients that stored them. [AC-90] */
+  #grantsOf(modules: readonly DraftModule[], maker: GrantId | undefined): Set<GrantId> {
+    const grantIds = new Set(maker === undefined ? [] : [maker]);
+    const { stored } = this.#context.requests.completion;
     for (const { spec } of modules) {
       const offer = stored(spec.name);
       if (offer === undefined || offer.isTrusted || !hasSameCode(spec, offer.module)) continue;
-      for (const grantId of offer.module.extension?.grantIds ?? []) session.grantIds.add(grantId);
+      for (const id of toGrantIds(offer.module.extension?.grantIds)) grantIds.add(id);
     }
+    return grantIds;
   }
 
   /** [EX-41] */
@@ -251,117 +250,31 @@ export class Sessions {
     life.news.announceGone(session);
   }
 
-  /** Another master runs the session: here it ends without an announcement, because it goes on there. [CU-34] */
+  /** Ends a session that another master runs, without an announcement, because it continues there. [CU-34] */
   giveUp(session: Session): void {
     const { life, table, topics } = this.#context;
     table.delete(session);
-    session.isGivenUp = true;
-    session.life = 'stopped';
+    session.giveUp();
     life.local.sync(session.id, []);
     topics.endSession(session.id);
     life.onLife.emit(session);
   }
 
-  /**
-   * Starts again what ran when the master ended [SE-24], but for what belongs to a grant that ended meanwhile.
-   * @param isGood Whether those who joined with a grant may be here.
-   */
-  restore(isGood: (grantId: string) => boolean): void {
-    for (const message of this.#context.library.interrupted()) {
-      const session = this.#reopen(message);
-      this.#context.life.news.announceNew(session);
-      this.#startRestored(session, isGood);
-    }
+  /** Checks the surroundings of a session again, and announces changed warnings [SE-5]. */
+  recheck(session: Session): void {
+    if (this.#recheck(session)) this.#context.life.news.announceChange(session);
   }
 
-  /**
-   * Continues a session of a master that is lost, which this master owns now: what ran starts again. [CU-32]
-   *
-   * @param move whose it was
-   * @returns undefined when nothing is known of it
-   */
-  takeOver(
-    sessionId: string,
-    isGood: (grantId: string) => boolean,
-    move: SessionMove,
-  ): Session | undefined {
-    const { library, life } = this.#context;
-    const message = library.interrupted().find(({ id }) => id === sessionId);
-    if (message === undefined) return undefined;
-    const session = this.#reopen(message);
-    session.move = move;
-    if (message.status === SessionStatus.RUNNING) this.#startRestored(session, isGood);
-    else {
-      this.recheck(session, false);
-      life.onModules.emit(session);
-    }
-    life.news.announceChange(session);
-    return session;
-  }
-
-  #reopen(message: SessionMessage): Session {
-    const { library, drafts, table } = this.#context;
-    const { draft } = completeDraft(drafts, message);
-    const isStored = library.get(message.name) !== undefined;
-    const session = new Session(message.id, draft, isStored, message.extension?.grantIds);
-    session.revision = (message.extension?.revision ?? 0) + 1;
-    session.byteLength = encode('ubii.sessions.Session', message).byteLength;
-    table.add(session);
-    return session;
-  }
-
-  #startRestored(session: Session, isGood: (grantId: string) => boolean): void {
-    const { life } = this.#context;
-    this.recheck(session, false);
-    const mayRun = [...session.grantIds].every((grantId) => isGood(grantId));
-    if (session.modules.length > 0 && mayRun) {
-      session.isRestored = true;
-      this.restored.note(session);
-      startSession(life, session);
-      return;
-    }
-    this.restored.note(
-      session,
-      mayRun
-        ? 'It has no modules.'
-        : 'The invitation of the client that created or changed it has ended. Start it to run it again.',
-    );
-    life.onModules.emit(session);
-  }
-
-  /** Looks again at what is doubtful about its surroundings, and tells if that has changed [SE-5]. */
-  recheck(session: Session, isToTell = true): void {
-    const { drafts, life } = this.#context;
-    const { modules } = draftOf(session);
-    const warnings = [
-      ...session.warnings.filter(({ code }) => !SURROUNDINGS.has(code)),
-      ...checkSurroundings(modules, {
-        ...drafts.checks,
-        // Of one that lives, its modules say so.
-        ...(session.isLive && { nodeProblem: () => undefined }),
-      }),
-    ];
-    if (JSON.stringify(warnings) === JSON.stringify(session.warnings)) return;
-    session.warnings = warnings;
-    if (isToTell) life.news.announceChange(session);
+  #recheck(session: Session): boolean {
+    return session.setWarnings(recheckWarnings(this.#context.requests, session));
   }
 
   /** A session became stored, or is no longer [SE-21]. */
   setStored(session: Session, isStored: boolean): void {
-    if (session.isStored === isStored) return;
-    session.isStored = isStored;
-    this.#context.life.news.announceChange(session);
+    if (session.setStored(isStored)) this.#context.life.news.announceChange(session);
   }
 
-  #requireMemory(session: Session): void {
-    const { life, limits } = this.#context;
-    const shortage = memoryShortage(life, session);
-    if (shortage === undefined) return;
-    if (shortage.limit !== undefined) limits.count(shortage.limit, life.nodes.masterId);
-    throw new ServiceError('resource_exhausted', shortage.text, { details: shortage.details });
-  }
-
-  async #toStart(message: SessionMessage, maker: string): Promise<Session> {
+  async #toStart(message: SessionMessage, maker: GrantId | undefined): Promise<Session> {
     const { table, library } = this.#context;
     const known = table.get(message.id);
     if (known !== undefined) return known;
@@ -378,7 +291,7 @@ export class Sessions {
         isStored && !isLive && life !== 'stopping' && description.name === stored.name,
     );
     // It runs already: a second one beside it.
-    return idle ?? this.#addStored(stored, '');
+    return idle ?? this.#addStored(stored);
   }
 
   /** Opens a stored session once, however many ask for it at a time. */
@@ -393,48 +306,54 @@ export class Sessions {
   }
 
   /** A stored session keeps the invitations of the clients that stored it. */
-  async #addStored(stored: SessionMessage, id: string): Promise<Session> {
-    const { grantIds = [], revision = 0 } = stored.extension ?? {};
+  #addStored(stored: SessionMessage, id?: string): Promise<Session> {
+    const grantIds = toGrantIds(stored.extension?.grantIds);
+    const revision = Math.max(1, stored.extension?.revision ?? 0);
     return this.#make(stored, { id, isStored: true, grantIds, revision });
   }
 
   /** @param id kept when it is a UUID that no session has */
-  async #create(message: SessionMessage, maker: string, id = ''): Promise<Session> {
-    const grantIds = maker === '' ? [] : [maker];
-    return this.#make(message, { id, isStored: false, grantIds, revision: 0 });
+  #create(message: SessionMessage, maker: GrantId | undefined, id?: string): Promise<Session> {
+    const grantIds = maker === undefined ? [] : [maker];
+    return this.#make(message, { id, isStored: false, grantIds, revision: 1 });
   }
 
   async #make(
     message: SessionMessage,
     as: {
-      readonly id: string;
+      readonly id: string | undefined;
       readonly isStored: boolean;
-      readonly grantIds: readonly string[];
+      readonly grantIds: readonly GrantId[];
       readonly revision: number;
     },
   ): Promise<Session> {
-    const { ids, table, life, drafts } = this.#context;
+    const { ids, table, life, claims, requests } = this.#context;
     this.#requireRoom();
-    const { draft, warnings } = await makeDraft(drafts, message);
+    const { modules, warnings } = await checkRequest(requests, message);
     this.#requireRoom();
     this.#requireSpace(message);
-    const isFree = isUuid(as.id) && table.get(as.id) === undefined;
+    const isFree = as.id !== undefined && isUuid(as.id) && table.get(as.id) === undefined;
     const id = isFree ? as.id : ids.uuid();
-    await this.#context.claims.claim(id);
-    const byteLength = this.#requireClaimed(id, message);
-    const session = new Session(id, draft, as.isStored, as.grantIds);
-    session.revision = Math.max(1, as.revision);
-    this.#noteMakers(session, draft, '');
-    session.byteLength = byteLength;
-    session.warnings = this.#warningsOf(draft, warnings);
+    await claims.claim(id);
+    const session = new Session({
+      id,
+      masterId: table.masterId,
+      message,
+      modules,
+      byteLength: this.#requireClaimed(id, message),
+      warnings,
+      grantIds: [...as.grantIds, ...this.#grantsOf(modules, undefined)],
+      isStored: as.isStored,
+      revision: as.revision,
+    });
     table.add(session);
     for (const module of session.modules) assignNode(life, module);
     life.news.announceNew(session);
-    if (this.#context.claims.isShared) life.onModules.emit(session); // [CU-33]
+    if (claims.isShared) life.onModules.emit(session); // [CU-33]
     return session;
   }
 
-  /** What was checked before a claim still holds. @returns bytes of the session @throws ServiceError */
+  /** Requires again, after a claim, what was required before it. @returns bytes of the session @throws ServiceError */
   #requireClaimed(id: string, message: SessionMessage): number {
     const { claims, table } = this.#context;
     if (table.get(id) !== undefined) {
@@ -450,20 +369,6 @@ export class Sessions {
       claims.release(id);
       throw error;
     }
-  }
-
-  /** Mappings of a session stand in the order of its modules, which those of a request need not. */
-  #warningsOf(draft: SessionDraft, found: readonly SessionProblem[]): SessionProblem[] {
-    const isInOrder = draft.modules.every(
-      ({ mappingPath }, index) => mappingPath === `ioMappings[${index}]`,
-    );
-    if (isInOrder) return [...found];
-    const modules = draft.modules.map((module, index) => ({
-      ...module,
-      mappingPath: `ioMappings[${index}]`,
-    }));
-    const others = found.filter(({ code }) => code === 'not_checked');
-    return [...checkSession(modules, this.#context.drafts.checks), ...others];
   }
 
   /** [SE-7] */

@@ -9,7 +9,7 @@ import { wireState } from './session-states.ts';
 
 /** Interval of checks and reports of live sessions, milliseconds. [SE-50] */
 export const STATISTICS_INTERVAL_MS = 250;
-/** Every so many looks, what is doubtful about a specification is looked for again. */
+/** The surroundings of a specification are checked again with every fourth look. */
 const LOOKS_PER_CHECK = 4;
 
 /** Dependencies of the supervision. */
@@ -18,13 +18,13 @@ export interface SupervisionParts {
   readonly passes: (
     session: Session,
   ) => Pick<SessionStatistics, 'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'>;
-  /** Looks again at what is doubtful about a session [SE-5]. */
+  /** Updates the warnings of a session [SE-5]. */
   readonly recheck: (session: Session) => void;
-  /** Looks for modules that make too many topics [SE-61], and whose runs no longer fail [SE-12]. */
+  /** Updates the problems about topics [SE-61] and failing runs of modules [SE-12]. */
   readonly lookAtTroubles: (session: Session) => void;
 }
 
-/** Looks after the sessions that live: who is late, and how they do. Without any it sleeps. */
+/** Checks live sessions for late modules, and publishes their statistics. Has a timer only while sessions are live. */
 export class Supervision {
   readonly #context: LifeContext;
   readonly #parts: SupervisionParts;
@@ -59,7 +59,7 @@ export class Supervision {
       watched.flatMap((session) => session.modules.map((one) => [one.id, one])),
     );
     for (const statistics of local.statistics()) {
-      modules.get(statistics.moduleId)?.noteStatistics(statistics, clock.monotonicMs());
+      modules.get(statistics.moduleId)?.recordStatistics(statistics, clock.monotonicMs());
     }
     for (const session of watched) {
       this.#lookAt(session);
@@ -87,13 +87,15 @@ export class Supervision {
     if (late.length === 0) return;
     for (const module of late) {
       const node = nodes.get(module.nodeId);
-      module.problem = errorProblem({
-        code: 'module_not_started',
-        message: `The node ${quote(node?.label ?? module.nodeId)} has not reported within ${limits.startTimeoutMs / 1000} s that the module ${quote(module.name)} runs.`,
-        moduleId: module.id,
-        moduleName: module.name,
-        nodeId: module.nodeId,
-      });
+      module.handleLate(
+        errorProblem({
+          code: 'module_not_started',
+          message: `The node ${quote(node?.label ?? module.nodeId)} has not reported within ${limits.startTimeoutMs / 1000} s that the module ${quote(module.name)} runs.`,
+          moduleId: module.id,
+          moduleName: module.name,
+          nodeId: module.nodeId,
+        }),
+      );
     }
     evaluate(this.#context, session);
     news.announceChange(session);
@@ -102,11 +104,10 @@ export class Supervision {
   /** [SE-13] */
   #lookAtStop(session: Session): void {
     const { clock, limits, nodes } = this.#context;
-    const sinceMs = session.stoppingSinceMs ?? clock.monotonicMs();
-    if (clock.monotonicMs() - sinceMs < limits.stopTimeoutMs) return;
+    if (clock.monotonicMs() - session.lifeSinceMs < limits.stopTimeoutMs) return;
     for (const module of session.modules) {
       if (module.phase !== 'ending') continue;
-      module.phase = 'idle';
+      module.end(false);
       const node = nodes.get(module.nodeId);
       session.troubles.set(
         `stop ${module.nodeId}`,

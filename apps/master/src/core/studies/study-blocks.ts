@@ -10,6 +10,7 @@ import {
 } from '@ubii/proto';
 import { NameTemplate } from '@ubii/recording/studies';
 import type { Cancel, Clock } from '@ubii/timing';
+import type { GrantId } from '../access/grant.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { Recordings } from '../recordings/recordings.ts';
 import { EVERYTHING } from '../recordings/selection.ts';
@@ -38,7 +39,7 @@ export interface StudyLeader {
   /** Name of the client; empty when none asks. */
   readonly author: string;
   /** Id of its invitation, for the sessions of blocks; empty when it needs none. [AC-90] */
-  readonly grantId: string;
+  readonly grantId: GrantId | undefined;
 }
 
 const EMPTY_SESSION = decode('ubii.sessions.Session', new Uint8Array());
@@ -189,7 +190,7 @@ export class StudyBlocks {
     }
   }
 
-  async #startSession(runId: string, id: string, grantId: string): Promise<void> {
+  async #startSession(runId: string, id: string, grantId: GrantId | undefined): Promise<void> {
     if (id === '') return;
     const { sessions } = this.#context;
     if ((await sessions.find(id)).isLive) return;

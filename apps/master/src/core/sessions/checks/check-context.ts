@@ -1,5 +1,5 @@
 import type { Component, DataFormat, SessionProblem } from '@ubii/proto';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 
 /** State of the master that the checks of a session need. All members are cheap. */
 export interface CheckContext {

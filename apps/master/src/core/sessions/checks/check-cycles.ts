@@ -1,7 +1,7 @@
 import { globToRegExpSource, type SessionProblem, type TopicMux } from '@ubii/proto';
 import { plural } from '@ubii/words';
 import { quote } from '../../texts/quote.ts';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';
 

@@ -1,7 +1,7 @@
 import { formatsFit } from '@ubii/pm-sandbox';
 import { parseDataFormat, type SessionProblem } from '@ubii/proto';
 import { quote } from '../../texts/quote.ts';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';
 import { ioOf } from './check-modules.ts';

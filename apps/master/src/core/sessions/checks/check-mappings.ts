@@ -13,7 +13,7 @@ import {
 } from '@ubii/proto';
 import { quote } from '../../texts/quote.ts';
 import { topicFault } from '../../topics/topic-names.ts';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';
 import { hasCode, ioOf } from './check-modules.ts';

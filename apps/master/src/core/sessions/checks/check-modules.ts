@@ -1,7 +1,7 @@
 import type { ModuleIO, SessionProblem } from '@ubii/proto';
 import { isLongerThan } from '@ubii/words';
 import { quote } from '../../texts/quote.ts';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import { errorProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';
 

@@ -1,5 +1,5 @@
 import type { SessionProblem } from '@ubii/proto';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import type { ProblemCode } from '../problems.ts';
 import { checkCycles } from './check-cycles.ts';
 import { checkFormats } from './check-formats.ts';

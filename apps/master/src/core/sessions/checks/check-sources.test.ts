@@ -3,7 +3,7 @@ import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { decode, type ProcessingModule } from '@ubii/proto';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import { checkSources } from './check-sources.ts';
 
 const TIMEOUT_MS = 1_000;

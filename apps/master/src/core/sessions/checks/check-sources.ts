@@ -3,7 +3,7 @@ import type { SessionProblem } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import { isJavaScript } from '../../nodes/node.ts';
 import { quote } from '../../texts/quote.ts';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about } from './check-context.ts';
 import { hasCode } from './check-modules.ts';

@@ -3,7 +3,7 @@ import { cannotRun, isMaster, type Node } from '../../nodes/node.ts';
 import type { NodeTable } from '../../nodes/node-table.ts';
 import { chooseNode } from '../../nodes/placement.ts';
 import { quote } from '../../texts/quote.ts';
-import type { DraftModule } from '../draft.ts';
+import type { DraftModule } from '../complete-modules.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about } from './check-context.ts';
 import { hasCode } from './check-modules.ts';
