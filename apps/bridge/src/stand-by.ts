@@ -42,7 +42,7 @@ export function createStandBy({ client, bridges, clock, file, onChange }: StandB
     isActive = next;
     onChange(next);
   };
-  bridges.onChange = decide;
+  bridges.onChange(decide);
   return {
     get isActive() {
       return isActive === true;

@@ -151,16 +151,27 @@ export class BridgeEngine<P> {
   }
 
   #open(mapping: Mapping, before: Lanes<P> | undefined): Lanes<P> {
+    const { clock, codec, master, bridges, echoes } = this.#options;
+    const context = { clock, codec, master, echoes, gate: this.#gate };
     const inLane = takesIn(mapping)
-      ? new InLane(mapping, this.#world(), before?.in?.counters)
+      ? new InLane(
+          mapping,
+          { ...context, onPublished: (address) => out?.handleNewer(address) },
+          before?.in?.counters,
+        )
       : undefined;
-    const out = givesOut(mapping)
-      ? new OutLane(mapping, this.#world(), before?.out?.counters)
+    const out: OutLane<P> | undefined = givesOut(mapping)
+      ? new OutLane(
+          mapping,
+          {
+            ...context,
+            isFromForeignSystem: (publisherId) =>
+              publisherId !== '' && (publisherId === master.ownId || bridges.has(publisherId)),
+            onAccepted: (topic) => inLane?.handleNewer(topic),
+          },
+          before?.out?.counters,
+        )
       : undefined;
-    if (inLane !== undefined && out !== undefined) {
-      inLane.onTaken = ({ address }) => out.handleNewer(address);
-      out.onTaken = (topic) => inLane.handleNewer(topic);
-    }
     let unsubscribe = out && this.#subscribe(mapping, out);
     return {
       mapping,
@@ -185,15 +196,6 @@ export class BridgeEngine<P> {
       onRecord: (record) => out.handleRecord(record),
       onGone: (gone) => out.handleGone(gone),
     });
-  }
-
-  #world() {
-    const { clock, codec, master, bridges, echoes } = this.#options;
-    return {
-      ...{ clock, codec, master, echoes, gate: this.#gate },
-      isFromThere: (publisherId: string): boolean =>
-        publisherId !== '' && (publisherId === master.ownId || bridges.has(publisherId)),
-    };
   }
 
   #handleSent(address: string, payload: P): void {

@@ -14,8 +14,8 @@ import { Sampler } from './sampler.ts';
 import { hasTwoValues } from './send-gate.ts';
 import type { SendGate } from './send-gate.ts';
 
-/** What the lanes of a bridge share. */
-export interface LaneWorld<P> {
+/** Dependencies that the lanes of a bridge share. */
+export interface LaneContext<P> {
   readonly clock: Clock;
   readonly codec: PayloadCodec<P>;
   readonly master: TopicMaster;
@@ -24,22 +24,25 @@ export interface LaneWorld<P> {
   readonly gate: SendGate<P>;
 }
 
+/** Dependencies of an `InLane`. */
+export interface InContext<P> extends LaneContext<P> {
+  /** Called after a value or an end was published: values that wait in the other direction are older. */
+  onPublished(address: string): void;
+}
+
 /** One mapping from the other system into the master. */
 export class InLane<P> {
   readonly mapping: Mapping;
-  readonly #world: LaneWorld<P>;
+  readonly #context: InContext<P>;
   readonly #counters: LaneCounters;
   readonly #sampler: Sampler;
-  /** A value for the topic came from there: what waits for the other direction is older. */
-  onTaken: (message: { readonly topic: string; readonly address: string }) => void = () =>
-    undefined;
 
-  constructor(mapping: Mapping, world: LaneWorld<P>, counters = new LaneCounters()) {
+  constructor(mapping: Mapping, context: InContext<P>, counters = new LaneCounters()) {
     this.mapping = mapping;
-    this.#world = world;
+    this.#context = context;
     this.#counters = counters;
     this.#sampler = new Sampler({
-      clock: world.clock,
+      clock: context.clock,
       maxRateHz: mapping.maxRateHz,
       maxAddresses: mapping.maxTopics,
       handleEvicted: (topic) => this.#handleEvicted(topic),
@@ -70,26 +73,26 @@ export class InLane<P> {
     }
     let read: TypedValue;
     try {
-      read = this.#world.codec.read(message.payload, this.mapping);
+      read = this.#context.codec.read(message.payload, this.mapping);
     } catch (error) {
       return this.#refuse(address, (error as Error).message);
     }
-    if (this.#world.echoes?.takeEcho(this.#echoKey(address), contentHash(read)) === true) {
+    if (this.#context.echoes?.takeEcho(this.#echoKey(address), contentHash(read)) === true) {
       return this.#counters.handleReturned();
     }
     if (!hasTwoValues(this.mapping)) return this.#offer(message, topic, read);
     const content = contentHash(read);
     const { timestampMs = message.timestampMs } = read;
-    if (message.isKept && !this.#world.gate.isNews(message, timestampMs, content)) {
+    if (message.isKept && !this.#context.gate.isNews(message, timestampMs, content)) {
       return this.#counters.handleReturned(); // [BR-14]
     }
-    this.#world.gate.handleTaken(message, content);
+    this.#context.gate.handleTaken(message, content);
     this.#offer(message, topic, read);
   }
 
   /** A message goes to an address from which it may come back. */
   handleSent(address: string, payload: P): void {
-    const { echoes, codec } = this.#world;
+    const { echoes, codec } = this.#context;
     if (echoes === undefined) return;
     try {
       echoes.handleSent(this.#echoKey(address), contentHash(codec.read(payload, this.mapping)));
@@ -116,12 +119,12 @@ export class InLane<P> {
     const offered = this.#sampler.offer(topic, () => {
       const { format, value, timestampMs = message.timestampMs } = read;
       try {
-        this.#world.master.publish(topic, format, value, timestampMs);
+        this.#context.master.publish(topic, format, value, timestampMs);
       } catch (error) {
         return this.#refuse(address, (error as Error).message);
       }
-      this.#counters.handlePassed(topic, value, sizeBytes, this.#world.clock.nowMs());
-      this.onTaken({ topic, address });
+      this.#counters.handlePassed(topic, value, sizeBytes, this.#context.clock.nowMs());
+      this.#context.onPublished(address);
     });
     if (offered === 'replaced') this.#counters.handleReplaced();
     if (offered === 'full') {
@@ -135,19 +138,19 @@ export class InLane<P> {
   #end({ address }: ForeignMessage<P>, topic: string): void {
     if (!this.#sampler.has(topic)) return;
     this.#sampler.end(topic);
-    this.#world.master.endTopic(topic);
-    this.#counters.handlePassed(topic, 'no value any more', 0, this.#world.clock.nowMs());
-    this.onTaken({ topic, address });
+    this.#context.master.endTopic(topic);
+    this.#counters.handlePassed(topic, 'no value any more', 0, this.#context.clock.nowMs());
+    this.#context.onPublished(address);
   }
 
   /** [BR-34] */
   #handleEvicted(topic: string): void {
-    this.#world.master.endTopic(topic);
+    this.#context.master.endTopic(topic);
     this.#counters.handleEvicted();
   }
 
   #refuse(address: string, reason: string): void {
-    this.#counters.handleRefused(address, reason, this.#world.clock.nowMs());
+    this.#counters.handleRefused(address, reason, this.#context.clock.nowMs());
   }
 
   #echoKey(address: string): string {

@@ -4,32 +4,32 @@ import { fillPath, matchPath } from '../mapping/address-path.ts';
 import type { Mapping } from '../mapping/mapping.ts';
 import type { Sent } from '../ports/foreign-system.ts';
 import type { MasterRecord } from '../ports/topic-master.ts';
-import type { LaneWorld } from './in-lane.ts';
+import type { LaneContext } from './in-lane.ts';
 import { LaneCounters } from './lane-report.ts';
 import type { LaneReport } from './lane-report.ts';
 import { Sampler } from './sampler.ts';
 
-/** What an `OutLane` needs besides. */
-export interface OutWorld<P> extends LaneWorld<P> {
-  /** Whether a client is a bridge to the same system, or this one. [BR-20] */
-  isFromThere(publisherId: string): boolean;
+/** Dependencies of an `OutLane`. */
+export interface OutContext<P> extends LaneContext<P> {
+  /** Tells whether a record came from the other system: its publisher is this bridge, or another one to it. [BR-20] */
+  isFromForeignSystem(publisherId: string): boolean;
+  /** Called when a client published a value: values that wait in the other direction are older. */
+  onAccepted(topic: string): void;
 }
 
 /** One mapping from the master into the other system. */
 export class OutLane<P> {
   readonly mapping: Mapping;
-  readonly #world: OutWorld<P>;
+  readonly #context: OutContext<P>;
   readonly #counters: LaneCounters;
   readonly #sampler: Sampler;
-  /** A client published a value for the address: what waits for the other direction is older. */
-  onTaken: (topic: string) => void = () => undefined;
 
-  constructor(mapping: Mapping, world: OutWorld<P>, counters = new LaneCounters()) {
+  constructor(mapping: Mapping, context: OutContext<P>, counters = new LaneCounters()) {
     this.mapping = mapping;
-    this.#world = world;
+    this.#context = context;
     this.#counters = counters;
     this.#sampler = new Sampler({
-      clock: world.clock,
+      clock: context.clock,
       maxRateHz: mapping.maxRateHz,
       maxAddresses: mapping.maxTopics,
       handleEvicted: (address) => this.#handleEvicted(address),
@@ -43,9 +43,9 @@ export class OutLane<P> {
   handleRecord(record: MasterRecord): void {
     const address = this.#addressFor(record.topic);
     if (address === undefined) return;
-    if (this.#world.isFromThere(record.publisherId)) {
-      if (record.publisherId === this.#world.master.ownId)
-        this.#world.gate.handlePublished(address);
+    if (this.#context.isFromForeignSystem(record.publisherId)) {
+      if (record.publisherId === this.#context.master.ownId)
+        this.#context.gate.handlePublished(address);
       this.#sampler.end(address);
       return this.#counters.handleReturned();
     }
@@ -57,7 +57,7 @@ export class OutLane<P> {
         `The record has ${record.bytes.byteLength} bytes; the mapping takes ${this.mapping.maxBytes}.`,
       );
     }
-    this.onTaken(record.topic);
+    this.#context.onAccepted(record.topic);
     const offered = this.#sampler.offer(address, () => this.#send(record, address));
     if (offered === 'replaced') this.#counters.handleReplaced();
     if (offered === 'full') {
@@ -83,7 +83,7 @@ export class OutLane<P> {
 
   /** A message that waited for the connection was dropped. */
   handleDropped(reason: string): void {
-    this.#counters.handleDropped('', reason, this.#world.clock.nowMs());
+    this.#counters.handleDropped('', reason, this.#context.clock.nowMs());
   }
 
   report(): LaneReport {
@@ -100,7 +100,7 @@ export class OutLane<P> {
   }
 
   #send({ topic, bytes }: MasterRecord, address: string): void {
-    const { codec, gate } = this.#world;
+    const { codec, gate } = this.#context;
     let payload: P;
     let value: unknown;
     let timestampMs: number | undefined;
@@ -124,7 +124,7 @@ export class OutLane<P> {
 
   /** Ends what the other system keeps of an address. */
   #forget(address: string): Sent {
-    return this.#world.gate.send({ address, payload: undefined, mapping: this.mapping }, 0);
+    return this.#context.gate.send({ address, payload: undefined, mapping: this.mapping }, 0);
   }
 
   /** [BR-34] */
@@ -136,14 +136,14 @@ export class OutLane<P> {
   }
 
   #count(address: string, value: unknown, sizeBytes: number, sent: Sent): void {
-    const nowMs = this.#world.clock.nowMs();
+    const nowMs = this.#context.clock.nowMs();
     if (sent.kind === 'dropped') this.#counters.handleDropped(address, sent.reason, nowMs);
     else if (sent.kind === 'refused') this.#counters.handleRefused(address, sent.reason, nowMs);
     else this.#counters.handlePassed(address, value, sizeBytes, nowMs);
   }
 
   #refuse(address: string, reason: string): void {
-    this.#counters.handleRefused(address, reason, this.#world.clock.nowMs());
+    this.#counters.handleRefused(address, reason, this.#context.clock.nowMs());
   }
 }
 

@@ -14,8 +14,8 @@ const REMEMBERED_ADDRESSES = 10_000;
 /** By then the master has sent the values that stand, milliseconds. */
 const REPLAY_MS = 10_000;
 
-/** What a `SendGate` needs. */
-export interface GateWorld<P> {
+/** Dependencies of a `SendGate`. */
+export interface GateContext<P> {
   readonly clock: Clock;
   readonly foreign: Pick<ForeignSystem<P>, 'send'>;
   /** A message left, or waits in the adapter. */
@@ -28,7 +28,7 @@ export interface GateWorld<P> {
  * `retained` wait until the system has given what it keeps: that takes their place. Later, it is the older one. [BR-14]
  */
 export class SendGate<P> {
-  readonly #world: GateWorld<P>;
+  readonly #context: GateContext<P>;
   readonly #waiting: WaitingMessages<P>;
   #isOpen = false;
   /** Addresses whose value left since the gate was opened. */
@@ -38,9 +38,11 @@ export class SendGate<P> {
   /** When a kept message was taken of each address, and whether the master has it, until the next record of others. */
   readonly #keptTaken = new Map<string, { readonly atMs: number; isPublished: boolean }>();
 
-  constructor(world: GateWorld<P>) {
-    this.#world = world;
-    this.#waiting = new WaitingMessages(({ mapping }, reason) => world.onDropped(mapping, reason));
+  constructor(context: GateContext<P>) {
+    this.#context = context;
+    this.#waiting = new WaitingMessages(({ mapping }, reason) =>
+      context.onDropped(mapping, reason),
+    );
   }
 
   /** @param sizeBytes what the message takes while it waits */
@@ -62,7 +64,7 @@ export class SendGate<P> {
     this.#isOpen = true;
     for (const message of this.#waiting.takeAll()) {
       const sent = this.#sendKept(message);
-      if ('reason' in sent) this.#world.onDropped(message.mapping, sent.reason);
+      if ('reason' in sent) this.#context.onDropped(message.mapping, sent.reason);
     }
   }
 
@@ -81,7 +83,7 @@ export class SendGate<P> {
     this.#taken.set(address, content);
     forgetFirst(this.#taken, REMEMBERED_ADDRESSES);
     if (!isKept) return;
-    this.#keptTaken.set(address, { atMs: this.#world.clock.nowMs(), isPublished: false });
+    this.#keptTaken.set(address, { atMs: this.#context.clock.nowMs(), isPublished: false });
     forgetFirst(this.#keptTaken, REMEMBERED_ADDRESSES);
   }
 
@@ -96,7 +98,7 @@ export class SendGate<P> {
     const taken = this.#keptTaken.get(address);
     if (taken === undefined || !hasTwoValues(mapping)) return false;
     this.#keptTaken.delete(address);
-    if (this.#world.clock.nowMs() - taken.atMs > REPLAY_MS) return false;
+    if (this.#context.clock.nowMs() - taken.atMs > REPLAY_MS) return false;
     return timestampMs === undefined ? !taken.isPublished : timestampMs < taken.atMs;
   }
 
@@ -109,10 +111,10 @@ export class SendGate<P> {
   }
 
   #send(message: OutgoingMessage<P>): Sent {
-    const sent = this.#world.foreign.send(message);
+    const sent = this.#context.foreign.send(message);
     const { address, payload } = message;
     const isOnItsWay = sent.kind === 'sent' || sent.kind === 'waiting';
-    if (isOnItsWay && payload !== undefined) this.#world.onSent(address, payload);
+    if (isOnItsWay && payload !== undefined) this.#context.onSent(address, payload);
     return sent;
   }
 }

@@ -57,7 +57,7 @@ describe('bridges to the same system', () => {
   it('are known when each has said what it passes, again after the master was lost', async () => {
     const { bridges, add, give } = createBridges();
     const changes: string[] = [];
-    bridges.onChange = () => changes.push('change');
+    bridges.onChange(() => changes.push('change'));
     const known = bridges.untilKnown('own').then(() => changes.push('known'));
     add('other');
     add('own');

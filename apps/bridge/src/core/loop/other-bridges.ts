@@ -36,12 +36,16 @@ export class OtherBridges {
   /** What each says of its mappings: a text that is the same where they are. */
   readonly #mappings = new Map<string, string>();
   readonly #roles = new Map<string, AccessRole>();
-  readonly #waiting = new Set<() => void>();
-  /** Something has changed. */
-  onChange: () => void = () => undefined;
+  readonly #listeners = new Set<() => void>();
 
   constructor(system: string) {
     this.#tag = bridgeTag(system);
+  }
+
+  /** Calls the listener after each change. Returns a function that removes it. */
+  onChange(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
   }
 
   handleClient({ id, tags, isGone, isConnected, masterId }: KnownClient): void {
@@ -55,7 +59,7 @@ export class OtherBridges {
       this.#mappings.delete(id);
       this.#roles.delete(id);
     }
-    this.#tell();
+    this.#emitChange();
   }
 
   /** A bridge, perhaps one that is not announced yet, says what it passes. */
@@ -63,7 +67,7 @@ export class OtherBridges {
     if (this.#mappings.get(clientId) === mappings) return;
     this.#mappings.set(clientId, mappings);
     forgetFirst(this.#mappings, REMEMBERED);
-    if (this.#bridges.has(clientId)) this.#tell();
+    if (this.#bridges.has(clientId)) this.#emitChange();
   }
 
   /** What those of `ids` may do. */
@@ -71,7 +75,7 @@ export class OtherBridges {
     for (const { clientId, role } of roles) {
       if (this.#bridges.has(clientId)) this.#roles.set(clientId, role);
     }
-    this.#tell();
+    this.#emitChange();
   }
 
   /** Ids of all that are here, connected or not. */
@@ -118,10 +122,10 @@ export class OtherBridges {
           (id) => this.#roles.has(id) && (id === ownId || this.#mappings.has(id)),
         );
         if (!connected.includes(ownId) || !isKnown) return;
-        this.#waiting.delete(look);
+        remove();
         resolve();
       };
-      this.#waiting.add(look);
+      const remove = this.onChange(look);
       look();
     });
   }
@@ -130,9 +134,8 @@ export class OtherBridges {
     return [...this.#bridges].flatMap(([id, isConnected]) => (isConnected ? [id] : []));
   }
 
-  #tell(): void {
-    for (const look of [...this.#waiting]) look();
-    this.onChange();
+  #emitChange(): void {
+    for (const listener of [...this.#listeners]) listener();
   }
 }
 

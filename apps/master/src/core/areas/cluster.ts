@@ -1,3 +1,4 @@
+import type { Answer } from '../cluster/calls.ts';
 import { Cluster } from '../cluster/cluster.ts';
 import type { AccessArea } from './access.ts';
 import type { ClientArea } from './clients.ts';
@@ -21,7 +22,10 @@ export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'>
   Pick<NodeArea, 'sessionTable' | 'nodes'> &
   Pick<SessionArea, 'sessions' | 'reports' | 'sessionNews' | 'foreignSessions' | 'claims'> &
   Pick<LibraryArea, 'sessionLibrary'> &
-  Pick<AccessArea, 'access'>;
+  Pick<AccessArea, 'access'> & {
+    /** Answers requests of other masters for their clients. [CU-28] */
+    readonly answer: Answer;
+  };
 
 /** Without a cluster, nothing is told and asked. */
 export function createCluster(dependencies: ClusterDependencies): ClusterArea {
@@ -44,7 +48,6 @@ export function createCluster(dependencies: ClusterDependencies): ClusterArea {
       addresses: settings.endpoints().addresses.flatMap(({ url }) => url ?? []),
     }),
   });
-  dependencies.nodes.isOtherMaster = (id) => masters.isMaster(id);
   dependencies.onClose.add(() => masters.close());
   return { masters };
 }

@@ -1,3 +1,4 @@
+import type { Answer } from '../cluster/calls.ts';
 import { createAccess, type AccessArea } from './access.ts';
 import { createBridges, type BridgeArea } from './bridges.ts';
 import { createCluster, type ClusterArea } from './cluster.ts';
@@ -37,19 +38,26 @@ export interface Core
     ClusterArea,
     MonitoringArea {}
 
-/** Creates the areas of a master in order. Each is given the parts of those before it. */
-export function createCore(ports: MasterPorts, settings: MasterSettings): Core {
+/**
+ * Creates the areas of a master in order. Each is given the parts of those before it.
+ *
+ * @param answer Answers requests of other masters for their clients. [CU-28]
+ */
+export function createCore(ports: MasterPorts, settings: MasterSettings, answer: Answer): Core {
   const foundation = { ...ports, ...createFoundation(ports, settings) };
   const topics = { ...foundation, ...createTopics(foundation) };
   const clients = { ...topics, ...createClients(topics) };
   const library = { ...clients, ...createLibrary(clients) };
   const nodes = { ...library, ...createNodes(library) };
-  const sessions = { ...nodes, ...createSessions(nodes) };
+  const sessions = { ...nodes, ...createSessions({ ...nodes, isOtherMaster }) };
   const access = { ...sessions, ...createAccess(sessions) };
   const recordings = { ...access, ...createRecordings(access) };
   const replays = { ...recordings, ...createReplays(recordings) };
   const studies = { ...replays, ...createStudies(replays) };
   const bridges = { ...studies, ...createBridges(studies) };
-  const cluster = { ...bridges, ...createCluster(bridges) };
+  const cluster = { ...bridges, ...createCluster({ ...bridges, answer }) };
+  function isOtherMaster(id: string): boolean {
+    return cluster.masters?.isMaster(id) === true;
+  }
   return { ...cluster, ...createMonitoring(cluster) };
 }

@@ -35,7 +35,10 @@ export type SessionDependencies = Pick<
   Pick<TopicArea, 'topics' | 'subscriptions' | 'publisher'> &
   Pick<ClientArea, 'clients' | 'devices'> &
   Pick<LibraryArea, 'modules' | 'history' | 'sessionLibrary'> &
-  NodeArea;
+  NodeArea & {
+    /** Tells whether an id is that of another master of the cluster. */
+    readonly isOtherMaster: (id: string) => boolean;
+  };
 
 /** Parts of this area that listen to each other. */
 interface Listeners {
@@ -148,7 +151,7 @@ function requestContext(dependencies: SessionDependencies): RequestContext {
       isTaken: (id) => sessionTable.findModule(id) !== undefined,
       // A session runs at one master, whichever a page names. [CU-76]
       nodeId: (text) =>
-        text === MASTER_ALIAS || nodes.isOtherMaster(text) ? nodes.masterId : text,
+        text === MASTER_ALIAS || dependencies.isOtherMaster(text) ? nodes.masterId : text,
       stored: (name) => modules.get(name),
       offered: (name, nodeId) => nodes.offered(name, nodeId),
     },

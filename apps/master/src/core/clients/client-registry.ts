@@ -63,8 +63,8 @@ export interface ForeignParts {
 export class ClientRegistry {
   /** Called when a client can be reached, or no longer: it may be a node [SE-31]. */
   readonly onPresence = new Hook<[client: Client]>();
-  /** Sends a frame to a client of another master. [CU-24] */
-  sendForeign: (client: Client, frame: Uint8Array) => void = () => undefined;
+  /** Called with each frame for a client of another master. [CU-24] */
+  readonly onForeignFrame = new Hook<[client: Client, frame: Uint8Array]>();
   readonly #context: ClientContext;
   readonly #clients = new Map<string, Client>();
   readonly #publishLimits: PublishLimitTable;
@@ -107,10 +107,10 @@ export class ClientRegistry {
     );
   }
 
-  /** Sends a frame of topic data to a client, at whatever master it is; to one that is absent, none. */
+  /** Sends a frame of topic data to a client at any master; drops it if the client is not connected. */
   sendFrame(client: Client, frame: Uint8Array): void {
     if (client.home === undefined) client.socket?.sendFrame(frame);
-    else this.sendForeign(client, frame);
+    else this.onForeignFrame.emit(client, frame);
   }
 
   /** A mark that no client has. [EX-100] */

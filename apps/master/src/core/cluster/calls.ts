@@ -21,6 +21,8 @@ export interface CallsContext {
   readonly clock: Clock;
   readonly limits: Limits;
   readonly bus: Pick<ProvenBus, 'send'>;
+  /** Answers requests of other masters. */
+  readonly answer: Answer;
 }
 
 interface Pending {
@@ -62,7 +64,7 @@ export class Calls {
     });
   }
 
-  /** Another master answers. @throws DecodeError when the reply cannot be read; the call fails in time */
+  /** Settles the call that another master answers. @throws DecodeError when the reply cannot be read; the call fails in time */
   handleReply(from: string, { number, reply }: ClusterReply): void {
     const pending = this.#pending.get(number);
     if (pending?.masterId !== from) return;
@@ -71,12 +73,13 @@ export class Calls {
     pending.resolve(decoded);
   }
 
-  /** Another master asks. @throws DecodeError when it asks nothing that can be read */
-  handleCall(from: CalledMaster, call: ClusterCall, answer: Answer): void {
+  /** Answers a request of another master. @throws DecodeError when the request cannot be read */
+  handleCall(from: CalledMaster, call: ClusterCall): void {
+    const { answer, bus } = this.#context;
     const request = decode('ubii.services.ServiceRequest', call.request);
     void answer(request, factsOf(call, from)).then(({ reply, afterReply }) => {
       const bytes = encode('ubii.services.ServiceReply', reply);
-      this.#context.bus.send(from.id, { reply: { number: call.number, reply: bytes } });
+      bus.send(from.id, { reply: { number: call.number, reply: bytes } });
       afterReply();
     });
   }

@@ -4,6 +4,7 @@ import type { ClusterBus } from '../ports/cluster-bus.ts';
 import type { MessageSeal } from '../ports/message-seal.ts';
 import type { NodeReports } from '../sessions/node-reports.ts';
 import type { SessionNews } from '../sessions/session-news.ts';
+import type { Answer } from './calls.ts';
 import type { DirectoryContext } from './directory.ts';
 import type { OwnMember } from './members.ts';
 import type { InterestContext } from './own-interest.ts';
@@ -32,4 +33,6 @@ export interface ClusterContext
   /** Name of the cluster. */
   readonly name: string;
   readonly self: () => OwnMember;
+  /** Answers requests of other masters for their clients. [CU-28] */
+  readonly answer: Answer;
 }

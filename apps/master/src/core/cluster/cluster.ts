@@ -14,7 +14,7 @@ import type { Client } from '../clients/client.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { BusListener } from '../ports/cluster-bus.ts';
 import { quote } from '../texts/quote.ts';
-import { Calls, type Answer } from './calls.ts';
+import { Calls } from './calls.ts';
 import { ClientNews } from './client-news.ts';
 import type { ClusterContext } from './cluster-context.ts';
 import { Directory } from './directory.ts';
@@ -61,9 +61,6 @@ export class Cluster implements BusListener {
   isReachable = false;
   /** Since when it can or cannot be, epoch milliseconds; undefined before it could be. */
   reachSinceMs: number | undefined = undefined;
-  /** Answers requests of clients of other masters. */
-  answer: Answer = () =>
-    Promise.reject(new Error('nothing answers the requests of other masters yet'));
 
   constructor(dependencies: ClusterContext) {
     this.#bus = new MeteredBus(dependencies.bus);
@@ -114,8 +111,9 @@ export class Cluster implements BusListener {
     context.info.onClient.add(({ id }) => this.#clientNews.note(id));
     context.info.onClientGone.add(({ id }) => this.#clientNews.note(id));
     context.reports.onBytes.add((node, message) => this.#handleNodeMessage(node, message));
-    clients.sendForeign = ({ id, home }, frame) =>
-      this.peers.get(home?.masterId ?? '')?.sendFrame(id, frame);
+    clients.onForeignFrame.add(({ id, home }, frame) => {
+      if (home !== undefined) this.peers.get(home.masterId)?.sendFrame(id, frame);
+    });
     this.#cancelSweep = clock.every(HELLO_MS, () => this.#sweep());
     this.#bus.listen(context.id, this);
   }
@@ -233,7 +231,7 @@ export class Cluster implements BusListener {
   #handleCall(from: string, call: ClusterCall): void {
     const member = this.members.get(from);
     if (member === undefined) return;
-    this.#calls.handleCall(member, call, (...asked) => this.answer(...asked));
+    this.#calls.handleCall(member, call);
   }
 
   /** @returns undefined for one that has not said who it is */

@@ -19,12 +19,11 @@ import type { Master, MasterMetrics, ServiceAnswer, TerminalAccess } from './mas
 
 /** Creates a master. Until its first call, it only measures time. */
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
-  const core = createCore(ports, settings);
+  const core = createCore(ports, settings, (request, facts) => answerRequest(core, request, facts));
   core.events.add(StatusEventKind.MASTER_STARTED, 'The master started');
-  const { masters } = core;
-  if (masters !== undefined) {
-    masters.answer = (request, facts) => answerRequest(core, request, facts); // [CU-28]
-  } else core.sessions.restored.restore((grantId) => core.access.grants.isValid(grantId)); // [SE-24]
+  if (core.masters === undefined) {
+    core.sessions.restored.restore((grantId) => core.access.grants.isValid(grantId)); // [SE-24]
+  }
   core.onClose.add(watchGrants(core));
   return {
     id: core.id,

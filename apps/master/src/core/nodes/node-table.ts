@@ -18,8 +18,6 @@ export interface MasterNode {
 
 /** Everything that can run modules: the master, and clients [PM-61]. */
 export class NodeTable {
-  /** Whether an id is that of another master of the cluster. */
-  isOtherMaster: (id: string) => boolean = () => false;
   readonly #master: MasterNode;
   readonly #clients: ClientRegistry;
 
