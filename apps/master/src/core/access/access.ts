@@ -69,10 +69,15 @@ export class Access {
   }
 
   /**
-   * @param actsFor the id of the client that the request says it comes from; empty when it says none
+   * @param actsFor id of the client for which the request is sent, if it names one
    * @throws ServiceError when this caller may not call the service, or not for that client
    */
-  authorize(caller: Caller, service: ServiceRight, topic: string, actsFor: string): void {
+  authorize(
+    caller: Caller,
+    service: ServiceRight,
+    topic: string,
+    actsFor: string | undefined,
+  ): void {
     const { roles, actsForClient } = service;
     if (roles === 'anyone') return;
     if (caller.kind === 'stranger') throw caller.refusal;
@@ -83,7 +88,7 @@ export class Access {
         `The service ${topic} is for ${listed(roles)}; this device joined as ${role}.`,
       );
     }
-    if (actsForClient && actsFor !== '' && !this.mayActFor(caller, actsFor)) {
+    if (actsForClient && actsFor !== undefined && !this.mayActFor(caller, actsFor)) {
       throw roleRefusal(`The request was sent for the client ${quote(actsFor)}, but not by it.`);
     }
   }

@@ -151,7 +151,9 @@ function requestContext(dependencies: SessionDependencies): RequestContext {
       isTaken: (id) => sessionTable.findModule(id) !== undefined,
       // A session runs at one master, whichever a page names. [CU-76]
       nodeId: (text) =>
-        text === MASTER_ALIAS || dependencies.isOtherMaster(text) ? nodes.masterId : text,
+        text === MASTER_ALIAS || dependencies.isOtherMaster(text)
+          ? nodes.masterId
+          : text || undefined,
       stored: (name) => modules.get(name),
       offered: (name, nodeId) => nodes.offered(name, nodeId),
     },

@@ -42,7 +42,7 @@ export class ForeignValues {
   endUnwanted(): void {
     const { topics } = this.#context;
     for (const entry of topics.values()) {
-      if (entry.originId === '') continue;
+      if (entry.originId === undefined) continue;
       const { ownDirect, ownSampled } = topics.targetsOf(entry);
       if (ownDirect + ownSampled === 0) topics.dropForeign(entry);
     }

@@ -100,7 +100,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
   /** The other master receives again: sends all values that it has an interest in. */
   replayAll(): void {
     for (const entry of this.#context.topics.values()) {
-      if (entry.originId !== '') continue;
+      if (entry.originId !== undefined) continue;
       if (this.#context.subscriptions.isSubscribed(this.#received, entry)) this.replay(entry);
     }
   }
@@ -189,7 +189,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
       byteLength = 0;
     };
     for (const entry of this.#values) {
-      if (entry.record === undefined || entry.originId !== '') continue;
+      if (entry.record === undefined || entry.originId !== undefined) continue;
       entries.push(entry);
       byteLength += entry.record.byteLength;
       if (byteLength >= VALUES_BYTES) flush();

@@ -134,7 +134,7 @@ export class Takeover {
   #continue(sessionId: string, from: string): boolean {
     const { clock, sessions, foreignSessions, grants, events } = this.#context;
     const name = this.#names.get(from);
-    const move = { from: name ?? '', atMs: clock.nowMs() };
+    const move = { from: name, atMs: clock.nowMs() };
     const session = sessions.restored.takeOver(
       sessionId,
       (grantId) => grants.isValid(grantId),

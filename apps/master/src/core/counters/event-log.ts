@@ -28,12 +28,17 @@ export class EventLog {
     this.#limits = limits;
   }
 
-  add(kind: StatusEventKind, text: string, clientId = ''): void {
+  add(kind: StatusEventKind, text: string, clientId?: string): void {
     const bounded = oneLine(text, this.#limits.eventCharacters); // [EX-72]
-    this.#events.push({ timeMs: this.#clock.nowMs(), kind, text: bounded, clientId });
+    this.#events.push({
+      timeMs: this.#clock.nowMs(),
+      kind,
+      text: bounded,
+      clientId: clientId ?? '',
+    });
     if (this.#events.length > KEPT_EVENTS) this.#events.shift();
     if (NOT_LOGGED.has(kind)) return;
-    this.#log.info(text, clientId === '' ? {} : { clientId });
+    this.#log.info(text, clientId === undefined ? {} : { clientId });
   }
 
   /** Events after this moment, oldest first. */

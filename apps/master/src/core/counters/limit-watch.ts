@@ -9,8 +9,8 @@ import { Streak } from './streak.ts';
 export interface LimitHits {
   readonly limit: LimitName;
   readonly streak: Streak;
-  /** Client that reached it last; empty when that was not a registered client. */
-  clientId: string;
+  /** Client that reached it last, if it was a registered client. */
+  clientId: string | undefined;
 }
 
 /** Counts who meets which limit, and says so once for each row of hits. */
@@ -33,7 +33,7 @@ export class LimitWatch {
   }
 
   /** Counts a hit. */
-  count(limit: LimitName, clientId = ''): void {
+  count(limit: LimitName, clientId?: string): void {
     let hits = this.#hits.get(limit);
     if (hits === undefined) {
       hits = { limit, streak: new Streak(), clientId };
@@ -50,7 +50,7 @@ export class LimitWatch {
    * Counts a hit and gives the error for it.
    * @param text What there would be too many of, with the number: `more than 10 cats`.
    */
-  refusal(limit: LimitName, text: string, clientId = ''): ServiceError {
+  refusal(limit: LimitName, text: string, clientId?: string): ServiceError {
     this.count(limit, clientId);
     return new ServiceError(
       'resource_exhausted',

@@ -250,7 +250,7 @@ export class DeviceRegistry {
       const entry = ioType === ComponentIOType.SUBSCRIBER ? undefined : topics.get(topic);
       if (entry === undefined || entry.isMasters) continue;
       // A client cannot delete values of other publishers by naming their topic in a device.
-      const isNobodys = entry.owner === undefined && entry.originId === '';
+      const isNobodys = entry.owner === undefined && entry.originId === undefined;
       if (isNobodys || entry.owner === client) topics.deleteValue(entry);
     }
   }

@@ -44,11 +44,16 @@ export class InfoTopics {
   readonly onClientGone = new Hook<[client: AnnouncedClient]>();
   readonly #publisher: MasterPublisher;
   readonly #limits: Limits;
-  readonly #masterId: string;
+  readonly #masterId: string | undefined;
   readonly #ofClients: PacedNews;
 
-  /** @param masterId of this master in a cluster; empty for one that is alone */
-  constructor(publisher: MasterPublisher, clock: Clock, limits: Limits, masterId = '') {
+  /** @param masterId of this master in a cluster; undefined for one that is alone */
+  constructor(
+    publisher: MasterPublisher,
+    clock: Clock,
+    limits: Limits,
+    masterId: string | undefined,
+  ) {
     this.#masterId = masterId;
     this.#publisher = publisher;
     this.#limits = limits;
@@ -110,18 +115,23 @@ export class InfoTopics {
     const { registrationRevision, mark } = client;
     return {
       ...{ id, name, state, latency, isDedicatedProcessingNode },
-      extension: { abridged: true, registrationRevision, masterId: this.#masterOf(client), mark },
+      extension: {
+        abridged: true,
+        registrationRevision,
+        masterId: this.#masterOf(client) ?? '',
+        mark,
+      },
     };
   }
 
   #withExtension(message: DescribedClient, client: AnnouncedClient): DescribedClient {
     const masterId = this.#masterOf(client);
     const { mark } = client;
-    if (masterId === '' && mark === undefined) return message;
-    return { ...message, extension: { masterId, mark } };
+    if (masterId === undefined && mark === undefined) return message;
+    return { ...message, extension: { masterId: masterId ?? '', mark } };
   }
 
-  #masterOf({ home }: AnnouncedClient): string {
-    return this.#masterId === '' ? '' : (home?.masterId ?? this.#masterId);
+  #masterOf({ home }: AnnouncedClient): string | undefined {
+    return this.#masterId === undefined ? undefined : (home?.masterId ?? this.#masterId);
   }
 }

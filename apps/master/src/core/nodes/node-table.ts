@@ -43,10 +43,10 @@ export class NodeTable {
     return client === undefined ? undefined : nodeOf(client);
   }
 
-  /** The module of this name as a client offers it; of any client, when no id is given. */
-  offered(name: string, nodeId: string): ProcessingModule | undefined {
+  /** The module of this name as a client offers it; of any client without an id. */
+  offered(name: string, nodeId: string | undefined): ProcessingModule | undefined {
     if (nodeId === this.#master.id) return undefined;
-    if (nodeId !== '') {
+    if (nodeId !== undefined) {
       const client = this.#clients.get(nodeId);
       return client?.spec.processingModules.find((module) => module.name === name);
     }

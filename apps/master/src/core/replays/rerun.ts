@@ -63,7 +63,7 @@ export class Rerun {
   /** Why inputs that select components stay empty. */
   readonly #whyEmpty: string;
   #session: Session | undefined = undefined;
-  #comparisonId = '';
+  #comparisonId: string | undefined = undefined;
   #cancel: Cancel | undefined = undefined;
   /** The first error of each module, also of those that are repaired. */
   readonly #errors = new Map<string, string>();
@@ -175,7 +175,7 @@ export class Rerun {
       sessionId,
       name: this.#rerun.session.name,
       runningId: this.#isOver ? '' : (this.#session?.id ?? ''),
-      comparisonRecordingId: this.#comparisonId,
+      comparisonRecordingId: this.#comparisonId ?? '',
       inputPrefix: prefixOf(replayId, 'in'),
       outputPrefix: prefixOf(replayId, 'out'),
       recordedModules: [...this.#rerun.recordedModules],
@@ -185,7 +185,7 @@ export class Rerun {
   #end(): void {
     const { sessions, recordings } = this.#context;
     this.#noteErrors();
-    if (this.#comparisonId !== '') {
+    if (this.#comparisonId !== undefined) {
       void recordings.stop(this.#comparisonId).catch(() => undefined); // It was deleted meanwhile.
     }
     const session = this.#session;

@@ -34,7 +34,9 @@ describe('a defined service', () => {
     const { topic } = service.info;
     const clientRenameRequest = { clientId: 'ada', targetId: 'ben', name: 'x' };
     expect(service.subjectOf({ topic, clientRenameRequest } as ServiceRequest)).toBe('ada');
-    expect(service.subjectOf({ topic, device: { clientId: 'ada' } } as ServiceRequest)).toBe('');
+    expect(
+      service.subjectOf({ topic, device: { clientId: 'ada' } } as ServiceRequest),
+    ).toBeUndefined();
     expect(service).toMatchObject({ actsForClient: true, audited: false });
   });
 

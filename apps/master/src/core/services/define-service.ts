@@ -62,8 +62,8 @@ export interface Service extends ServiceRight {
   readonly name: ServiceName;
   readonly info: ServiceInfo;
   readonly isSignOfLife: boolean;
-  /** The id of the client that asks, as far as the request says it [CL-11]; else empty. */
-  subjectOf(request: ServiceRequest): string;
+  /** Id of the client for which the request is sent, if it names one [CL-11]. */
+  subjectOf(request: ServiceRequest): string | undefined;
   /** What the call is about; the client that asks, for services that act for it. */
   targetOf(request: ServiceRequest): CallTarget;
   /** A name or id of what an audited call changes; may be empty. */
@@ -99,13 +99,14 @@ function defineService<S extends ServiceName, P extends keyof Core>(
     audited: auditObject !== undefined,
     subjectOf(request) {
       const payload = given(request);
-      return payload === undefined ? '' : (subject?.(payload) ?? '');
+      return (payload && subject?.(payload)) || undefined;
     },
     targetOf(request) {
       const payload = given(request);
       if (payload === undefined) return {};
       if (target !== undefined) return target(payload);
-      return mayNameOthers ? {} : { clientId: subject?.(payload) ?? '' };
+      const clientId = (!mayNameOthers && subject?.(payload)) || undefined;
+      return clientId === undefined ? {} : { clientId };
     },
     auditObjectOf(core, request) {
       const payload = given(request);

@@ -1,6 +1,7 @@
 import { ServiceError, type ServiceInfo, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import type { Core } from '../areas/core.ts';
+import type { Client } from '../clients/client.ts';
 import { LIMITS } from '../limits/index.ts';
 import type { ServiceAnswer } from './service-answer.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
@@ -99,13 +100,13 @@ async function handle(
 ): Promise<ServiceAnswer> {
   if (service === undefined) throw unknownService(request.topic);
   const actsFor = service.subjectOf(request);
+  const client = actsFor === undefined ? undefined : core.clients.get(actsFor);
   if (call.isOfMaster) requireHere(core, service, request);
   core.access.authorize(call.caller, service, request.topic, actsFor);
   requirePayload(service.info, request);
-  const bounded = withBoundTexts(core, request, actsFor);
-  if (service.isSignOfLife && core.access.mayActFor(call.caller, actsFor)) {
-    const client = core.clients.get(actsFor);
-    if (client !== undefined && client.home === undefined) core.clients.handleSign(client);
+  const bounded = withBoundTexts(core, request, client);
+  if (service.isSignOfLife && client !== undefined && client.home === undefined) {
+    if (core.access.mayActFor(call.caller, client.id)) core.clients.handleSign(client);
   }
   let reply = await service.handle(core, bounded, call);
   if (service.gather !== undefined && core.masters !== undefined && !call.isOfMaster) {
@@ -132,19 +133,18 @@ function requirePayload(
 
 /**
  * The request with its texts as long as they may be.
- * @param actsFor the id of the client that asks, as far as the request says it
+ * @param subject the client for which the request is sent, if it is known
  * @throws ServiceError when one is refused [EX-70]
  */
 function withBoundTexts(
-  { limits, limitWatch, clients }: Core,
+  { limits, limitWatch }: Core,
   request: ServiceRequest,
-  actsFor: string,
+  subject: Client | undefined,
 ): ServiceRequest {
   return boundTexts('ubii.services.ServiceRequest', request, {
     limits,
     refuse({ member, limit, length }) {
-      // The id in the request may be the text that is too long.
-      limitWatch.count(limit, clients.get(actsFor)?.id);
+      limitWatch.count(limit, subject?.id);
       const max = limits[limit];
       const { unit } = LIMITS[limit];
       return new ServiceError(

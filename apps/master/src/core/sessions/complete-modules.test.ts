@@ -28,7 +28,7 @@ function complete(init: Init<Session>, context: Partial<CompletionContext> = {})
   return completeModules(sessionOf(init), {
     uuid: () => ids.uuid(),
     isTaken: () => false,
-    nodeId: (text) => text,
+    nodeId: (text) => text || undefined,
     stored: () => undefined,
     offered: () => undefined,
     ...context,

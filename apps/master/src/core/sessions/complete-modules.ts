@@ -19,8 +19,8 @@ export interface DraftModule {
   spec: ProcessingModule;
   /** Its one mapping [SE-2]. */
   mapping: IOMapping;
-  /** The node that the session names; empty when the master chooses. */
-  wishedNodeId: string;
+  /** The node that the session names; undefined when the master chooses. */
+  requestedNodeId: string | undefined;
   /** Path in the request, such as `processingModules[0]`. */
   readonly path: string;
   /** Path of its mapping in the request; the path it would have if there is none. */
@@ -35,13 +35,15 @@ export interface CompletionContext {
   /** Another session has a module of this id. */
   isTaken(moduleId: string): boolean;
   /** Returns the node of this module in the session to be replaced, if it has one. */
-  placed?(moduleId: string): { readonly nodeId: string; readonly wishedNodeId: string } | undefined;
-  /** The id of the node that a text in a request means: `master` is this master [SE-30]. */
-  nodeId(text: string): string;
+  placed?(
+    moduleId: string,
+  ): { readonly nodeId: string; readonly requestedNodeId: string | undefined } | undefined;
+  /** Id of the node that a request names, `master` for this master [SE-30]; undefined for an empty text. */
+  nodeId(text: string): string | undefined;
   /** The module of this name as the library has it. */
   stored(name: string): ModuleOffer | undefined;
-  /** The module of this name as a node offers it; of any node, when no id is given. */
-  offered(name: string, nodeId: string): ProcessingModule | undefined;
+  /** The module of this name as a node offers it; of any node without an id. */
+  offered(name: string, nodeId: string | undefined): ProcessingModule | undefined;
 }
 
 /** Modules and mappings of a request, each complete and with its ids [SE-1] [SE-2]. */
@@ -74,20 +76,21 @@ function completeModule(
   index: number,
   context: CompletionContext,
 ): DraftModule {
-  const wishedNodeId = wishedNode(given, context);
+  const requestedNodeId = requestedNode(given, context);
   const stored = context.stored(given.name);
-  const offered = context.offered(given.name, wishedNodeId);
+  const offered = context.offered(given.name, requestedNodeId);
   // A node's own description takes precedence; without a node, the stored module, which users see in the list.
-  const base = wishedNodeId === '' ? (stored?.module ?? offered) : (offered ?? stored?.module);
+  const base =
+    requestedNodeId === undefined ? (stored?.module ?? offered) : (offered ?? stored?.module);
   const merged = mergeModules(given, base);
   const origin = originOf(merged, stored, offered);
   const spec = (merged.extension?.origin ?? 0) === origin ? merged : withOrigin(merged, origin);
   const isLibraryCode =
     stored !== undefined && stored.isTrusted && hasSameCode(spec, stored.module);
   return {
-    spec: { ...spec, nodeId: wishedNodeId },
+    spec: { ...spec, nodeId: requestedNodeId ?? '' },
     mapping: emptyMapping(),
-    wishedNodeId,
+    requestedNodeId,
     path: `processingModules[${index}]`,
     mappingPath: `ioMappings[${index}]`,
     isLibraryCode,
@@ -109,12 +112,12 @@ function originOf(
 }
 
 /** A client that sends back a session does not request the node that the master chose [SE-30]. */
-function wishedNode(given: ProcessingModule, context: CompletionContext): string {
+function requestedNode(given: ProcessingModule, context: CompletionContext): string | undefined {
   const nodeId = context.nodeId(given.nodeId);
   const placed = context.placed?.(given.id);
   const isSentBack = given.extension?.replaceable ?? placed !== undefined;
-  if (placed === undefined) return isSentBack ? '' : nodeId;
-  return isSentBack && nodeId === placed.nodeId ? placed.wishedNodeId : nodeId;
+  if (placed === undefined) return isSentBack ? undefined : nodeId;
+  return isSentBack && nodeId === placed.nodeId ? placed.requestedNodeId : nodeId;
 }
 
 /** Merges a module of a request with its base; members of the request take precedence. */

@@ -25,8 +25,8 @@ export function handleNodeBack(context: LifeContext, nodeId: string): void {
   for (const session of context.sessions()) {
     if (!session.isLive) continue;
     const waiting = session.modules.filter(
-      ({ phase, wishedNodeId }) =>
-        phase === 'away' && (wishedNodeId === nodeId || wishedNodeId === ''),
+      ({ phase, requestedNodeId }) =>
+        phase === 'away' && (requestedNodeId === nodeId || requestedNodeId === undefined),
     );
     if (waiting.length > 0) placeAgain(context, session, waiting);
   }

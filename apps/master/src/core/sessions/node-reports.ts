@@ -64,7 +64,7 @@ function handleFailed(
 
 /** Another node can run the module: its own would only end it again. */
 function canMove({ nodes, loadOf }: LifeContext, module: SessionModule): boolean {
-  if (module.wishedNodeId !== '') return false;
+  if (module.requestedNodeId !== undefined) return false;
   const node = chooseNode(module.spec, nodes.list(), loadOf);
   return node !== undefined && node.id !== module.nodeId;
 }

@@ -10,11 +10,11 @@ import { errorProblem } from './problems.ts';
 /** Places a module that is to run on a node, or makes it wait for one [SE-30] [SE-31]. */
 export function placeModule(context: LifeContext, module: SessionModule): void {
   const { nodes, clock, loadOf } = context;
-  const { spec, wishedNodeId } = module;
+  const { spec, requestedNodeId } = module;
   const node =
-    wishedNodeId === ''
+    requestedNodeId === undefined
       ? chooseNode(spec, nodes.list(), loadOf)
-      : availableNode(nodes.get(wishedNodeId));
+      : availableNode(nodes.get(requestedNodeId));
   if (node === undefined) {
     module.handleNodeGone(nodeGone(module, nodes.get(module.nodeId)));
     return;
@@ -24,9 +24,11 @@ export function placeModule(context: LifeContext, module: SessionModule): void {
 
 /** Names the node that would run a module of a stopped session [SE-30]. */
 export function assignNode({ nodes, loadOf }: LifeContext, module: SessionModule): void {
-  const { spec, wishedNodeId } = module;
+  const { spec, requestedNodeId } = module;
   const node =
-    wishedNodeId === '' ? chooseNode(spec, nodes.list(), loadOf) : nodes.get(wishedNodeId);
+    requestedNodeId === undefined
+      ? chooseNode(spec, nodes.list(), loadOf)
+      : nodes.get(requestedNodeId);
   if (node !== undefined) module.assign(specFor(node, spec));
 }
 
@@ -49,7 +51,7 @@ function availableNode(node: Node | undefined): Node | undefined {
 function nodeGone(module: SessionModule, node: Node | undefined): ReturnType<typeof errorProblem> {
   const nodeName = node === undefined ? 'its node' : `its node ${quote(node.label)}`;
   const message =
-    module.wishedNodeId === ''
+    module.requestedNodeId === undefined
       ? `The module ${quote(module.name)} does not run: no connected node can run it. It starts when such a node connects.`
       : `The module ${quote(module.name)} does not run: ${nodeName} is not connected. It starts when the node reconnects.`;
   return errorProblem({
@@ -57,6 +59,6 @@ function nodeGone(module: SessionModule, node: Node | undefined): ReturnType<typ
     message,
     moduleId: module.id,
     moduleName: module.name,
-    nodeId: module.wishedNodeId,
+    nodeId: module.requestedNodeId ?? '',
   });
 }

@@ -184,9 +184,9 @@ export class SessionLibrary {
     return toJson('ubii.sessions.Session', {
       ...message,
       status: isRunning ? SessionStatus.RUNNING : SessionStatus.CREATED,
-      processingModules: session.modules.map(({ spec, wishedNodeId }) => ({
+      processingModules: session.modules.map(({ spec, requestedNodeId }) => ({
         ...spec,
-        nodeId: wishedNodeId === this.#masterId ? MASTER_ALIAS : wishedNodeId,
+        nodeId: requestedNodeId === this.#masterId ? MASTER_ALIAS : (requestedNodeId ?? ''),
         sessionId: '',
         status: 0,
       })),

@@ -26,8 +26,8 @@ export type ModulePhase =
 export class SessionModule {
   readonly id: string;
   readonly mapping: IOMapping;
-  /** The node that the session names; empty when the master chooses. */
-  readonly wishedNodeId: string;
+  /** The node that the session names; undefined when the master chooses. */
+  readonly requestedNodeId: string | undefined;
   /** The source is the library's own [PM-51]. */
   readonly isTrusted: boolean;
   #spec: ProcessingModule;
@@ -36,11 +36,11 @@ export class SessionModule {
   #problem: SessionProblem | undefined = undefined;
   #statistics: ModuleStatistics | undefined = undefined;
 
-  constructor({ spec, mapping, wishedNodeId, isLibraryCode }: DraftModule) {
+  constructor({ spec, mapping, requestedNodeId, isLibraryCode }: DraftModule) {
     this.id = spec.id;
     this.#spec = spec;
     this.mapping = mapping;
-    this.wishedNodeId = wishedNodeId;
+    this.requestedNodeId = requestedNodeId;
     this.isTrusted = isLibraryCode;
   }
 
@@ -184,7 +184,7 @@ export class SessionModule {
         assets,
         optionalAssets,
         origin,
-        replaceable: this.wishedNodeId === '',
+        replaceable: this.requestedNodeId === undefined,
         grantIds: [],
       },
     };

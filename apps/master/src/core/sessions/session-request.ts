@@ -59,7 +59,7 @@ export function recheckWarnings({ checks }: RequestContext, session: Session): S
   const modules = session.modules.map((module, index) => ({
     spec: module.spec,
     mapping: module.mapping,
-    wishedNodeId: module.wishedNodeId,
+    requestedNodeId: module.requestedNodeId,
     path: `processingModules[${index}]`,
     mappingPath: `ioMappings[${index}]`,
     isLibraryCode: module.isTrusted,

@@ -3,12 +3,12 @@ import type { SessionModule } from './session-module.ts';
 
 /** All sessions, also by the ids of their modules. */
 export class SessionTable {
-  /** This master in a cluster; empty for one that is alone. */
-  readonly masterId: string;
+  /** This master in a cluster; undefined for one that is alone. */
+  readonly masterId: string | undefined;
   readonly #sessions = new Map<string, Session>();
   readonly #byModule = new Map<string, Session>();
 
-  constructor(masterId = '') {
+  constructor(masterId: string | undefined) {
     this.masterId = masterId;
   }
 

@@ -40,8 +40,8 @@ export interface SessionContent {
 
 /** The master that ran a session before this one. */
 export interface SessionMove {
-  /** Its name; empty when it is not known. */
-  readonly from: string;
+  /** Its name; undefined when it is not known. */
+  readonly from: string | undefined;
   /** When this master took the session over, epoch milliseconds. */
   readonly atMs: number;
 }
@@ -49,8 +49,8 @@ export interface SessionMove {
 /** Modules that are started and stopped together. */
 export class Session {
   readonly id: string;
-  /** This master in a cluster; empty for one that is alone. [CU-71] */
-  readonly masterId: string;
+  /** This master in a cluster; undefined for one that is alone. [CU-71] */
+  readonly masterId: string | undefined;
   /** Set when the session was taken over from a lost master. [CU-32] */
   readonly move: SessionMove | undefined;
   /** Problems while it runs, except those of modules, by their own keys [SE-12]. */
@@ -72,7 +72,7 @@ export class Session {
   constructor(
     init: SessionContent & {
       readonly id: string;
-      readonly masterId: string;
+      readonly masterId: string | undefined;
       readonly isStored: boolean;
       readonly revision?: number;
       readonly move?: SessionMove | undefined;
@@ -275,7 +275,7 @@ export class Session {
         revision: this.#revision,
         stored: this.#isStored,
         grantIds: [...this.#grantIds],
-        masterId: this.masterId,
+        masterId: this.masterId ?? '',
         movedFrom: this.move?.from ?? '',
         movedMs: this.move?.atMs ?? 0,
       },

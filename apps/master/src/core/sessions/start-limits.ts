@@ -145,9 +145,9 @@ function byNode({ nodes, loadOf }: LifeContext, session: Session): Map<Node, Ses
   const found = new Map<Node, SessionModule[]>();
   for (const module of session.modules) {
     const node =
-      module.wishedNodeId === ''
+      module.requestedNodeId === undefined
         ? chooseNode(module.spec, list, loadOf)
-        : list.find(({ id }) => id === module.wishedNodeId);
+        : list.find(({ id }) => id === module.requestedNodeId);
     if (node === undefined) continue;
     found.set(node, [...(found.get(node) ?? []), module]);
   }

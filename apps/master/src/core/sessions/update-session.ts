@@ -67,7 +67,7 @@ function staysOnNode(module: SessionModule, old: SessionModule): boolean {
   return (
     (old.isPlaced || old.phase === 'away') &&
     module.name === old.name &&
-    (module.wishedNodeId === old.wishedNodeId || module.wishedNodeId === old.nodeId)
+    (module.requestedNodeId === old.requestedNodeId || module.requestedNodeId === old.nodeId)
   );
 }
 

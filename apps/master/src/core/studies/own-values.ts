@@ -32,7 +32,7 @@ export class OwnValues {
     const only = this.#only?.participant === participantOf(run) ? this.#only : undefined;
     const isOwn = ({ sequence, originId, stamp }: TopicEntry): boolean => {
       if (only === undefined || sequence <= only.sequence) return false;
-      return originId === '' || stamp >= only.sinceMs; // A value of another master may have come late.
+      return originId === undefined || stamp >= only.sinceMs; // A value of another master may have come late.
     };
     return (entry) => isOwn(entry) || isSetting.some((test) => test(entry.topic));
   }

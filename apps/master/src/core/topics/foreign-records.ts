@@ -54,7 +54,7 @@ export function publishForeign(
   const entry = topics.getOrCreate(topic);
   const { ownDirect, ownSampled } = topics.targetsOf(entry);
   if (ownDirect + ownSampled === 0) return topics.forgetIfUnused(entry);
-  const value = { stamp: entry.stamp, masterId: entry.originId || context.id };
+  const value = { stamp: entry.stamp, masterId: entry.originId ?? context.id };
   const isKept = entry.record === undefined || isNewer(origin, value);
   if (isKept || !origin.isValue) deliver(context, entry, publication, origin, isKept);
 }

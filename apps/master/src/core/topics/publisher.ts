@@ -206,7 +206,7 @@ function storeAndDeliver(context: PublishContext, publication: Publication): voi
   context.topics.store(entry, record, valueField, publication.nowMs);
   const { client } = publication;
   entry.publisherId = client?.id ?? '';
-  entry.originId = '';
+  entry.originId = undefined;
   entry.stamp = nextStamp(entry.stamp, publication.nowMs);
   context.tap.taker?.take(entry, record); // [RC-50]
   if (client !== undefined) {

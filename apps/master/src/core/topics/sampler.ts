@@ -94,7 +94,7 @@ export class Sampler implements TopicSampler {
 
   #deliver(sample: Sample, nowMs: number): void {
     const { entry } = sample;
-    if (entry.record === undefined || (this.#isPeers && entry.originId !== '')) return;
+    if (entry.record === undefined || (this.#isPeers && entry.originId !== undefined)) return;
     sample.dueMs = this.#tickAfter(nowMs, sample.intervalMs);
     this.#outbox.deliver(entry, entry.record, isEventField(entry.valueField));
   }

@@ -258,7 +258,7 @@ export class SubscriptionTable {
   }
 
   #reaches(subscriber: Subscriber, entry: TopicEntry): boolean {
-    if (subscriber.isPeer && entry.originId !== '') return false; // [CU-11]
+    if (subscriber.isPeer && entry.originId !== undefined) return false; // [CU-11]
     if (entry.isExtension && !subscriber.isExtension) return false; // [TD-26]
     return subscriber.readRights?.mayRead(entry.topic) !== false; // [AC-25]
   }

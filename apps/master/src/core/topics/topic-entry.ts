@@ -50,8 +50,8 @@ export class TopicEntry {
   /** When the retained record came, epoch milliseconds. */
   publishedMs = 0;
   publisherId = '';
-  /** Id of the master that the value came from; empty: it was published here. [CU-10] */
-  originId = '';
+  /** Id of the master that the value came from; undefined: it was published here. [CU-10] */
+  originId: string | undefined = undefined;
   /** Order of the values of this topic among all masters: the greatest counts. [CU-12] */
   stamp = 0;
   /** The value outlives its publisher, and ends when its time is over [TD-43]. */
@@ -91,7 +91,7 @@ export class TopicEntry {
 
   /** The value has no owner here; the next client that publishes becomes its owner. */
   get isAdoptable(): boolean {
-    return this.isKept || (this.originId !== '' && this.owner === undefined);
+    return this.isKept || (this.originId !== undefined && this.owner === undefined);
   }
 }
 

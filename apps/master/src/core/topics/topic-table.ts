@@ -135,13 +135,13 @@ export class TopicTable {
    */
   deleteValue(entry: TopicEntry): void {
     if (entry.record === undefined) return;
-    if (entry.originId !== '' && entry.owner !== undefined) this.disown(entry);
+    if (entry.originId !== undefined && entry.owner !== undefined) this.disown(entry);
     else this.#deleteValue(entry);
   }
 
   /** Deletes a value that came from another master, whichever client owns it here. */
   dropForeign(entry: TopicEntry): void {
-    if (entry.record === undefined || entry.originId === '') return;
+    if (entry.record === undefined || entry.originId === undefined) return;
     if (entry.owner !== undefined) this.disown(entry);
     this.#deleteValue(entry);
   }
@@ -167,11 +167,11 @@ export class TopicTable {
     entry.changedEpoch = this.#epoch;
     // Modules that use it are told, here and on nodes, and masters whose subscribers have it. [TD-42] [CU-14]
     const { direct, sampled, ownDirect, ownSampled } = this.targetsOf(entry);
-    const isOwn = entry.originId === '';
+    const isOwn = entry.originId === undefined;
     const count = isOwn ? direct.length : ownDirect;
     for (let i = 0; i < count; i++) direct[i]!.handleGone(entry);
     for (const sample of isOwn ? sampled.slice(ownSampled) : []) sample.sampler.handleGone(sample);
-    entry.originId = '';
+    entry.originId = undefined;
     this.onEnd.emit(entry);
     this.forgetIfUnused(entry);
   }

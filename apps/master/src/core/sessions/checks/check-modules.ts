@@ -35,7 +35,7 @@ const CALLBACKS = [
 ] as const;
 
 function* checkCode(draft: DraftModule, context: CheckContext): Iterable<SessionProblem> {
-  const { spec, path, wishedNodeId } = draft;
+  const { spec, path, requestedNodeId } = draft;
   if (!hasCode(draft)) {
     const hasOther = CALLBACKS.some((callback) => spec[callback] !== '');
     if (hasOther) {
@@ -45,7 +45,7 @@ function* checkCode(draft: DraftModule, context: CheckContext): Iterable<Session
         message: `The module ${quote(spec.name)} has callbacks, but no onProcessing, which every module needs.`,
         path: `${path}.onProcessingStringified`,
       });
-    } else if (wishedNodeId === '' && spec.name !== '' && !context.isOffered(spec.name)) {
+    } else if (requestedNodeId === undefined && spec.name !== '' && !context.isOffered(spec.name)) {
       yield errorProblem({
         ...about(draft),
         code: 'module_unknown',

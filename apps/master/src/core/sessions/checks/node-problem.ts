@@ -10,15 +10,15 @@ import { hasCode } from './check-modules.ts';
 
 /** Returns the problem with the node of a module, chosen in the session or by the master [SE-4] [SE-30]. */
 export function nodeProblem(nodes: NodeTable, draft: DraftModule): SessionProblem | undefined {
-  const { spec, wishedNodeId } = draft;
-  if (wishedNodeId === '') return chosenProblem(nodes, draft);
-  const node = nodes.get(wishedNodeId);
-  const found = { ...about(draft), nodeId: wishedNodeId };
+  const { spec, requestedNodeId } = draft;
+  if (requestedNodeId === undefined) return chosenProblem(nodes, draft);
+  const node = nodes.get(requestedNodeId);
+  const found = { ...about(draft), nodeId: requestedNodeId };
   if (node === undefined) {
     return errorProblem({
       ...found,
       code: 'unknown_node',
-      message: `The module ${quote(spec.name)} is assigned to ${quote(wishedNodeId)}, but no registered client has this id. /services/ubii/node_list lists the nodes.`,
+      message: `The module ${quote(spec.name)} is assigned to ${quote(requestedNodeId)}, but no registered client has this id. /services/ubii/node_list lists the nodes.`,
     });
   }
   const reason = isMaster(node) ? masterCannot(node, draft) : cannotRun(node, spec);
