@@ -1,16 +1,82 @@
+import { createWriteStream, createReadStream } from 'node:fs';
+import { mkdir, rm, stat } from 'node:fs/promises';
+import type { IncomingMessage } from 'node:http';
+import { Transform, type TransformCallback } from 'node:stream';
+import { pipeline } from 'node:stream/promises';
 import { randomUUID } from 'node:crypto';
-import { createReadStream } from 'node:fs';
-import { stat } from 'node:fs/promises';
+import { ServiceError, RecordingState, toJson } from '@ubii/proto';
+import {
+  OWNER_FILE_MODE,
+  OWNER_FOLDER_MODE,
+  uploadPath,
+  recordingPath,
+} from '@ubii/recording/node';
 import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
-import { RecordingState, ServiceError, toJson } from '@ubii/proto';
-
 import type { Limits } from '../../core/limits/index.ts';
 import { quote } from '../../core/texts/quote.ts';
 import type { Master } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
-import { recordingPath } from '@ubii/recording/node';
-import { receiveUpload } from '../recording/receive-upload.ts';
-import { parseByteRange } from './byte-range.ts';
+
+/** Part of a file. */
+interface ByteRange {
+  /** First and last byte, from 0. */
+  readonly start: number;
+  readonly end: number;
+}
+
+/**
+ * Reads a `Range` header with one range of bytes (RFC 9110, section 14.2).
+ *
+ * @returns undefined when the whole file is to be sent: without a header, and for all that is no single range of bytes;
+ *   `unsatisfiable` when it begins behind the end
+ */
+function parseByteRange(
+  header: string | undefined,
+  size: number,
+): ByteRange | 'unsatisfiable' | undefined {
+  const [, first, last] = /^bytes=(\d{0,15})-(\d{0,15})$/.exec(header?.trim() ?? '') ?? [];
+  if (first === undefined || last === undefined || first + last === '') return undefined;
+  const start = first === '' ? Math.max(0, size - Number(last)) : Number(first);
+  const end = first === '' || last === '' ? size - 1 : Math.min(Number(last), size - 1);
+  if (last !== '' && first !== '' && Number(last) < start) return undefined;
+  return start < size && start <= end ? { start, end } : 'unsatisfiable';
+}
+
+/**
+ * Writes the body of a request as the upload `id`. [RC-41]
+ *
+ * @param take called for each part; rejects when there is no space for it
+ * @throws ServiceError when it is too large, ends early or cannot be written; nothing is kept then [RC-42]
+ */
+async function receiveUpload(
+  body: IncomingMessage,
+  { folder, id }: { readonly folder: string; readonly id: string },
+  take: (bytes: number) => Promise<void>,
+): Promise<void> {
+  const path = uploadPath(folder, id);
+  try {
+    await mkdir(folder, { recursive: true, mode: OWNER_FOLDER_MODE });
+    const file = createWriteStream(path, { flags: 'wx', mode: OWNER_FILE_MODE });
+    await pipeline(body, taken(take), file);
+  } catch (cause) {
+    await rm(path, { force: true });
+    if (cause instanceof ServiceError) throw cause;
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new ServiceError(
+      'failed_precondition',
+      `The upload could not be kept: ${reason}. Send it again.`,
+    );
+  }
+}
+
+/** Passes on parts that may be taken. */
+function taken(take: (bytes: number) => Promise<void>): Transform {
+  return new Transform({
+    transform(chunk: Buffer, _encoding: BufferEncoding, done: TransformCallback): void {
+      take(chunk.length).then(() => done(null, chunk), done);
+    },
+  });
+}
 
 export interface RecordingRoutesOptions {
   readonly master: Pick<Master, 'requireRecording' | 'uploadRecording' | 'uploadNodeRecording'>;

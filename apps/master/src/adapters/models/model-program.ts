@@ -6,9 +6,27 @@ import { MASTER_PROGRAM, OPTIONS } from '../config/config.ts';
 import { prepareDataDir } from '../config/prepare-data-dir.ts';
 import { modelAddress, modelBytes, type KnownModel } from './catalogue.ts';
 import { assetSetNames, describeAssetSet } from './describe-asset-set.ts';
-import { DownloadError } from './download-error.ts';
-import { downloadModel } from './download-model.ts';
-import { megabytes, progressLine } from './model-words.ts';
+import { DownloadError, downloadModel } from './download-model.ts';
+
+const MEGABYTE = 1e6;
+
+/** `18.6 MB`. */
+export function megabytes(bytes: number): string {
+  return `${(bytes / MEGABYTE).toFixed(1)} MB`;
+}
+
+/**
+ * Progress of a download in one line.
+ *
+ * @param elapsedMs since its start
+ */
+function progressLine(loadedBytes: number, totalBytes: number, elapsedMs: number): string {
+  const percent = Math.floor((loadedBytes / totalBytes) * 100);
+  const ofBytes = `${(loadedBytes / MEGABYTE).toFixed(1)} of ${megabytes(totalBytes)}`;
+  const leftMs = (elapsedMs / loadedBytes) * (totalBytes - loadedBytes);
+  const left = Number.isFinite(leftMs) ? `  ${Math.ceil(leftMs / 1000)} s left` : '';
+  return `${String(percent).padStart(3)} %  ${ofBytes}${left}`;
+}
 
 /** Interval of progress lines in a terminal, milliseconds; step of progress lines in other outputs, percent. */
 const TERMINAL_MS = 200;

@@ -4,7 +4,7 @@ import type { AssetSets } from '../../core/ports/asset-sets.ts';
 import type { Log } from '../../core/ports/log.ts';
 import { modelAddress, modelBytes, type KnownModel } from './catalogue.ts';
 import { assetSetNames, describeAssetSet } from './describe-asset-set.ts';
-import { DownloadError } from './download-error.ts';
+import { DownloadError } from './download-model.ts';
 import { downloadModel, removeLeftovers } from './download-model.ts';
 
 /** Dependencies of a store of asset sets. */

@@ -1,10 +1,82 @@
-import { connect, type NatsConnection } from '@nats-io/transport-node';
+import {
+  type Authenticator,
+  type NodeConnectionOptions,
+  connect,
+  type NatsConnection,
+} from '@nats-io/transport-node';
 import type { Cancel, Clock } from '@ubii/timing';
-
+import type { ClusterAddress } from '../config/cluster-address.ts';
 import type { Log } from '../../core/ports/index.ts';
-import { connectOptions, type NatsSettings } from './connect-options.ts';
 import { explainStart } from './explain-nats-error.ts';
-import { ReconnectPace } from './reconnect-pace.ts';
+
+/** Where a master finds its cluster, and what it calls itself there. */
+interface NatsSettings {
+  readonly address: ClusterAddress;
+  readonly authenticator: Authenticator | undefined;
+  /** Certificates that those of the servers are checked with, PEM. Default: those of the system */
+  readonly authorities: string | undefined;
+  /** Name that the servers show for this connection. */
+  readonly clientName: string;
+}
+
+/** A server that does not finish its greeting in this time counts as away, milliseconds. */
+const CONNECT_MS = 3_000;
+/**
+ * A dead line is noticed within `PING_MS * (MAX_PINGS_OUT + 1)`: before other masters take over what a cut-off master
+ * owns.
+ */
+const PING_MS = 1_000;
+const MAX_PINGS_OUT = 2;
+
+/** Options of the library: it never gives up, and never shows a message to its own sender. */
+function connectOptions(
+  { address, authenticator, authorities, clientName }: NatsSettings,
+  reconnectDelayMs: () => number,
+): NodeConnectionOptions {
+  const isEncrypted = address.isEncrypted || authorities !== undefined;
+  return {
+    servers: address.servers.map((server) => server.replace(/^\w+:\/\//, '')),
+    name: clientName,
+    noEcho: true,
+    maxReconnectAttempts: -1,
+    ignoreAuthErrorAbort: true,
+    reconnectDelayHandler: reconnectDelayMs,
+    timeout: CONNECT_MS,
+    pingInterval: PING_MS,
+    maxPingOut: MAX_PINGS_OUT,
+    noAsyncTraces: true,
+    ...(authenticator && { authenticator }),
+    ...(isEncrypted && { tls: authorities === undefined ? {} : { ca: authorities } }),
+  };
+}
+
+/** Delays before a connection is tried again, milliseconds: each twice the one before. */
+const FIRST_MS = 50;
+const LONGEST_MS = 2_000;
+
+/** How long to wait before a lost connection is tried again: longer each time, and never all masters at once. */
+export class ReconnectPace {
+  readonly #random: () => number;
+  #attempts = 0;
+
+  /** @param random from 0 to 1. Default: `Math.random` */
+  constructor(random: () => number = Math.random) {
+    this.#random = random;
+  }
+
+  handleAttempt(): void {
+    this.#attempts += 1;
+  }
+
+  handleSuccess(): void {
+    this.#attempts = 0;
+  }
+
+  delayMs(): number {
+    const longest = Math.min(LONGEST_MS, FIRST_MS * 2 ** Math.min(this.#attempts, 16));
+    return Math.round(longest * (0.5 + this.#random() / 2));
+  }
+}
 
 /** Time between two attempts at the start, milliseconds. */
 const RETRY_MS = 250;
@@ -12,7 +84,7 @@ const RETRY_MS = 250;
 const START_MS = 10_000;
 
 /** What a link needs besides its settings. */
-export interface LinkParts {
+interface LinkParts {
   readonly settings: NatsSettings;
   readonly clock: Clock;
   readonly log: Log;

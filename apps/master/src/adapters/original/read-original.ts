@@ -1,22 +1,59 @@
+import type { JsonObject } from '@ubii/proto';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { ConfigError } from '@ubii/program';
-import type { JsonObject } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
-
+import { isJsonObject } from './json-object.ts';
+import {
+  type OriginalFile,
+  findOriginalFolders,
+  readFiles,
+  type OriginalFolders,
+} from './original-files.ts';
 import type { Log } from '../../core/ports/index.ts';
 import { classModule, MAX_SCRIPT_BYTES } from './class-module.ts';
 import { withThreeParameters } from './four-parameters.ts';
-import { isJsonObject } from './json-object.ts';
-import {
-  findOriginalFolders,
-  readFiles,
-  type OriginalFile,
-  type OriginalFolders,
-} from './original-files.ts';
-import { ShadowedModules } from './shadowed-modules.ts';
+
+/** Modules of an original installation that have the name of a trusted module of this master. */
+class ShadowedModules {
+  readonly #byName = new Map<string, JsonObject>();
+
+  /** @param library trusted modules of this master, which come first [PM-64] */
+  constructor(modules: readonly OriginalFile[], library: { has(name: string): boolean }) {
+    for (const { document } of modules) {
+      const { json } = document;
+      const name = isJsonObject(json) ? json['name'] : undefined;
+      if (typeof name === 'string' && library.has(name)) this.#byName.set(name, json as JsonObject);
+    }
+  }
+
+  get names(): readonly string[] {
+    return [...this.#byName.keys()];
+  }
+
+  /** The session, with the code of these modules where it names one: code in a session comes first. [SE-28] */
+  addTo(session: OriginalFile): OriginalFile {
+    const { json } = session.document;
+    if (!isJsonObject(json) || !Array.isArray(json['processingModules'])) return session;
+    const processingModules = (json['processingModules'] as unknown[]).map((module) =>
+      isJsonObject(module) ? this.#complete(module) : module,
+    );
+    return { ...session, document: { json: { ...json, processingModules } } };
+  }
+
+  #complete(module: JsonObject): JsonObject {
+    const own = this.#byName.get(String(module['name']));
+    if (own === undefined || isGiven(module['onProcessingStringified'])) return module;
+    const given = Object.entries(module).filter(([, value]) => isGiven(value));
+    return { ...own, ...Object.fromEntries(given) } as JsonObject;
+  }
+}
+
+function isGiven(value: unknown): boolean {
+  return Array.isArray(value) ? value.length > 0 : Boolean(value);
+}
 
 /** What an original installation has stored. */
-export interface OriginalData {
+interface OriginalData {
   readonly sessions: readonly OriginalFile[];
   readonly modules: readonly OriginalFile[];
 }

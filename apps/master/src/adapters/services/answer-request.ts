@@ -8,7 +8,7 @@ import type { Master, ServiceAnswer } from '../../core/master/master.ts';
 import type { CallerFacts } from '../../core/ports/index.ts';
 import type { IncomingRequest } from '../../core/services/incoming-request.ts';
 import type { BodyDecoder } from './bodies/body-decoder.ts';
-import { BinaryBodyScan, JsonBodyScan } from './bodies/body-scan.ts';
+import { BinaryBodyScan, JsonBodyScan } from './bodies/receive-body.ts';
 import { receiveBody } from './bodies/receive-body.ts';
 import type { ServiceFormat } from './service-format.ts';
 

@@ -5,7 +5,7 @@ import { describe, expect, it, vi } from 'vitest';
 
 import { documentStoreSuite } from '../../testing/acceptance/index.ts';
 import { FileDocuments } from './file-documents.ts';
-import { fileNameOf, keyOfFileName } from './file-names.ts';
+import { fileNameOf, keyOfFileName } from './file-documents.ts';
 
 function newFolder(): string {
   return join(temporaryFolder(), 'sessions');

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import type { LoopbackFacts } from '../access/caller-reader.ts';
 import { describeReachability } from '../network/reachability.ts';
 import { bestPhoneUrl, formatBanner, joinUrl } from './banner.ts';
-import { formatEndpoints } from './endpoints-line.ts';
-import { formatQrCode } from './qr-code.ts';
+import { formatEndpoints } from './banner.ts';
+import { formatQrCode } from './banner.ts';
 
 const ports = { main: 8080, services: 8102, topicData: 8104 };
 const facts = {

@@ -1,8 +1,33 @@
 import { MasterAddressKind } from '@ubii/proto';
-
+import type { TerminalAccess } from '../../core/master/master.ts';
 import type { ListeningPorts } from '../network/listeners.ts';
 import type { Reachability } from '../network/reachability.ts';
 import type { LoopbackFacts } from '../access/caller-reader.ts';
+
+/** A QR code for a terminal, in its own colours: dark on light whatever the theme. */
+export async function formatQrCode(text: string): Promise<string> {
+  // Needed once, and by few: not worth the time at every start.
+  const { default: qrcode } = await import('qrcode');
+  return qrcode.toString(text, { type: 'terminal', small: true, errorCorrectionLevel: 'M' });
+}
+
+/**
+ * Output of `--print-endpoints json`: one line of JSON for programs that start a master.
+ *
+ * @param terminal secrets for becoming admin and for joining
+ */
+export function formatEndpoints(localUrl: string, pid: number, terminal?: TerminalAccess): string {
+  const { admin, join } = terminal ?? {};
+  return JSON.stringify({
+    url: localUrl,
+    servicesJson: `${localUrl}/services/json`,
+    servicesBinary: `${localUrl}/services/binary`,
+    topicDataWs: `${localUrl.replace(/^http/, 'ws')}/topicdata`,
+    pid,
+    ...(admin && { adminToken: admin.token, adminCode: admin.code }),
+    ...(join && { joinToken: join.token, joinCode: join.code }),
+  });
+}
 
 interface Secrets {
   readonly token: string;
@@ -14,7 +39,7 @@ interface BannerSecrets {
   readonly join: Secrets | undefined;
 }
 
-export interface BannerFacts {
+interface BannerFacts {
   readonly name: string;
   readonly version: string;
   readonly dataDir: string;

@@ -1,14 +1,35 @@
+import { readFileSync } from 'node:fs';
 import { X509Certificate } from 'node:crypto';
 import { join } from 'node:path';
 import { createSecureContext } from 'node:tls';
-
-import type { Log } from '../../core/ports/index.ts';
-import { ConfigError } from '@ubii/program';
-import { isIpAddress } from '../addresses/address-kinds.ts';
-import { readCertificate, writeCertificate } from './certificate-files.ts';
-import type { CertificateFiles } from './certificate-files.ts';
+import { ConfigError, SECRET_MODE, writeAtomicallySync } from '@ubii/program';
 import type { Issued } from './issue-certificates.ts';
+import type { Log } from '../../core/ports/index.ts';
+import { isIpAddress } from '../addresses/address-kinds.ts';
 import { createSharedAuthority, readSharedAuthority } from './shared-authority.ts';
+
+/** Files of a certificate and its key. */
+interface CertificateFiles {
+  readonly certificate: string;
+  readonly key: string;
+}
+
+/** @returns undefined when one of the two is not there */
+function readCertificate({ certificate, key }: CertificateFiles): Issued | undefined {
+  try {
+    return { certificate: readFileSync(certificate, 'utf8'), key: readFileSync(key, 'utf8') };
+  } catch (error) {
+    const { code, message } = error as NodeJS.ErrnoException;
+    if (code === 'ENOENT') return undefined;
+    throw new ConfigError(`A certificate cannot be read: ${message}.`);
+  }
+}
+
+/** Writes both; the key is its owner's alone. */
+function writeCertificate(files: CertificateFiles, issued: Issued): void {
+  writeAtomicallySync(files.key, issued.key, SECRET_MODE);
+  writeAtomicallySync(files.certificate, issued.certificate, 0o644);
+}
 
 export interface CertificatesOptions {
   readonly dataDir: string;

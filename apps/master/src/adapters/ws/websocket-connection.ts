@@ -1,20 +1,92 @@
-import type { ErrorMessage } from '@ubii/proto';
-import { formatPong, type TimedPong } from '@ubii/proto/wire';
 import type { Duplex } from 'node:stream';
+import {
+  PING_TEXT,
+  PONG_TEXT,
+  encodeErrorFrame,
+  formatPong,
+  type TimedPong,
+} from '@ubii/proto/wire';
+import type { ErrorMessage } from '@ubii/proto';
 import type { WebSocket } from 'ws';
-
+import type { FrameParts } from '../output/joined-parts.ts';
+import {
+  recordListEncoder,
+  singleRecordEncoder,
+  type MessageHead,
+} from '../output/topic-data-encoders.ts';
 import type { ClientConnection, CloseReason, RecordBatch } from '../../core/ports/index.ts';
 import { closeFrame } from './close-codes.ts';
-import {
-  PING_FRAME,
-  PONG_FRAME,
-  binaryFrame,
-  errorFrame,
-  listFrames,
-  singleFrames,
-  textFrame,
-} from './frames.ts';
-import type { FrameParts } from '../output/joined-parts.ts';
+
+/*
+ * WebSocket frames as a server sends them (RFC 6455, section 5.2): never masked, never fragmented.
+ * They are made once and written to the sockets of all who get them.
+ */
+
+/** FIN and the opcode. */
+const TEXT = 0x81;
+const BINARY = 0x82;
+
+export const PING_FRAME = textFrame(PING_TEXT);
+export const PONG_FRAME = textFrame(PONG_TEXT);
+
+const HEAD: MessageHead = {
+  size: frameHeaderSize,
+  write: (target, start, contentBytes) => writeFrameHeader(target, start, BINARY, contentBytes),
+};
+
+export const singleFrames = singleRecordEncoder(HEAD);
+export const listFrames = recordListEncoder(HEAD);
+
+/** A frame with an error. [TD-17] */
+export function errorFrame(error: ErrorMessage): FrameParts {
+  return [frame(BINARY, encodeErrorFrame(error))];
+}
+
+/** A frame with an encoded `TopicData`. */
+function binaryFrame(payload: Uint8Array): FrameParts {
+  return [frame(BINARY, payload)];
+}
+
+/** A text frame. @param text ASCII */
+function textFrame(text: string): FrameParts {
+  return [frame(TEXT, Buffer.from(text, 'latin1'))];
+}
+
+function frame(firstByte: number, payload: Uint8Array): Buffer {
+  const { length } = payload;
+  const bytes = Buffer.allocUnsafe(frameHeaderSize(length) + length);
+  bytes.set(payload, writeFrameHeader(bytes, 0, firstByte, length));
+  return bytes;
+}
+
+function frameHeaderSize(payloadLength: number): number {
+  if (payloadLength < 126) return 2;
+  return payloadLength < 0x1_0000 ? 4 : 10;
+}
+
+/** Returns the position after the header, where the payload belongs. */
+function writeFrameHeader(
+  target: Buffer,
+  start: number,
+  firstByte: number,
+  payloadLength: number,
+): number {
+  target[start] = firstByte;
+  if (payloadLength < 126) {
+    target[start + 1] = payloadLength;
+    return start + 2;
+  }
+  if (payloadLength < 0x1_0000) {
+    target[start + 1] = 126;
+    target[start + 2] = payloadLength >>> 8;
+    target[start + 3] = payloadLength & 0xff;
+    return start + 4;
+  }
+  target[start + 1] = 127;
+  // The limit on a message is far below 2^32 bytes: the upper half of the length stays 0.
+  target.writeUInt32BE(0, start + 2);
+  return target.writeUInt32BE(payloadLength, start + 6);
+}
 
 /** WebSocket.OPEN */
 const OPEN = 1;

@@ -1,17 +1,51 @@
 import type { Socket } from 'node:net';
-import type { ErrorMessage } from '@ubii/proto';
-import { PING_TEXT, PONG_TEXT, formatPong, type TimedPong } from '@ubii/proto/wire';
-
-import type { ClientConnection, CloseReason, RecordBatch } from '../../core/ports/index.ts';
-import type { FrameParts } from '../output/joined-parts.ts';
-import type { ZmtpPeer } from './greet-peer.ts';
 import {
-  errorMessage,
-  listMessages,
-  singleMessages,
-  textMessage,
-  topicDataMessage,
-} from './messages.ts';
+  encodeErrorFrame,
+  PING_TEXT,
+  PONG_TEXT,
+  formatPong,
+  type TimedPong,
+} from '@ubii/proto/wire';
+import type { ErrorMessage } from '@ubii/proto';
+import type { FrameParts } from '../output/joined-parts.ts';
+import {
+  recordListEncoder,
+  singleRecordEncoder,
+  type MessageHead,
+} from '../output/topic-data-encoders.ts';
+import { DELIMITER, encodeFrame, frameHeaderSize, writeFrameHeader } from './zmtp-frames.ts';
+import type { ClientConnection, CloseReason, RecordBatch } from '../../core/ports/index.ts';
+import type { ZmtpPeer } from './greet-peer.ts';
+
+/*
+ * Messages from a ROUTER to a DEALER, as existing clients expect them: an empty frame, then the content. [TD-50]
+ */
+
+const HEAD: MessageHead = {
+  size: (contentBytes) => DELIMITER.length + frameHeaderSize(contentBytes),
+  write(target, start, contentBytes) {
+    target.set(DELIMITER, start);
+    return writeFrameHeader(target, start + DELIMITER.length, contentBytes);
+  },
+};
+
+const singleMessages = singleRecordEncoder(HEAD);
+const listMessages = recordListEncoder(HEAD);
+
+/** A message with an encoded `TopicData`. */
+function topicDataMessage(content: Uint8Array): FrameParts {
+  return [DELIMITER, encodeFrame(content)];
+}
+
+/** A message with an error. [TD-17] */
+function errorMessage(error: ErrorMessage): FrameParts {
+  return topicDataMessage(encodeErrorFrame(error));
+}
+
+/** A message with a heartbeat. @param text ASCII */
+function textMessage(text: string): FrameParts {
+  return topicDataMessage(Buffer.from(text, 'latin1'));
+}
 
 const PING = textMessage(PING_TEXT);
 const PONG = textMessage(PONG_TEXT);
@@ -20,7 +54,7 @@ const PONG = textMessage(PONG_TEXT);
 const ENDS_AT_ONCE: ReadonlySet<CloseReason> = new Set(['master is closing', 'deregistered']);
 
 /** Ends a socket once what was written has left; `isHeld`: not before the client has been kept waiting. */
-export type EndSocket = (isHeld: boolean) => void;
+type EndSocket = (isHeld: boolean) => void;
 
 /** One client's DEALER. */
 export class ZeroMqConnection implements ClientConnection {

@@ -1,8 +1,34 @@
-import type { AuditEntry, AuditLogRequest, AuditLog as AuditLogMessage, Init } from '@ubii/proto';
+import {
+  fromJson,
+  toJson,
+  type AuditEntry,
+  type JsonObject,
+  type AuditLogRequest,
+  type AuditLog as AuditLogMessage,
+  type Init,
+} from '@ubii/proto';
 import { TokenBucket, type Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
-import { auditEntryFromLine, lineOfAuditEntry } from './audit-line.ts';
+
+/** Characters of a line at most: whatever is longer is none of ours. */
+const MAX_CHARACTERS = 8_192;
+
+/** An entry as one line of JSON, as the audit log is kept [EX-92]. */
+function lineOfAuditEntry(entry: AuditEntry): string {
+  return JSON.stringify(toJson('ubii.extension.AuditEntry', entry));
+}
+
+/** An entry as it was kept; undefined when the line is none, as one that was cut off. */
+function auditEntryFromLine(line: string): AuditEntry | undefined {
+  if (line.length > MAX_CHARACTERS) return undefined;
+  try {
+    const entry = fromJson('ubii.extension.AuditEntry', JSON.parse(line) as JsonObject);
+    return Number.isFinite(entry.number) && Number.isFinite(entry.timeMs) ? entry : undefined;
+  } catch {
+    return undefined;
+  }
+}
 
 /** Seconds of entries of one caller that may come at once. */
 const BURST_SECONDS = 60;
@@ -14,10 +40,10 @@ const DEFAULT_COUNT = 100;
 const MAX_COUNT = 500;
 
 /** An entry without the members that the log adds. */
-export type AuditNote = Omit<AuditEntry, 'number' | 'timeMs' | 'leftOut'>;
+type AuditNote = Omit<AuditEntry, 'number' | 'timeMs' | 'leftOut'>;
 
 /** Dependencies of an audit log. */
-export interface AuditContext {
+interface AuditContext {
   readonly clock: Clock;
   readonly limits: Limits;
   readonly audit: AuditStore;

@@ -4,7 +4,7 @@ import { FakeClock, settle } from '@ubii/timing/testing';
 import { expect, it } from 'vitest';
 import type { PlayedBatch, PlayerState } from '../ports/replay-files.ts';
 import { RecordingPlayer } from './recording-player.ts';
-import { splitIntoFrames } from './split-into-frames.ts';
+import { splitIntoFrames } from './recording-player.ts';
 
 const MANY = 20_000;
 

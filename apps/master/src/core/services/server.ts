@@ -1,9 +1,63 @@
-import { LEGACY_CONSTANTS } from '@ubii/proto';
+import { ServiceError, masterHost, masterProofText, LEGACY_CONSTANTS } from '@ubii/proto';
 import { ADMINS } from '../access/roles.ts';
+import { definer, success } from './define-service.ts';
 import { nameOf } from '../areas/settings.ts';
-import { definer } from './define-service.ts';
-import { lanOpen } from './lan.ts';
-import { masterProof } from './master-proof.ts';
+
+/** Opens the master to the local network, on the machine of the master alone. [AC-47] */
+const lanOpen = definer<'lan' | 'log' | 'settings'>()('lanOpen', {
+  roles: ADMINS,
+  auditObject: () => '',
+  async handle({ lan, log, settings }, _payload, { isHere }) {
+    if (lan.isOpen) return success('The local network can reach this master.');
+    if (!isHere) {
+      throw new ServiceError(
+        'failed_precondition',
+        'The local network can be turned on only from the machine that runs the master. Open this page there.',
+      );
+    }
+    try {
+      await lan.open();
+    } catch (cause) {
+      const reason = cause instanceof Error ? cause.message : String(cause);
+      throw new ServiceError(
+        'unavailable',
+        `The local network could not be turned on, and nothing has changed: ${reason}`,
+      );
+    }
+    log.info('the local network can reach the master until it ends', {
+      addresses: settings
+        .endpoints()
+        .addresses.map(({ url }) => url)
+        .join(' '),
+    });
+    return success('The local network can reach this master until it ends.');
+  },
+});
+
+/** Random and unique: long enough for that, and short enough to be signed for any caller. */
+const NONCE = /^[!-~]{16,64}$/;
+
+/**
+ * Proves to a client that this master is of its cluster, before the client shows its token. [CU-85]
+ *
+ * A caller that used another address gets a proof of no address, as long as any other: it is worth nothing to a server that
+ * passes the question on, and tells a stranger of no network. [AC-5]
+ */
+const masterProof = definer<'settings' | 'tokens'>()('masterProof', {
+  roles: 'anyone',
+  handle({ settings, tokens }, { targetId, host, nonce }) {
+    if (!NONCE.test(nonce)) {
+      throw new ServiceError(
+        'invalid_argument',
+        'Expected a nonce of 16 to 64 characters of ASCII without spaces.',
+      );
+    }
+    const own = settings.endpoints().addresses.map(({ url }) => masterHost(url ?? ''));
+    const proven = own.includes(host) ? host : '';
+    const text = masterProofText({ host: proven, clientId: targetId, nonce });
+    return { proof: tokens.prove(targetId, text) };
+  },
+});
 
 const define = definer<'id' | 'settings'>();
 

@@ -1,13 +1,65 @@
+import {
+  DATA_FORMATS,
+  decodeRecord,
+  type Device,
+  ComponentIOType,
+  type StudyDevice,
+} from '@ubii/proto';
 import { compileGlob } from '@ubii/patterns';
-import { ComponentIOType, type Device, type StudyDevice } from '@ubii/proto';
-import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { Client } from '../clients/client.ts';
+import type { TopicTable } from '../topics/topic-table.ts';
+import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import { dataFormatOf, type TopicEntry } from '../topics/topic-entry.ts';
-import type { TopicTable } from '../topics/topic-table.ts';
-import { batteryOf } from './battery.ts';
 import type { DeviceFacts } from './check-row.ts';
 import type { RateMeter } from './rate-meter.ts';
+
+/** Name of the component that publishes the charge of a device. */
+const COMPONENT = 'battery';
+/** Longest page state. [EX-56] */
+const MAX_BYTES = 4_096;
+
+/**
+ * Charge of a device, 0 to 1: of its own component, else of that of another device of the client, else of the state that a page
+ * publishes. [ST-30] @returns undefined when none is known
+ */
+function batteryOf(
+  topics: TopicTable,
+  client: Client,
+  device: Device | undefined,
+): number | undefined {
+  const devices = [...(device === undefined ? [] : [device]), ...client.devices.values()];
+  for (const { components } of devices) {
+    const topic = components.find(({ name }) => name === COMPONENT)?.topic ?? '';
+    const level = levelOf(valueOf(topics, topic, DATA_FORMATS.double.fieldNumber));
+    if (level !== undefined) return level;
+  }
+  const state = valueOf(topics, `/${client.id}/page_state`, DATA_FORMATS.string.fieldNumber);
+  return typeof state === 'string' ? levelOf(batteryOfPage(state)) : undefined;
+}
+
+function valueOf(topics: TopicTable, topic: string, field: number): unknown {
+  const entry = topics.get(topic);
+  if (entry?.record === undefined || entry.valueField !== field) return undefined;
+  if (entry.record.byteLength > MAX_BYTES) return undefined;
+  const { value } = decodeRecord(entry.record);
+  return value;
+}
+
+function batteryOfPage(text: string): unknown {
+  try {
+    const state: unknown = JSON.parse(text);
+    return typeof state === 'object' && state !== null && 'battery' in state
+      ? state.battery
+      : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+function levelOf(value: unknown): number | undefined {
+  return typeof value === 'number' && value >= 0 && value <= 1 ? value : undefined;
+}
 
 /** Shortest and longest time over which rates are measured, milliseconds. */
 const MIN_SPAN_MS = 1_000;
@@ -16,7 +68,7 @@ const MAX_SPAN_MS = 10_000;
 const MEASURED_RECORDS = 2;
 
 /** What devices are looked for in. */
-export interface FinderContext {
+interface FinderContext {
   readonly topics: TopicTable;
   readonly devices: DeviceRegistry;
   readonly clients: ClientRegistry;

@@ -10,8 +10,8 @@ import type { Cancel, Clock } from '@ubii/timing';
 
 import type { Log } from '../../../core/ports/index.ts';
 import { FORMATS, type FormatName } from '../service-format.ts';
-import type { DecodeAnswer, DecodeJob, DecodeWorkerData } from './decode-job.ts';
-import { JoinedMessage, type MessagePiece } from './message-pieces.ts';
+import type { DecodeAnswer, DecodeJob, DecodeWorkerData } from './decode-messages.ts';
+import { JoinedMessage, type MessagePiece } from './decode-messages.ts';
 import type { ReceivedBody } from './receive-body.ts';
 
 /** Largest body that is decoded on this thread, bytes and values: some milliseconds at worst. */

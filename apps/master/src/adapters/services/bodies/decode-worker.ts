@@ -1,8 +1,8 @@
 import { parentPort, workerData } from 'node:worker_threads';
 
 import { FORMATS } from '../service-format.ts';
-import type { DecodeJob, DecodeWorkerData } from './decode-job.ts';
-import { splitMessage } from './message-pieces.ts';
+import type { DecodeJob, DecodeWorkerData } from './decode-messages.ts';
+import { splitMessage } from './decode-messages.ts';
 
 /*
  * The thread on which large bodies are decoded. It gets one after the other. Pieces of the request go

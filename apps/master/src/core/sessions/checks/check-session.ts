@@ -1,12 +1,32 @@
 import type { SessionProblem } from '@ubii/proto';
+import { quote } from '../../texts/quote.ts';
+import { warningProblem, type ProblemCode } from '../problems.ts';
+import { about, type Check, type CheckContext } from './check-context.ts';
 import type { DraftModule } from '../complete-modules.ts';
-import type { ProblemCode } from '../problems.ts';
 import { checkCycles } from './check-cycles.ts';
 import { checkFormats } from './check-formats.ts';
 import { checkMappings } from './check-mappings.ts';
 import { checkModules } from './check-modules.ts';
-import { checkWriters } from './check-writers.ts';
-import type { Check, CheckContext } from './check-context.ts';
+
+/** Topics with more than one writer [SE-5]. */
+const checkWriters: Check = function* (modules) {
+  const writers = new Map<string, string>();
+  for (const draft of modules) {
+    for (const [index, { topic }] of draft.mapping.outputMappings.entries()) {
+      if (topic === undefined || topic === '') continue;
+      const other = writers.get(topic);
+      if (other !== undefined) {
+        yield warningProblem({
+          ...about(draft),
+          code: 'topic_written_twice',
+          message: `Both ${quote(other)} and ${quote(draft.spec.name)} write ${quote(topic)}. The last value written counts.`,
+          path: `${draft.mappingPath}.outputMappings[${index}].topic`,
+        });
+      }
+      writers.set(topic, draft.spec.name);
+    }
+  }
+};
 
 const CHECKS: readonly Check[] = [
   checkModules,

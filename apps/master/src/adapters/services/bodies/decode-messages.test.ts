@@ -1,6 +1,6 @@
 import { decode, encode, fromJson } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { JoinedMessage, splitMessage } from './message-pieces.ts';
+import { JoinedMessage, splitMessage } from './decode-messages.ts';
 
 function passed(message: object): unknown {
   const joined = new JoinedMessage();

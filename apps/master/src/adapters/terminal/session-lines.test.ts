@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { formatFarewell } from './farewell.ts';
-import { formatRestored } from './restored.ts';
+import { formatFarewell } from './session-lines.ts';
+import { formatRestored } from './session-lines.ts';
 
 const many = Array.from({ length: 8 }, (_, index) => `s${index + 1}`);
 

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { LiteralIndex } from './literal-index.ts';
+import { LiteralIndex } from './pattern-table.ts';
 import type { RequiredLiteral } from './required-literal.ts';
 
 const anywhere = (text: string): RequiredLiteral => ({ text, isPrefix: false });

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { ReconnectPace } from './reconnect-pace.ts';
+import { ReconnectPace } from './nats-link.ts';
 
 it('[CU-60] waits longer after each attempt, up to 2 s, and begins again after a success', () => {
   const pace = new ReconnectPace(() => 1);

@@ -1,7 +1,7 @@
 import { FakeClock } from '@ubii/timing/testing';
 import { expect, it } from 'vitest';
 
-import { Removals } from './removals.ts';
+import { Removals } from './kv-table.ts';
 
 const MINUTE_MS = 60_000;
 

@@ -1,3 +1,24 @@
+import type { MessagePort } from 'node:worker_threads';
+import type { FormatName } from '../service-format.ts';
+
+/** Initial data of the decoding thread. */
+export interface DecodeWorkerData {
+  /** Receives the `MessagePiece`s of a request. */
+  readonly pieces: MessagePort;
+}
+
+/** A body to decode. */
+export interface DecodeJob {
+  readonly format: FormatName;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** Follows the pieces of a request. */
+export interface DecodeAnswer {
+  /** Why the body could not be decoded, a sentence without its full stop; undefined: it was. */
+  readonly reason?: string;
+}
+
 /**
  * A part of a message on its way from one thread to another. Taking a message in one piece would hold
  * the thread for as long as the message is large; pieces can be taken with turns in between. [SV-44]

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { parseDelivery } from './kv-delivery.ts';
+import { parseDelivery } from './kv-watch.ts';
 
 const FACTS = { revision: 42, number: 3, timeMs: 1_700_000_000_123, pending: 5 };
 

@@ -2,7 +2,13 @@ import { decodeTopicData, encodeRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 
 import type { RecordBatch } from '../../core/ports/index.ts';
-import { PING_FRAME, PONG_FRAME, errorFrame, listFrames, singleFrames } from './frames.ts';
+import {
+  PING_FRAME,
+  PONG_FRAME,
+  errorFrame,
+  listFrames,
+  singleFrames,
+} from './websocket-connection.ts';
 
 function batchOf(records: readonly Uint8Array[]): RecordBatch {
   const batch: RecordBatch = {
