@@ -1,13 +1,58 @@
+import {
+  readFileSync,
+  realpathSync,
+  statSync,
+  writeFileSync,
+  unwatchFile,
+  watchFile,
+} from 'node:fs';
 import { createHash } from 'node:crypto';
-import { unwatchFile, watchFile } from 'node:fs';
 import { resolve } from 'node:path';
-import { ConfigError } from '@ubii/program';
+import { writeAtomicallySync, ConfigError } from '@ubii/program';
+import { type MappingStorage, MappingStore } from './core/mapping/mapping-store.ts';
 import type { Protocol } from './core/mapping/mapping.ts';
-import { MappingStore } from './core/mapping/mapping-store.ts';
-import { createFileStorage } from './file-storage.ts';
+
+/** A mapping file on the disk. A link to one stays a link. */
+function createFileStorage(path: string): MappingStorage {
+  return {
+    path,
+    read() {
+      try {
+        return readFileSync(path, 'utf8');
+      } catch (error) {
+        if (codeOf(error) === 'ENOENT') return undefined;
+        throw new Error(`It cannot be read: ${(error as Error).message}.`, { cause: error });
+      }
+    },
+    write(text) {
+      const { file, mode } = targetOf(path);
+      try {
+        writeAtomicallySync(file, text, mode);
+      } catch (error) {
+        // A file that is mounted into a container cannot be replaced, only written.
+        if (codeOf(error) !== 'EBUSY') throw error;
+        writeFileSync(file, text);
+      }
+    },
+  };
+}
+
+function targetOf(path: string): { readonly file: string; readonly mode?: number } {
+  try {
+    const file = realpathSync(path);
+    return { file, mode: statSync(file).mode & 0o777 };
+  } catch (error) {
+    if (codeOf(error) === 'ENOENT') return { file: path };
+    throw error;
+  }
+}
+
+function codeOf(error: unknown): string | undefined {
+  return (error as NodeJS.ErrnoException).code;
+}
 
 /** Where mappings are, unless `--mapping` says another file. */
-export const DEFAULT_FILE = 'bridge.json';
+const DEFAULT_FILE = 'bridge.json';
 
 const POLL_MS = 500;
 

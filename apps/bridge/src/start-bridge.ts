@@ -1,30 +1,49 @@
-import { createStateLog } from '@ubii/client-program';
-import type { Log } from '@ubii/client-program';
 import {
+  type UbiiClient,
   createClient,
   createIdentityFile,
   createMemoryIdentity,
   defaultIdentityFile,
+  type IdentityStorage,
 } from '@ubii/client-web/node';
-import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
-import { within } from '@ubii/timing';
+import { type Clock, within } from '@ubii/timing';
+import { createStateLog, type Log } from '@ubii/client-program';
 import { systemClock } from '@ubii/timing/system';
 import { counted } from '@ubii/words';
 import { answerOrders } from './adapters/master/answer-orders.ts';
-import { cachedTopics } from './adapters/master/cached-topics.ts';
+import { cachedTopics } from './adapters/master/client-topic-master.ts';
 import { answerMappingOrder } from './core/mapping/answer-mapping-order.ts';
 import type { MappingStore } from './core/mapping/mapping-store.ts';
 import { SeenAddresses } from './core/engine/seen-addresses.ts';
 import type { ForeignState } from './core/ports/foreign-system.ts';
 import { bridgeTag, OtherBridges } from './core/loop/other-bridges.ts';
 import type { MappingFile } from './core/mapping/read-mapping-file.ts';
-import { createLink } from './create-link.ts';
-import type { RunningLink } from './create-link.ts';
+import { createLink, type RunningLink } from './create-link.ts';
 import type { Credentials } from './credentials.ts';
 import type { Config, Target } from './options.ts';
 import { createStandBy } from './stand-by.ts';
-import { startReports } from './start-reports.ts';
 import { openMappingStore, watchMappingFile } from './open-mapping-store.ts';
+
+const INTERVAL_MS = 1_000;
+
+/** Topic on which a bridge says how it does, as JSON. [BR-33] */
+function bridgeTopic(clientId: string): string {
+  return `/${clientId}/bridge`;
+}
+
+/** Publishes the report each second, when it has changed. @returns ends it */
+function startReports(client: UbiiClient, clock: Clock, report: () => object): () => void {
+  let published = '';
+  const publish = (): void => {
+    const text = JSON.stringify({ version: 1, ...report() });
+    const key = `${client.id} ${text}`;
+    if (client.state.status !== 'connected' || key === published) return;
+    published = key;
+    client.publish(bridgeTopic(client.id), 'string', text);
+  };
+  publish();
+  return clock.every(INTERVAL_MS, publish);
+}
 
 /** Time for each step of the shutdown, milliseconds. */
 const STOP_TIMEOUT_MS = 800;
@@ -33,7 +52,7 @@ const PASSES = 'Passes its mappings';
 const STANDS_BY = 'Stands by: another bridge with the same mappings passes them';
 
 /** Arguments of `startBridge`. */
-export interface BridgeSetup {
+interface BridgeSetup {
   readonly config: Config;
   readonly target: Target;
   readonly credentials: Credentials;
@@ -42,7 +61,7 @@ export interface BridgeSetup {
 }
 
 /** A bridge that is connected or connecting. */
-export interface RunningBridge {
+interface RunningBridge {
   readonly client: UbiiClient;
   /** Leaves both sides. Resolves after at most two `STOP_TIMEOUT_MS`. */
   close(): Promise<void>;

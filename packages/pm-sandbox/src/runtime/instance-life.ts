@@ -8,9 +8,9 @@ import type { InstanceReports } from './reports/instance-reports.ts';
 import { RestartPolicy } from './restart-policy.ts';
 import type { Runner } from './runner.ts';
 import type { RuntimeContext } from './runtime-context.ts';
-import { sandboxRequest } from './sandbox-request.ts';
+import { sandboxRequest } from './prepare-sandbox.ts';
 import { isDeadly, toFault } from './to-fault.ts';
-import { loadAssets, loadOptionalAssets } from './load-assets.ts';
+import { loadAssets, loadOptionalAssets } from './prepare-sandbox.ts';
 
 /** Callbacks of the life of an instance. */
 export interface LifeEvents {

@@ -1,9 +1,39 @@
-import { findMappingProblems } from './find-mapping-problems.ts';
-import type { MappingProblem } from './find-mapping-problems.ts';
 import type { Protocol } from './mapping.ts';
-import { EMPTY_FILE, readDocument, withMappings } from './mapping-document.ts';
-import type { MappingDocument } from './mapping-document.ts';
-import type { MappingFile } from './read-mapping-file.ts';
+import { readMappingFile, type MappingFile } from './read-mapping-file.ts';
+import { findMappingProblems, type MappingProblem } from './find-mapping-problems.ts';
+
+/** Mappings of a bridge without a file. */
+const EMPTY_FILE = '{\n  "version": 1,\n  "mappings": []\n}\n';
+
+/** A mapping file as it is written, and what it means. */
+interface MappingDocument {
+  readonly text: string;
+  readonly file: MappingFile;
+  /** Its mappings as they are written. */
+  readonly written: readonly unknown[];
+}
+
+/** @throws MappingError when it is wrong */
+export function readDocument(text: string, protocol: Protocol): MappingDocument {
+  const file = readMappingFile(text, protocol);
+  const { mappings } = JSON.parse(text) as { readonly mappings: readonly unknown[] };
+  return { text, file, written: mappings };
+}
+
+/**
+ * The file with other mappings. Its other members, their order and its indentation stay; each member of a mapping gets a line of
+ * its own. [BR-83]
+ */
+function withMappings(text: string, mappings: readonly unknown[]): string {
+  const json = JSON.parse(text) as object;
+  return `${JSON.stringify({ ...json, mappings }, null, indentOf(text))}\n`;
+}
+
+/** That of the first line that has one; 2 spaces for a file on one line. */
+function indentOf(text: string): string {
+  const [, indent = '  '] = /\n([ \t]{1,8})\S/.exec(text) ?? [];
+  return indent;
+}
 
 /** The place of a mapping file. */
 export interface MappingStorage {
@@ -15,7 +45,7 @@ export interface MappingStorage {
 }
 
 /** Arguments of a `MappingStore`. */
-export interface MappingStoreOptions {
+interface MappingStoreOptions {
   readonly protocol: Protocol;
   readonly storage: MappingStorage;
   /** A short text that is another one for another text. */

@@ -2,13 +2,35 @@ import type { Clock } from '@ubii/timing';
 import type { ErrorHandler } from '../ports/error-handler.ts';
 import { Listeners } from '../callbacks/listeners.ts';
 import type { Unsubscribe } from '../callbacks/unsubscribe.ts';
-import { ClockGrain } from './clock-grain.ts';
-import { readClocks, wallAheadMs } from './clock-reading.ts';
-import type { ClockReading } from './clock-reading.ts';
+import { readClocks, wallAheadMs, type ClockReading } from './clock-reading.ts';
 import type { MasterTime, MasterTimeEstimate } from './master-time.ts';
 import { TimeEstimator } from './time-estimator.ts';
-import { sampleOf } from './time-sample.ts';
-import type { TimeExchange } from './time-sample.ts';
+import { sampleOf, type TimeExchange } from './time-sample.ts';
+
+/** Steps in which clocks of browsers and of Node are known to go on, milliseconds, coarsest first. */
+const GRAINS_MS = [1, 0.1, 0.02] as const;
+const FINEST_MS = 0.005;
+/** Fractions of a number this large are rounded. */
+const ROUNDING = 1e-3;
+
+/** Finds out in which steps a clock goes on, from what it said so far: pages get coarse clocks. */
+class ClockGrain {
+  #index = 0;
+
+  /** The step, milliseconds. */
+  get grainMs(): number {
+    return GRAINS_MS[this.#index] ?? FINEST_MS;
+  }
+
+  add(readingMs: number): void {
+    for (let grainMs = GRAINS_MS[this.#index]; grainMs !== undefined;) {
+      const steps = readingMs / grainMs;
+      if (Math.abs(steps - Math.round(steps)) < ROUNDING) return;
+      this.#index += 1;
+      grainMs = GRAINS_MS[this.#index];
+    }
+  }
+}
 
 /** The clocks may part by this much between two readings, and by this share of the time between them. [TS-7] */
 const JUMP_MS = 20;

@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import type { SandboxRecord } from '../../ports/sandbox.ts';
 import { EMPTY_RESULT, inputValues } from '../../testing/fake-sandboxes.ts';
 import { createModuleWorld, ioMapping, type ModuleSketch } from '../../testing/module-world.ts';
-import { MuxList } from './mux-list.ts';
+import { MuxList } from './mux-slot.ts';
 import { SessionPatterns } from './session-patterns.ts';
 
 const ON_INPUT = { triggerOnInput: { minDelayMs: 0, allInputsNeedUpdate: false } };

@@ -1,9 +1,20 @@
+import { DATA_FORMATS, dataFormatOfField, decodeRecord } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
-import type { SandboxInput } from '../../ports/sandbox.ts';
 import type { EncodedRecord, TopicListener } from '../../ports/topic-port.ts';
+import type { SandboxInput } from '../../ports/sandbox.ts';
 import { describeField, fieldFits } from './formats-fit.ts';
-import { isOtherEvent } from './other-event.ts';
 import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
+
+/**
+ * Whether a record tells something else than the one before it, so that it does not replace it: every
+ * event does, and a `bool` that changed. Of other formats the newest value is all that matters. [PM-25]
+ */
+function isOtherEvent(before: EncodedRecord, next: EncodedRecord): boolean {
+  const format = dataFormatOfField(next.valueField);
+  if (format === undefined || before.valueField !== next.valueField) return false;
+  if (format !== 'bool') return DATA_FORMATS[format].isEvent;
+  return decodeRecord(before.bytes).value !== decodeRecord(next.bytes).value;
+}
 
 /** An input mapped to a topic: the newest record that fits, or the oldest event that no run had. [PM-30] [PM-31] [PM-25] */
 export class TopicSlot implements InputSlot, TopicListener {

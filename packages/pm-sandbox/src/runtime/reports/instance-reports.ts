@@ -9,8 +9,8 @@ import type { AssetProgress } from '../../assets/asset-store.ts';
 import type { RuntimeLimits } from '../../limits.ts';
 import type { ModuleFault } from '../../ports/module-fault.ts';
 import { EventThrottle } from './event-throttle.ts';
-import { RunDurations } from './run-durations.ts';
-import { RunRate } from './run-rate.ts';
+import { RunDurations } from './run-statistics.ts';
+import { RunRate } from './run-statistics.ts';
 
 /** The instance that the reports describe. */
 export interface ReportSubject {

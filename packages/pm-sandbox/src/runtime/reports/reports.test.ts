@@ -3,7 +3,7 @@ import { TokenBucket } from '@ubii/timing';
 import { describe, expect, it } from 'vitest';
 import { EMPTY_RESULT } from '../../testing/fake-sandboxes.ts';
 import { createModuleWorld } from '../../testing/module-world.ts';
-import { RunDurations } from './run-durations.ts';
+import { RunDurations } from './run-statistics.ts';
 
 const TEN_HERTZ = { mode: { frequency: { hertz: 10 } } };
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { RunRate } from './run-rate.ts';
+import { RunRate } from './run-statistics.ts';
 
 it('follows a fast module from one report to the next', () => {
   const rate = new RunRate(0);

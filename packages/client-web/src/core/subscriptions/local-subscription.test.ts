@@ -1,6 +1,6 @@
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { RateLimit } from './rate-limit.ts';
+import { RateLimit } from './local-subscription.ts';
 
 function setup(maxRateHz = 10) {
   const clock = new FakeClock();

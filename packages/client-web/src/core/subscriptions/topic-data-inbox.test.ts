@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { ClassicDuplicates } from './classic-duplicates.ts';
+import { ClassicDuplicates } from './topic-data-inbox.ts';
 
 const frame = (...bytes: number[]) => new Uint8Array(bytes);
 

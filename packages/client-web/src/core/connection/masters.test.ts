@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { usableMasters } from './usable-masters.ts';
+import { usableMasters } from './masters.ts';
 
 describe('the masters that a client can use [CU-80]', () => {
   const LAN = 'http://10.0.0.5:8080';
