@@ -9,7 +9,7 @@ import { createOscSystem } from './adapters/osc/osc-system.ts';
 import { rosCodec } from './adapters/rosbridge/ros-codec.ts';
 import { createRosbridgeSystem } from './adapters/rosbridge/rosbridge-system.ts';
 import { createBridgeLink } from './core/bridge-link.ts';
-import type { BridgeLink, LinkOptions } from './core/bridge-link.ts';
+import type { BridgeLink, BridgeLinkContext } from './core/bridge-link.ts';
 import { HomeAssistant } from './core/home-assistant/home-assistant.ts';
 import type { OtherBridges } from './core/loop/other-bridges.ts';
 import type { SeenAddresses } from './core/engine/seen-addresses.ts';
@@ -19,7 +19,7 @@ import type { Credentials } from './credentials.ts';
 import type { Target } from './options.ts';
 
 /** Arguments of `createLink`. */
-export interface LinkSetup {
+export interface LinkContext {
   readonly client: UbiiClient;
   readonly target: Target;
   readonly bridges: OtherBridges;
@@ -34,7 +34,7 @@ export interface LinkSetup {
   /** Whether this bridge passes the mappings. [BR-24] */
   isActive(): boolean;
   masterId(): string;
-  readonly onState: LinkOptions<unknown>['onState'];
+  readonly onState: BridgeLinkContext<unknown>['onState'];
   onError(error: unknown): void;
 }
 
@@ -45,29 +45,30 @@ export interface RunningLink extends BridgeLink {
 }
 
 /** Creates the link for the protocol of the target. */
-export function createLink(setup: LinkSetup): RunningLink {
-  switch (setup.target.protocol) {
+export function createLink(context: LinkContext): RunningLink {
+  switch (context.target.protocol) {
     case 'mqtt':
-      return mqttLink(setup);
+      return mqttLink(context);
     case 'osc':
-      return oscLink(setup);
+      return oscLink(context);
     case 'rosbridge':
-      return rosbridgeLink(setup);
+      return rosbridgeLink(context);
   }
 }
 
-function sharedOptions({ client, bridges, onState }: LinkSetup) {
+function sharedOptions({ client, bridges, onState }: LinkContext) {
   return { clock: systemClock, master: createTopicMaster(client), bridges, onState };
 }
 
-function mqttLink(setup: LinkSetup): RunningLink {
-  const { client, target, credentials, ca } = setup;
-  const { homeAssistant: settings, availability = defaultAvailability(client.name) } = setup.file();
+function mqttLink(context: LinkContext): RunningLink {
+  const { client, target, credentials, ca } = context;
+  const { homeAssistant: settings, availability = defaultAvailability(client.name) } =
+    context.file();
   const system = createMqttSystem({
     ...{ url: target.url, ...credentials, ca, availability },
     clientId: `ubii-${createHash('sha256').update(client.id).digest('hex').slice(0, 16)}`,
-    masterId: setup.masterId,
-    isMasterOfCluster: (id) => setup.bridges.isMaster(id),
+    masterId: context.masterId,
+    isMasterOfCluster: (id) => context.bridges.isMaster(id),
   });
   const homeAssistant =
     settings &&
@@ -79,16 +80,16 @@ function mqttLink(setup: LinkSetup): RunningLink {
     });
   const link = createBridgeLink(
     {
-      ...sharedOptions(setup),
-      system: setup.seen.watch(system),
+      ...sharedOptions(context),
+      system: context.seen.watch(system),
       codec: bytesCodec,
       returnsMessages: false,
     },
     homeAssistant,
   );
   const refresh = (): void => {
-    homeAssistant?.setActive(setup.isActive());
-    link.setMappings(mappingsOf(setup));
+    homeAssistant?.setActive(context.isActive());
+    link.setMappings(mappingsOf(context));
   };
   let unwatch: (() => void) | undefined;
   return {
@@ -101,7 +102,7 @@ function mqttLink(setup: LinkSetup): RunningLink {
       unwatch = watchDevices(
         client,
         (devices) => homeAssistant.handleDevices(devices),
-        setup.onError,
+        context.onError,
       );
     },
     close() {
@@ -111,32 +112,32 @@ function mqttLink(setup: LinkSetup): RunningLink {
   };
 }
 
-function oscLink(setup: LinkSetup): RunningLink {
-  const { host, port } = setup.target;
-  const system = createOscSystem({ host, port, listen: setup.listen, clock: systemClock });
-  return followFile(setup, { system: setup.seen.watch(system), codec: oscCodec });
+function oscLink(context: LinkContext): RunningLink {
+  const { host, port } = context.target;
+  const system = createOscSystem({ host, port, listen: context.listen, clock: systemClock });
+  return followFile(context, { system: context.seen.watch(system), codec: oscCodec });
 }
 
-function rosbridgeLink(setup: LinkSetup): RunningLink {
-  const { url } = setup.target;
+function rosbridgeLink(context: LinkContext): RunningLink {
+  const { url } = context.target;
   const system = createRosbridgeSystem({
-    ...{ url, ...setup.credentials, ca: setup.ca, clock: systemClock },
+    ...{ url, ...context.credentials, ca: context.ca, clock: systemClock },
   });
-  return followFile(setup, { system: setup.seen.watch(system), codec: rosCodec });
+  return followFile(context, { system: context.seen.watch(system), codec: rosCodec });
 }
 
 /** What this bridge passes: nothing while another one does. [BR-24] */
-function mappingsOf({ file, isActive }: LinkSetup): MappingFile['mappings'] {
+function mappingsOf({ file, isActive }: LinkContext): MappingFile['mappings'] {
   return isActive() ? file().mappings : [];
 }
 
 /** Creates a link to a system that sends back what it gets; its mappings are those of the file. */
 function followFile<P>(
-  setup: LinkSetup,
-  system: Pick<LinkOptions<P>, 'system' | 'codec'>,
+  context: LinkContext,
+  system: Pick<BridgeLinkContext<P>, 'system' | 'codec'>,
 ): RunningLink {
-  const link = createBridgeLink({ ...sharedOptions(setup), ...system, returnsMessages: true });
-  const refresh = (): void => link.setMappings(mappingsOf(setup));
+  const link = createBridgeLink({ ...sharedOptions(context), ...system, returnsMessages: true });
+  const refresh = (): void => link.setMappings(mappingsOf(context));
   return {
     ...link,
     refresh,

@@ -10,7 +10,7 @@ import type { MappingFile } from './core/mapping/read-mapping-file.ts';
 const BRIDGES_TIMEOUT_MS = 3_000;
 
 /** Arguments of `createStandBy`. */
-export interface StandBySetup {
+export interface StandByContext {
   readonly client: UbiiClient;
   readonly bridges: OtherBridges;
   readonly clock: Pick<Clock, 'after'>;
@@ -31,7 +31,7 @@ export interface StandBy {
 }
 
 /** @see StandBy */
-export function createStandBy({ client, bridges, clock, file, onChange }: StandBySetup): StandBy {
+export function createStandBy({ client, bridges, clock, file, onChange }: StandByContext): StandBy {
   /** `undefined`: not decided yet. */
   let isActive: boolean | undefined;
   let isKnown = false;

@@ -52,7 +52,7 @@ const PASSES = 'Passes its mappings';
 const STANDS_BY = 'Stands by: another bridge with the same mappings passes them';
 
 /** Arguments of `startBridge`. */
-interface BridgeSetup {
+interface BridgeSettings {
   readonly config: Config;
   readonly target: Target;
   readonly credentials: Credentials;
@@ -73,7 +73,7 @@ interface RunningBridge {
  *
  * @throws ConfigError when the mapping file is missing or wrong
  */
-export function startBridge(setup: BridgeSetup): RunningBridge {
+export function startBridge(setup: BridgeSettings): RunningBridge {
   const { config, target, log } = setup;
   const store = openMappingStore(config.mapping, target.protocol);
   const system = store.file.system ?? target.system;
@@ -175,7 +175,7 @@ export function startBridge(setup: BridgeSetup): RunningBridge {
   };
 }
 
-function createBridgeClient({ config, log }: BridgeSetup, system: string): UbiiClient {
+function createBridgeClient({ config, log }: BridgeSettings, system: string): UbiiClient {
   return createClient({
     ...{ url: config.master, name: config.name, publishIntervalMs: 0 },
     description: `Connects topics with ${system}`,

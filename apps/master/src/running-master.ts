@@ -7,7 +7,7 @@ import type { Reachability } from './adapters/network/reachability.ts';
 import type { LogTail, Master, TerminalAccess } from './index.ts';
 
 /** Parts of a listening master. */
-export interface MasterParts {
+export interface RunningMasterContext {
   readonly config: Config;
   readonly log: LogTail;
   /** Default: that of the system. */

@@ -48,7 +48,7 @@ import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
 import { ZeroMqEnds } from './adapters/zeromq/zeromq-ends.ts';
 import { openStores } from './open-stores.ts';
-import type { MasterParts, RunningMaster } from './running-master.ts';
+import type { RunningMasterContext, RunningMaster } from './running-master.ts';
 
 /** Time for connections to close gracefully before they are cut, milliseconds. */
 const CLOSE_GRACE_MS = 500;
@@ -73,7 +73,7 @@ export async function startMaster({
   recorderWorkerFile,
   checkProcessFile,
   replayWorkerFile,
-}: MasterParts): Promise<RunningMaster> {
+}: RunningMasterContext): Promise<RunningMaster> {
   await refuseOriginal(config.dataDir);
   prepareDataDir(config.dataDir, log);
   await keepToOwner(recordingsFolder(config.dataDir));

@@ -17,7 +17,7 @@ export interface BridgeReport extends EngineReport {
 }
 
 /** Arguments of `createBridgeLink`. */
-export interface LinkOptions<P> {
+export interface BridgeLinkContext<P> {
   readonly clock: Clock;
   readonly master: TopicMaster;
   readonly bridges: OtherBridges;
@@ -39,14 +39,14 @@ export interface BridgeLink {
 
 /** Connects the engine and the adapter of a system. @param homeAssistant only where messages are bytes */
 export function createBridgeLink<P>(
-  options: LinkOptions<P>,
+  context: BridgeLinkContext<P>,
   homeAssistant?: P extends Uint8Array ? HomeAssistant : never,
 ): BridgeLink {
-  const { clock, master, bridges, system, codec } = options;
+  const { clock, master, bridges, system, codec } = context;
   let state: ForeignState = { status: 'connecting' };
   const engine = new BridgeEngine<P>({
     ...{ clock, codec, master, bridges },
-    echoes: options.returnsMessages ? new EchoMemory(clock) : undefined,
+    echoes: context.returnsMessages ? new EchoMemory(clock) : undefined,
     foreign: {
       send: (message) => system.send(message),
       setMappings: (mappings) =>
@@ -69,7 +69,7 @@ export function createBridgeLink<P>(
           state = next;
           if (next.status === 'connected' && next.hasForgotten) homeAssistant?.announceAgain();
           engine.handleState(next);
-          options.onState(next);
+          context.onState(next);
         },
         handleSettled: () => engine.handleSettled(),
       });

@@ -10,7 +10,7 @@ import type { KnownModel } from '../../src/adapters/models/catalogue.ts';
 import { StreamLog } from '../../src/adapters/log/stream-log.ts';
 import type { ListeningPorts } from '../../src/adapters/network/listeners.ts';
 import { LogTail, type TerminalAccess } from '../../src/index.ts';
-import type { MasterParts } from '../../src/running-master.ts';
+import type { RunningMasterContext } from '../../src/running-master.ts';
 import { startMaster } from '../../src/start-master.ts';
 
 /** A master with all its adapters on free ports of loopback, closed when the test ends. */
@@ -25,7 +25,7 @@ export interface EdgeMaster {
   close(): Promise<void>;
 }
 
-export interface EdgeMasterOptions extends Pick<MasterParts, 'clock' | 'keepAliveMs'> {
+export interface EdgeMasterOptions extends Pick<RunningMasterContext, 'clock' | 'keepAliveMs'> {
   /** More flags. Callers of this machine are admins, unless one of them says otherwise. */
   readonly flags?: readonly string[];
   readonly frontendFolder?: string;

@@ -4,7 +4,7 @@ import { temporaryFolder } from '@ubii/program/testing';
 import { expect, it } from 'vitest';
 import {
   addRecordings,
-  type RecordingRoutesOptions,
+  type RecordingRoutesContext,
 } from '../../src/adapters/http/recording-routes.ts';
 import { LOCAL_CALLER } from '../../src/core/ports/caller-facts.ts';
 
@@ -23,7 +23,7 @@ it('[RC-40] refuses the file of a recording that is still on its node, and says 
     master: { requireRecording: () => Promise.resolve(recording) },
     callers: { read: () => LOCAL_CALLER },
     recordingsFolder: temporaryFolder(),
-  } as unknown as RecordingRoutesOptions);
+  } as unknown as RecordingRoutesContext);
   await app.inject({ method: 'HEAD', url: '/recordings/a.mcap' });
   await app.inject('/recordings/a.mcap');
   const refusal = { code: 'failed_precondition', message: expect.stringContaining('"Lab PC"') };

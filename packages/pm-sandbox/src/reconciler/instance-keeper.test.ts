@@ -5,7 +5,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { InstanceSpec, ModuleRuntime } from '../runtime/module-runtime.ts';
-import { InstanceKeeper, type InstanceKeeperOptions } from './instance-keeper.ts';
+import { InstanceKeeper, type InstanceKeeperContext } from './instance-keeper.ts';
 import type { WantedInstance } from './reconcile.ts';
 
 const MODULE = 'ubii.processing.ProcessingModule';
@@ -26,7 +26,7 @@ function wanted(
 }
 
 /** A runtime that says what it was told, and takes the time it is given. */
-function createWorld(options: Partial<InstanceKeeperOptions> = {}) {
+function createWorld(options: Partial<InstanceKeeperContext> = {}) {
   const calls: string[] = [];
   const told: string[] = [];
   const broken = new Set<string>();

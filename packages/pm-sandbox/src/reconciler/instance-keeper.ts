@@ -13,7 +13,7 @@ import {
 import { takeStep } from './take-step.ts';
 
 /** Dependencies and callbacks of a keeper. */
-export interface InstanceKeeperOptions {
+export interface InstanceKeeperContext {
   /** Called when the first instance is made, and from then on. */
   readonly runtime: () => ModuleRuntime;
   /** Loaded before an instance whose muxers need it. [TD-64] @default none: the runtime has them at hand */
@@ -53,15 +53,15 @@ interface Entry {
  * then worked out again. All that is said in one turn counts as one. [PM-62]
  */
 export class InstanceKeeper {
-  readonly #options: InstanceKeeperOptions;
+  readonly #context: InstanceKeeperContext;
   readonly #entries = new Map<string, Entry>();
   /** To be compared again. */
   readonly #touched = new Set<Entry>();
   #comparing: Promise<void> | undefined;
   #isClosed = false;
 
-  constructor(options: InstanceKeeperOptions) {
-    this.#options = options;
+  constructor(context: InstanceKeeperContext) {
+    this.#context = context;
   }
 
   /** From now on these are the instances of the session; all others of it end. */
@@ -183,13 +183,13 @@ export class InstanceKeeper {
     const { present, wanted } = entry;
     if (wanted === undefined || present === undefined) {
       this.#entries.delete(entry.id);
-      if (entry.untold !== undefined) this.#options.onEnded(entry.untold, false);
-      this.#options.onGone?.(entry.id);
+      if (entry.untold !== undefined) this.#context.onEnded(entry.untold, false);
+      this.#context.onGone?.(entry.id);
     } else if (present.state !== 'failed') {
       entry.present = { ...present, as: wanted };
       if (entry.isReported) return;
       entry.isReported = true;
-      this.#options.onStarted(wanted);
+      this.#context.onStarted(wanted);
     }
   }
 
@@ -204,11 +204,11 @@ export class InstanceKeeper {
     for (const step of plan) {
       // The wanted state has changed since the steps were computed.
       if (this.#isClosed || this.#touched.has(entry)) return;
-      if (step.kind === 'create') this.#options.onCreate?.(step.wanted);
+      if (step.kind === 'create') this.#context.onCreate?.(step.wanted);
       const before = entry.present;
       let after: PresentInstance | undefined;
       try {
-        const { runtime, patterns } = this.#options;
+        const { runtime, patterns } = this.#context;
         after = await takeStep(step, before, runtime(), patterns);
       } catch (reason) {
         if (step.kind !== 'destroy') this.#fail(entry, step.wanted, toFault(reason, ''));
@@ -223,7 +223,7 @@ export class InstanceKeeper {
   #fail(entry: Entry, wanted: WantedInstance, fault: ModuleFault): void {
     entry.present = { as: wanted, state: 'failed' };
     entry.isReported = false;
-    this.#options.onFailed(wanted, fault);
+    this.#context.onFailed(wanted, fault);
   }
 
   #handleEnd(entry: Entry, { as }: PresentInstance): void {
@@ -231,6 +231,6 @@ export class InstanceKeeper {
     entry.wasStopped = false;
     entry.isReported = false;
     entry.untold = entry.wanted;
-    this.#options.onEnded(as, entry.wanted !== undefined);
+    this.#context.onEnded(as, entry.wanted !== undefined);
   }
 }

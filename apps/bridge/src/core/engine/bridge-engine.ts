@@ -17,8 +17,8 @@ import { SendGate } from './send-gate.ts';
 /** Addresses whose mappings are remembered. */
 const REMEMBERED_ADDRESSES = 10_000;
 
-/** Arguments of a `BridgeEngine`. */
-export interface EngineOptions<P> {
+/** Dependencies of a `BridgeEngine`. */
+export interface EngineContext<P> {
   readonly clock: Clock;
   readonly codec: PayloadCodec<P>;
   readonly master: TopicMaster;
@@ -63,7 +63,7 @@ interface Lanes<P> {
  * system and records of the master, and counts what becomes of each.
  */
 export class BridgeEngine<P> {
-  readonly #options: EngineOptions<P>;
+  readonly #context: EngineContext<P>;
   readonly #bucket: TokenBucket;
   readonly #gate: SendGate<P>;
   #lanes: readonly Lanes<P>[] = [];
@@ -72,11 +72,11 @@ export class BridgeEngine<P> {
   #refused = 0;
   #lastRefusal: string | undefined;
 
-  constructor(options: EngineOptions<P>) {
-    this.#options = options;
-    this.#bucket = new TokenBucket(BRIDGE_LIMITS.messagesPerSecond, options.clock.monotonicMs());
+  constructor(context: EngineContext<P>) {
+    this.#context = context;
+    this.#bucket = new TokenBucket(BRIDGE_LIMITS.messagesPerSecond, context.clock.monotonicMs());
     this.#gate = new SendGate({
-      ...{ foreign: options.foreign, clock: options.clock },
+      ...{ foreign: context.foreign, clock: context.clock },
       onSent: (address, payload) => this.#handleSent(address, payload),
       onDropped: (mapping, reason) => this.handleDropped(mapping, reason),
     });
@@ -98,11 +98,11 @@ export class BridgeEngine<P> {
       const lanes = before.get(mapping.name);
       return lanes !== undefined && kept.has(lanes) ? lanes : this.#open(mapping, lanes);
     });
-    this.#options.foreign.setMappings(mappings);
+    this.#context.foreign.setMappings(mappings);
   }
 
   handleMessage(message: ForeignMessage<P>): void {
-    if (!this.#bucket.take(1, this.#options.clock.monotonicMs())) {
+    if (!this.#bucket.take(1, this.#context.clock.monotonicMs())) {
       this.#overRate++;
       return;
     }
@@ -151,12 +151,12 @@ export class BridgeEngine<P> {
   }
 
   #open(mapping: Mapping, before: Lanes<P> | undefined): Lanes<P> {
-    const { clock, codec, master, bridges, echoes } = this.#options;
-    const context = { clock, codec, master, echoes, gate: this.#gate };
+    const { clock, codec, master, bridges, echoes } = this.#context;
+    const shared = { clock, codec, master, echoes, gate: this.#gate };
     const inLane = takesIn(mapping)
       ? new InLane(
           mapping,
-          { ...context, onPublished: (address) => out?.handleNewer(address) },
+          { ...shared, onPublished: (address) => out?.handleNewer(address) },
           before?.in?.counters,
         )
       : undefined;
@@ -164,7 +164,7 @@ export class BridgeEngine<P> {
       ? new OutLane(
           mapping,
           {
-            ...context,
+            ...shared,
             isFromForeignSystem: (publisherId) =>
               publisherId !== '' && (publisherId === master.ownId || bridges.has(publisherId)),
             onAccepted: (topic) => inLane?.handleNewer(topic),
@@ -192,14 +192,14 @@ export class BridgeEngine<P> {
 
   #subscribe({ topic }: Mapping, out: OutLane<P>): () => void {
     const pattern = isPattern(topic) ? { glob: toGlob(topic) } : { topic: topic.text };
-    return this.#options.master.subscribe(pattern, {
+    return this.#context.master.subscribe(pattern, {
       onRecord: (record) => out.handleRecord(record),
       onGone: (gone) => out.handleGone(gone),
     });
   }
 
   #handleSent(address: string, payload: P): void {
-    if (this.#options.echoes === undefined) return;
+    if (this.#context.echoes === undefined) return;
     for (const { lane } of this.#routesOf(address)) lane.handleSent(address, payload);
   }
 

@@ -13,7 +13,7 @@ interface Address {
 /** What becomes of a value. `replaced`: it is sent later, in place of one that waited. */
 export type Offered = 'now' | 'later' | 'replaced' | 'full';
 
-export interface SamplerOptions {
+export interface SamplerContext {
   readonly clock: Clock;
   /** 0: no limit. */
   readonly maxRateHz: number;
@@ -24,15 +24,15 @@ export interface SamplerOptions {
 
 /** Addresses that a mapping makes, each with values at most so often; the newest value is always sent in the end. [BR-31] */
 export class Sampler {
-  readonly #options: SamplerOptions;
+  readonly #context: SamplerContext;
   readonly #intervalMs: number;
   readonly #evictions: TokenBucket;
   /** In the order of their use: the first has been quiet for longest. */
   readonly #addresses = new Map<string, Address>();
 
-  constructor(options: SamplerOptions) {
-    const { clock, maxRateHz } = options;
-    this.#options = options;
+  constructor(context: SamplerContext) {
+    const { clock, maxRateHz } = context;
+    this.#context = context;
     this.#intervalMs = maxRateHz > 0 ? 1000 / maxRateHz : 0;
     this.#evictions = new TokenBucket(BRIDGE_LIMITS.evictionsPerSecond, clock.monotonicMs());
   }
@@ -43,7 +43,7 @@ export class Sampler {
 
   /** Sends the value now, or when its time has come. */
   offer(address: string, send: () => void): Offered {
-    const nowMs = this.#options.clock.monotonicMs();
+    const nowMs = this.#context.clock.monotonicMs();
     const entry = this.#addresses.get(address) ?? this.#add(nowMs);
     if (entry === undefined) return 'full';
     this.#use(address, entry, nowMs);
@@ -54,7 +54,7 @@ export class Sampler {
     }
     const isReplaced = entry.waiting !== undefined;
     entry.waiting = send;
-    entry.cancel ??= this.#options.clock.after(entry.nextMs - nowMs, () =>
+    entry.cancel ??= this.#context.clock.after(entry.nextMs - nowMs, () =>
       this.#sendWaiting(address, entry),
     );
     return isReplaced ? 'replaced' : 'later';
@@ -76,7 +76,7 @@ export class Sampler {
 
   /** Room for a new address; undefined: all are in use. */
   #add(nowMs: number): Address | undefined {
-    const isFull = this.#addresses.size >= this.#options.maxAddresses;
+    const isFull = this.#addresses.size >= this.#context.maxAddresses;
     if (isFull && !this.#evictQuietest(nowMs)) return undefined;
     return { nextMs: nowMs, usedMs: nowMs, waiting: undefined, cancel: undefined };
   }
@@ -87,7 +87,7 @@ export class Sampler {
       const isQuiet = waiting === undefined && nowMs - usedMs >= BRIDGE_LIMITS.quietMs;
       if (!isQuiet || !this.#evictions.take(1, nowMs)) return false;
       this.end(address);
-      this.#options.handleEvicted?.(address);
+      this.#context.handleEvicted?.(address);
       return true;
     }
     return false;
@@ -101,7 +101,7 @@ export class Sampler {
 
   #sendWaiting(address: string, entry: Address): void {
     const { waiting } = entry;
-    const nowMs = this.#options.clock.monotonicMs();
+    const nowMs = this.#context.clock.monotonicMs();
     entry.waiting = undefined;
     entry.cancel = undefined;
     entry.nextMs = nowMs + this.#intervalMs;

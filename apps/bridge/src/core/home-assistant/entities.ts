@@ -23,7 +23,7 @@ export interface Entities {
 }
 
 /** Where entities come from. */
-export interface EntityWorld {
+export interface EntityContext {
   readonly settings: HomeAssistantSettings;
   /** Topic at which the bridge says whether it is there. */
   readonly availability: string;
@@ -73,14 +73,14 @@ function kindOf(format: DataFormat | undefined, isSubscriber: boolean): Kind | u
 }
 
 /** Returns what Home Assistant is told of the devices of a master. */
-export function entitiesOf(devices: readonly Device[], world: EntityWorld): Entities {
+export function entitiesOf(devices: readonly Device[], context: EntityContext): Entities {
   const entities: Entity[] = [];
   let skipped = 0;
-  for (const device of devices.filter(({ clientId }) => clientId !== world.ownId)) {
+  for (const device of devices.filter(({ clientId }) => clientId !== context.ownId)) {
     const seen = new Set<string>();
     for (const component of device.components) {
       const entity =
-        entities.length < MAX_ENTITIES ? entityOf(device, component, world) : undefined;
+        entities.length < MAX_ENTITIES ? entityOf(device, component, context) : undefined;
       if (entity === undefined || seen.has(entity.configTopic)) skipped++;
       else entities.push(entity);
       if (entity !== undefined) seen.add(entity.configTopic);
@@ -89,12 +89,16 @@ export function entitiesOf(devices: readonly Device[], world: EntityWorld): Enti
   return { entities, skipped };
 }
 
-function entityOf(device: Device, component: Component, world: EntityWorld): Entity | undefined {
+function entityOf(
+  device: Device,
+  component: Component,
+  context: EntityContext,
+): Entity | undefined {
   const isSubscriber = component.ioType === ComponentIOType.SUBSCRIBER;
   const format = parseDataFormat(component.messageFormat);
   const kind = kindOf(format, isSubscriber);
   if (kind === undefined || component.topic === '') return undefined;
-  const { prefix, topics } = world.settings;
+  const { prefix, topics } = context.settings;
   const node = `${NODE_PREFIX}${identifier(device.id)}`;
   const object = identifier(component.name || component.id || component.topic);
   const topic = `${topics}/${identifier(device.id)}/${object}`;
@@ -106,7 +110,7 @@ function entityOf(device: Device, component: Component, world: EntityWorld): Ent
       unique_id: `${node}_${object}`,
       ...stateTopic,
       ...kind.extra,
-      availability_topic: world.availability,
+      availability_topic: context.availability,
       device: {
         identifiers: [node],
         name: device.name || 'Device',

@@ -110,7 +110,7 @@ const CONFIG_MAPPING: Mapping = {
 };
 
 /** What `HomeAssistant` needs. */
-interface HomeAssistantWorld {
+interface HomeAssistantContext {
   readonly settings: HomeAssistantSettings;
   readonly availability: string;
   ownId(): string;
@@ -127,7 +127,7 @@ const MAX_REPEATS_HZ = 0.2;
 
 /** Devices of the master, as Home Assistant finds them at a broker. [BR-50] */
 export class HomeAssistant {
-  readonly #world: HomeAssistantWorld;
+  readonly #context: HomeAssistantContext;
   readonly #discovery: Discovery;
   readonly #subscriptions: readonly Mapping[];
   readonly #repeats: Sampler;
@@ -135,14 +135,14 @@ export class HomeAssistant {
   #isActive = true;
   #entities: Entities = { entities: [], skipped: 0 };
 
-  constructor(world: HomeAssistantWorld) {
-    this.#world = world;
-    const { settings, availability } = world;
+  constructor(context: HomeAssistantContext) {
+    this.#context = context;
+    const { settings, availability } = context;
     this.#discovery = new Discovery({ prefix: settings.prefix, availability }, (message) =>
-      world.send(message),
+      context.send(message),
     );
     this.#repeats = new Sampler({
-      clock: world.clock,
+      clock: context.clock,
       maxRateHz: MAX_REPEATS_HZ,
       maxAddresses: 1,
     });
@@ -169,7 +169,7 @@ export class HomeAssistant {
   handleDevices(devices: readonly Device[]): void {
     this.#devices = devices;
     this.#update();
-    this.#world.onChange();
+    this.#context.onChange();
   }
 
   /** Whether this bridge announces the devices; otherwise another one does. [BR-22] */
@@ -194,7 +194,7 @@ export class HomeAssistant {
       if (isBirth) this.announceAgain();
       return isBirth;
     }
-    const { prefix } = this.#world.settings;
+    const { prefix } = this.#context.settings;
     if (!address.startsWith(`${prefix}/`) || !address.endsWith('/config')) return false;
     this.#discovery.handleFound(address, payload);
     return true;
@@ -208,8 +208,8 @@ export class HomeAssistant {
 
   #update(): void {
     if (!this.#isActive || this.#devices === undefined) return;
-    const { settings, availability } = this.#world;
-    const ownId = this.#world.ownId();
+    const { settings, availability } = this.#context;
+    const ownId = this.#context.ownId();
     this.#entities = entitiesOf(this.#devices, { settings, availability, ownId });
     this.#discovery.update(this.#entities);
   }

@@ -45,7 +45,7 @@ export interface MappingStorage {
 }
 
 /** Arguments of a `MappingStore`. */
-interface MappingStoreOptions {
+interface MappingStoreContext {
   readonly protocol: Protocol;
   readonly storage: MappingStorage;
   /** A short text that is another one for another text. */
@@ -69,7 +69,7 @@ export class MappingStore {
   #problem = '';
 
   /** @throws Error when the file cannot be read, or is wrong */
-  constructor({ protocol, storage, digest }: MappingStoreOptions) {
+  constructor({ protocol, storage, digest }: MappingStoreContext) {
     this.protocol = protocol;
     this.#storage = storage;
     this.#digest = digest;

@@ -23,7 +23,7 @@ export interface LoopbackFacts {
   readonly tellsOwners: boolean;
 }
 
-export interface CallerReaderOptions {
+export interface CallerReaderContext {
   readonly policy: Pick<OriginPolicy, 'pageOf'>;
   /** Role of callers on this computer without a token. */
   readonly loopback: LoopbackFacts['role'];
@@ -45,10 +45,10 @@ type Whereabouts = Pick<CallerFacts, 'standing' | 'isHere'> & {
 
 /** Reads from a request who calls, the same for services and sockets on every port. [AC-6] */
 export class CallerReader {
-  readonly #options: CallerReaderOptions;
+  readonly #context: CallerReaderContext;
 
-  constructor(options: CallerReaderOptions) {
-    this.#options = options;
+  constructor(context: CallerReaderContext) {
+    this.#context = context;
   }
 
   /**
@@ -60,7 +60,7 @@ export class CallerReader {
     if (isProven === true) return undefined;
     const address = plainAddress(socket.remoteAddress);
     if (address === undefined || httpVersion === '1.0' || isPassedOn(headers)) return undefined;
-    return this.#isThisMachine(address) ? this.#options.owners.learn(socket) : undefined;
+    return this.#isThisMachine(address) ? this.#context.owners.learn(socket) : undefined;
   }
 
   read(request: CallerRequest): CallerFacts {
@@ -73,7 +73,7 @@ export class CallerReader {
   }
 
   #whereaboutsOf({ headers, socket, httpVersion, isProven }: CallerRequest): Whereabouts {
-    const { isLegacyAddress, isTrustedProxy, owners } = this.#options;
+    const { isLegacyAddress, isTrustedProxy, owners } = this.#context;
     const address = plainAddress(socket.remoteAddress);
     const elsewhere: Whereabouts = { address, standing: 'other', isHere: false };
     // A connection that is gone already has none.
@@ -100,12 +100,12 @@ export class CallerReader {
   }
 
   #isThisMachine(address: string): boolean {
-    return isLoopbackHost(address) || this.#options.isOwnAddress(address);
+    return isLoopbackHost(address) || this.#context.isOwnAddress(address);
   }
 
   /** On this machine, without a proxy: the page decides. [AC-2] [AC-40] */
   #localStanding(headers: IncomingHttpHeaders): CallerStanding {
-    const { policy, loopback } = this.#options;
+    const { policy, loopback } = this.#context;
     const page = policy.pageOf(headers);
     if (page === 'foreign' || loopback === 'none') return 'other';
     return page === 'own' && loopback === 'admin' ? 'trusted' : 'local';

@@ -6,7 +6,7 @@ import type { Log } from '../../core/ports/index.ts';
 import type { ListeningPorts } from '../network/listeners.ts';
 import type { Reachability } from '../network/reachability.ts';
 
-export interface AnnounceParts {
+export interface AnnounceContext {
   readonly id: string;
   readonly name: string;
   readonly version: string;
@@ -20,8 +20,8 @@ export interface AnnounceParts {
 }
 
 /** Announces the master where others can reach it, until it is closed. [DI-1] */
-export function announce(parts: AnnounceParts): AnnouncedMaster {
-  const { id, name, version, ports, https, host, reachability, log } = parts;
+export function announce(context: AnnounceContext): AnnouncedMaster {
+  const { id, name, version, ports, https, host, reachability, log } = context;
   return announceMaster({
     announcement: {
       id,

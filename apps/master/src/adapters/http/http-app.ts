@@ -24,7 +24,7 @@ import { addSdk } from './sdk-routes.ts';
 import { addServices } from './services-routes.ts';
 import { addStatus } from './status-routes.ts';
 
-export interface HttpAppOptions {
+export interface HttpAppContext {
   readonly master: Master;
   readonly policy: OriginPolicy;
   /** Origins of the other masters of the cluster. */
@@ -55,8 +55,8 @@ async function cutUnread(raw: IncomingMessage, clock: Clock): Promise<void> {
 }
 
 /** Everything the master answers over HTTP. It listens nowhere: `routing` takes requests of any server. */
-export async function createHttpApp(options: HttpAppOptions): Promise<FastifyInstance> {
-  const { master, callers, policy, log, frontendFolder } = options;
+export async function createHttpApp(context: HttpAppContext): Promise<FastifyInstance> {
+  const { master, callers, policy, log, frontendFolder } = context;
   const app = fastify({
     logger: false,
     routerOptions: { ignoreTrailingSlash: true },
@@ -66,7 +66,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   const counts = new RequestCounts();
   app.addHook('onResponse', (request, reply, done) => {
     counts.count(request.routeOptions.url, reply.statusCode);
-    void cutUnread(request.raw, options.clock);
+    void cutUnread(request.raw, context.clock);
     done();
   });
   // All handlers below need the caller.
@@ -78,14 +78,14 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   guardOrigins(app, { policy, master, callers });
   guardPaths(app, { master, callers });
   replyErrors(app, log);
-  addServices(app, options);
-  addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
-  addAuthorityFacts(app, options.authority);
-  addAuthority(app, options.authority);
-  addAssets(app, options.assets);
-  addRecordings(app, options);
-  await addSdk(app, options.sdkFolder);
-  await addFrontend(app, frontendFolder, options.clusterOrigins);
+  addServices(app, context);
+  addStatus(app, { ...context, edgeMetrics: () => counts.metrics() });
+  addAuthorityFacts(app, context.authority);
+  addAuthority(app, context.authority);
+  addAssets(app, context.assets);
+  addRecordings(app, context);
+  await addSdk(app, context.sdkFolder);
+  await addFrontend(app, frontendFolder, context.clusterOrigins);
   await app.ready();
   return app;
 }

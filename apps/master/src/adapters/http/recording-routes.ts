@@ -78,7 +78,7 @@ function taken(take: (bytes: number) => Promise<void>): Transform {
   });
 }
 
-export interface RecordingRoutesOptions {
+export interface RecordingRoutesContext {
   readonly master: Pick<Master, 'requireRecording' | 'uploadRecording' | 'uploadNodeRecording'>;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly recordingsFolder: string;
@@ -86,10 +86,10 @@ export interface RecordingRoutesOptions {
 }
 
 /** Files of recordings: to download, in ranges as well, and to upload. [RC-40] [RC-41] */
-export function addRecordings(app: FastifyInstance, options: RecordingRoutesOptions): void {
-  app.get('/recordings/:id.mcap', (request, reply) => sendFile(request, reply, options));
+export function addRecordings(app: FastifyInstance, context: RecordingRoutesContext): void {
+  app.get('/recordings/:id.mcap', (request, reply) => sendFile(request, reply, context));
   app.post('/recordings', async (request, reply) => {
-    const recording = await takeFile(request, options);
+    const recording = await takeFile(request, context);
     return reply
       .header('cache-control', 'no-store')
       .type('application/json; charset=utf-8')
@@ -100,7 +100,7 @@ export function addRecordings(app: FastifyInstance, options: RecordingRoutesOpti
 async function sendFile(
   { params, headers, raw }: FastifyRequest,
   reply: FastifyReply,
-  { master, callers, recordingsFolder }: RecordingRoutesOptions,
+  { master, callers, recordingsFolder }: RecordingRoutesContext,
 ): Promise<FastifyReply> {
   const { id } = params as { readonly id: string };
   const recording = await master.requireRecording(id, callers.read(raw));
@@ -151,7 +151,7 @@ async function sendFile(
 
 async function takeFile(
   { raw, query }: FastifyRequest,
-  { master, callers, recordingsFolder, limits }: RecordingRoutesOptions,
+  { master, callers, recordingsFolder, limits }: RecordingRoutesContext,
 ): ReturnType<Master['uploadRecording']> {
   const text = (member: string): string => {
     const value = (query as Readonly<Record<string, unknown>>)[member] ?? '';

@@ -11,7 +11,7 @@ import { PATH_RIGHTS, type PathRight } from '../../core/access/rights-table.ts';
 /** Time for which browsers may cache the reply to a preflight, seconds. */
 const PREFLIGHT_MAX_AGE_S = 600;
 
-interface OriginGuardOptions {
+interface OriginGuardContext {
   readonly policy: OriginPolicy;
   readonly master: Pick<Master, 'recognizes'>;
   readonly callers: Pick<CallerReader, 'read'>;
@@ -28,7 +28,7 @@ function isLibrary({ method, routeOptions }: FastifyRequest): boolean {
  */
 export function guardOrigins(
   app: FastifyInstance,
-  { policy, master, callers }: OriginGuardOptions,
+  { policy, master, callers }: OriginGuardContext,
 ): void {
   /** Whether the page shows a token, or asks whether it may. [AC-46] */
   const hasToken = ({ method, headers, raw }: FastifyRequest): boolean => {
@@ -69,7 +69,7 @@ export function guardOrigins(
   });
 }
 
-interface PathRightsOptions {
+interface PathRightsContext {
   readonly master: Pick<Master, 'roleOf'>;
   readonly callers: Pick<CallerReader, 'read'>;
 }
@@ -80,7 +80,7 @@ interface PathRightsOptions {
  *
  * @throws Error from the start of the application when a route has no row
  */
-export function guardPaths(app: FastifyInstance, { master, callers }: PathRightsOptions): void {
+export function guardPaths(app: FastifyInstance, { master, callers }: PathRightsContext): void {
   app.addHook('onRoute', ({ method, url }) => {
     for (const each of [method].flat()) {
       if (rowOf(each, url) === undefined) {

@@ -6,20 +6,20 @@ import { ServiceError } from '@ubii/proto';
 import type { ServiceAnswer } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
-import { answerRequest, type AnswerOptions } from '../services/answer-request.ts';
+import { answerRequest, type AnswerContext } from '../services/answer-request.ts';
 import { drain } from '../services/bodies/drain.ts';
 import { binaryFormat, formatOf, jsonFormat } from '../services/service-format.ts';
 import type { ServiceFormat } from '../services/service-format.ts';
 import { isRefusal } from './error-replies.ts';
 
-export interface ServicesOptions extends AnswerOptions {
+export interface ServicesContext extends AnswerContext {
   readonly callers: Pick<CallerReader, 'read'>;
   /** Is told whose connections are. */
   readonly doorkeeper: Pick<Doorkeeper, 'of'>;
 }
 
 /** Services over HTTP: always status 200 with a reply, errors included. [SV-1] */
-export function addServices(app: FastifyInstance, options: ServicesOptions): void {
+export function addServices(app: FastifyInstance, context: ServicesContext): void {
   // Whatever a client calls its content, the path says what it is. Bodies are read by the handler,
   // which knows first who calls.
   app.removeAllContentTypeParsers();
@@ -29,7 +29,7 @@ export function addServices(app: FastifyInstance, options: ServicesOptions): voi
     app.post(path, {
       handler: async (request, reply) => {
         const format = formatFor(request);
-        return send(request, reply, format, await answerTo(request, format, options), options);
+        return send(request, reply, format, await answerTo(request, format, context), context);
       },
       // The framework refuses some requests on its own, for a header it cannot read. [SV-1]
       errorHandler: (error, request, reply) => {
@@ -37,8 +37,8 @@ export function addServices(app: FastifyInstance, options: ServicesOptions): voi
         const refusal = isRefusal(error)
           ? new ServiceError('invalid_argument', error.message)
           : error;
-        const answer = options.master.refuseServiceRequest(refusal);
-        void send(request, reply.code(200), formatFor(request), answer, options);
+        const answer = context.master.refuseServiceRequest(refusal);
+        void send(request, reply.code(200), formatFor(request), answer, context);
       },
     });
   };
@@ -52,7 +52,7 @@ function send(
   reply: FastifyReply,
   format: ServiceFormat,
   answer: ServiceAnswer,
-  { clock }: ServicesOptions,
+  { clock }: ServicesContext,
 ): FastifyReply {
   // Actions that wait for the reply run after it was sent, or after its receiver disconnected. [TD-24]
   reply.raw.once('close', () => answer.afterReply());
@@ -74,9 +74,9 @@ function send(
 function answerTo(
   { raw }: FastifyRequest,
   format: ServiceFormat,
-  options: ServicesOptions,
+  context: ServicesContext,
 ): Promise<ServiceAnswer> {
-  const { callers, doorkeeper } = options;
+  const { callers, doorkeeper } = context;
   return answerRequest(
     {
       caller: callers.read(raw),
@@ -88,7 +88,7 @@ function answerTo(
       isAwaited: () => !raw.socket.readableEnded && !raw.socket.destroyed,
       onIdentified: (kind) => doorkeeper.of(raw.socket)?.handleCaller(kind),
     },
-    options,
+    context,
   );
 }
 

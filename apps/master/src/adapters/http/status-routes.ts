@@ -3,7 +3,7 @@ import type { FastifyInstance, FastifyRequest } from 'fastify';
 import type { Master, MasterMetrics, Role } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 
-export interface StatusOptions {
+export interface StatusRoutesContext {
   readonly master: Pick<Master, 'id' | 'metrics' | 'roleOf'>;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly name: string;
@@ -13,8 +13,8 @@ export interface StatusOptions {
 }
 
 /** `/health` for health checks, `/metrics` for Prometheus. */
-export function addStatus(app: FastifyInstance, options: StatusOptions): void {
-  const { master, callers, name, version, edgeMetrics } = options;
+export function addStatus(app: FastifyInstance, context: StatusRoutesContext): void {
+  const { master, callers, name, version, edgeMetrics } = context;
   const roleOf = (request: FastifyRequest): Role => master.roleOf(callers.read(request.raw));
   app.get('/health', (request, reply) => {
     const details = {

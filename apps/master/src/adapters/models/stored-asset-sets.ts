@@ -8,7 +8,7 @@ import { DownloadError } from './download-model.ts';
 import { downloadModel, removeLeftovers } from './download-model.ts';
 
 /** Dependencies of a store of asset sets. */
-export interface StoredAssetSetsOptions {
+export interface StoredAssetSetsContext {
   readonly assets: AssetFolders;
   /** `models/` of the data directory. */
   readonly folder: string;
@@ -31,24 +31,24 @@ interface Download {
 
 /** Asset sets on disk, and downloads into the data directory: one at a time for each set. [EX-57] [EX-58] */
 export class StoredAssetSets implements AssetSets {
-  readonly #options: StoredAssetSetsOptions;
+  readonly #context: StoredAssetSetsContext;
   readonly #downloads = new Map<string, Download>();
 
-  constructor(options: StoredAssetSetsOptions) {
-    this.#options = options;
+  constructor(context: StoredAssetSetsContext) {
+    this.#context = context;
     // Not awaited: leftovers are never read.
-    for (const { name } of options.models)
-      void removeLeftovers(options.folder, name).catch(() => {});
+    for (const { name } of context.models)
+      void removeLeftovers(context.folder, name).catch(() => {});
   }
 
   async list(): Promise<readonly AssetSet[]> {
-    const { assets, models } = this.#options;
+    const { assets, models } = this.#context;
     const names = await assetSetNames(assets, models);
     return Promise.all(names.map((name) => this.#describe(name)));
   }
 
   async download(name: string): Promise<void> {
-    const model = this.#options.models.find((one) => one.name === name);
+    const model = this.#context.models.find((one) => one.name === name);
     if (model === undefined) {
       throw new ServiceError(
         'not_found',
@@ -75,7 +75,7 @@ export class StoredAssetSets implements AssetSets {
   }
 
   #start(model: KnownModel): void {
-    const { folder, mirror, log, clock } = this.#options;
+    const { folder, mirror, log, clock } = this.#context;
     const { name } = model;
     const abort = new AbortController();
     const { signal } = abort;
@@ -113,7 +113,7 @@ export class StoredAssetSets implements AssetSets {
   }
 
   async #describe(name: string): Promise<AssetSet> {
-    const { assets, folder, mirror, models } = this.#options;
+    const { assets, folder, mirror, models } = this.#context;
     const model = models.find((one) => one.name === name);
     // First: a download that ends while the files are looked at would leave a set that is missing and not under way.
     const download = this.#progress(name, model);
@@ -129,7 +129,7 @@ export class StoredAssetSets implements AssetSets {
       running: error === '',
       loadedBytes,
       totalBytes: modelBytes(model),
-      elapsedMs: this.#options.clock.monotonicMs() - startedMs,
+      elapsedMs: this.#context.clock.monotonicMs() - startedMs,
       error,
     };
   }

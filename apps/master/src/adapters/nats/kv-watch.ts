@@ -64,7 +64,7 @@ interface WatchListener {
 }
 
 /** A bucket, and what is needed to watch it. */
-interface WatchParts {
+interface WatchContext {
   readonly connection: NatsConnection;
   readonly manager: JetStreamManager;
   readonly clock: Clock;
@@ -85,14 +85,14 @@ const REMOVALS: ReadonlySet<string> = new Set(['DEL', 'PURGE']);
  *
  * @throws Error when the server does not take the consumer
  */
-export async function watchBucket(parts: WatchParts, listener: WatchListener): Promise<Cancel> {
-  const watch = new KvWatch(parts, listener);
+export async function watchBucket(context: WatchContext, listener: WatchListener): Promise<Cancel> {
+  const watch = new KvWatch(context, listener);
   await watch.open();
   return () => watch.close();
 }
 
 class KvWatch {
-  readonly #parts: WatchParts;
+  readonly #context: WatchContext;
   readonly #listener: WatchListener;
   readonly #prefix: string;
   #subscription: Subscription | undefined;
@@ -101,14 +101,14 @@ class KvWatch {
   #lastHeardMs = 0;
   #isComplete = false;
 
-  constructor(parts: WatchParts, listener: WatchListener) {
-    this.#parts = parts;
+  constructor(context: WatchContext, listener: WatchListener) {
+    this.#context = context;
     this.#listener = listener;
-    this.#prefix = `$KV.${parts.bucket}.`;
+    this.#prefix = `$KV.${context.bucket}.`;
   }
 
   async open(): Promise<void> {
-    const { connection, manager, clock, bucket } = this.#parts;
+    const { connection, manager, clock, bucket } = this.#context;
     const inbox = createInbox();
     this.#subscription = connection.subscribe(inbox, {
       callback: (error, msg) => {
@@ -117,7 +117,7 @@ class KvWatch {
           if (error === null) this.#receive(msg);
           else this.#lose();
         } catch (cause) {
-          this.#parts.log.error('a change of a store could not be handled', {
+          this.#context.log.error('a change of a store could not be handled', {
             reason: String(cause),
           });
         }
@@ -152,7 +152,7 @@ class KvWatch {
 
   #receive(msg: Msg): void {
     if (this.#subscription === undefined) return;
-    this.#lastHeardMs = this.#parts.clock.monotonicMs();
+    this.#lastHeardMs = this.#context.clock.monotonicMs();
     if (msg.headers?.code === 100) {
       this.#handleControl(msg);
       return;
@@ -177,11 +177,11 @@ class KvWatch {
   /** Heartbeats, and requests to say that all before was taken (flow control, ADR-9 and ADR-15 of NATS). */
   #handleControl(msg: Msg): void {
     if (msg.reply) {
-      this.#parts.connection.publish(msg.reply, Empty);
+      this.#context.connection.publish(msg.reply, Empty);
       return;
     }
     const stalled = msg.headers?.get('Nats-Consumer-Stalled');
-    if (stalled) this.#parts.connection.publish(stalled, Empty);
+    if (stalled) this.#context.connection.publish(stalled, Empty);
     const last = Number(msg.headers?.get('Nats-Last-Consumer') ?? this.#lastDelivery);
     if (last !== this.#lastDelivery) this.#lose();
   }
@@ -193,7 +193,7 @@ class KvWatch {
   }
 
   #checkSilence(): void {
-    if (this.#parts.clock.monotonicMs() - this.#lastHeardMs > SILENCE_MS) this.#lose();
+    if (this.#context.clock.monotonicMs() - this.#lastHeardMs > SILENCE_MS) this.#lose();
   }
 
   #lose(): void {

@@ -84,7 +84,7 @@ const RETRY_MS = 250;
 const START_MS = 10_000;
 
 /** What a link needs besides its settings. */
-interface LinkParts {
+interface NatsLinkContext {
   readonly settings: NatsSettings;
   readonly clock: Clock;
   readonly log: Log;
@@ -104,11 +104,11 @@ export class NatsLink {
   #isConnected = true;
   #isClosed = false;
 
-  private constructor(connection: NatsConnection, pace: ReconnectPace, parts: LinkParts) {
+  private constructor(connection: NatsConnection, pace: ReconnectPace, context: NatsLinkContext) {
     this.connection = connection;
-    this.clock = parts.clock;
-    this.log = parts.log;
-    this.startMs = parts.startMs ?? START_MS;
+    this.clock = context.clock;
+    this.log = context.log;
+    this.startMs = context.startMs ?? START_MS;
     this.#pace = pace;
     void this.#watch();
   }
@@ -118,14 +118,14 @@ export class NatsLink {
    *
    * @throws ConfigError when none could be reached, or refuses this master
    */
-  static async open(parts: LinkParts): Promise<NatsLink> {
-    const { clock, log, settings, startMs = START_MS } = parts;
+  static async open(context: NatsLinkContext): Promise<NatsLink> {
+    const { clock, log, settings, startMs = START_MS } = context;
     const pace = new ReconnectPace();
     const options = connectOptions(settings, () => pace.delayMs());
     const endMs = clock.monotonicMs() + startMs;
     for (let attempt = 1; ; attempt += 1) {
       try {
-        const link = new NatsLink(await connect(options), pace, parts);
+        const link = new NatsLink(await connect(options), pace, context);
         log.info('connected to NATS', { server: link.connection.getServer() });
         return link;
       } catch (error) {

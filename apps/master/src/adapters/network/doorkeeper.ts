@@ -5,7 +5,7 @@ import type { OpenConnection } from '../../core/connections/open-connection.ts';
 import type { Master } from '../../core/master/master.ts';
 import { isLoopbackHost, placeOf, plainAddress } from '../addresses/address-kinds.ts';
 
-export interface DoorkeeperOptions {
+export interface DoorkeeperContext {
   readonly master: Pick<Master, 'admitConnection'>;
   /** Whether an address is one of this machine. */
   readonly isOwnAddress: (address: string) => boolean;
@@ -13,12 +13,12 @@ export interface DoorkeeperOptions {
 
 /** Asks the master about every connection before a byte of it is read, on every port. [AC-60] */
 export class Doorkeeper {
-  readonly #options: DoorkeeperOptions;
+  readonly #context: DoorkeeperContext;
   /** By both ends: TLS puts a socket of its own around that which was accepted. */
   readonly #byEnds = new Map<string, OpenConnection>();
 
-  constructor(options: DoorkeeperOptions) {
-    this.#options = options;
+  constructor(context: DoorkeeperContext) {
+    this.#context = context;
   }
 
   /** To be called when all listeners for connections of this server are there: it stands before them. */
@@ -45,9 +45,9 @@ export class Doorkeeper {
       socket.destroy();
       return false;
     }
-    const isLocal = isLoopbackHost(address) || this.#options.isOwnAddress(address);
+    const isLocal = isLoopbackHost(address) || this.#context.isOwnAddress(address);
     const peer = { address, network: placeOf(address), isLocal };
-    const connection = this.#options.master.admitConnection(peer, () => socket.resetAndDestroy());
+    const connection = this.#context.master.admitConnection(peer, () => socket.resetAndDestroy());
     if (connection === undefined) {
       // A reset leaves nothing behind; a close would keep its port for a minute.
       socket.on('error', () => undefined).resetAndDestroy();

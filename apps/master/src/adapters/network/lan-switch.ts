@@ -5,7 +5,7 @@ import { isLoopbackHost } from '../addresses/address-kinds.ts';
 import type { Reach } from './listeners.ts';
 import { ALL_NETWORKS } from './open-port.ts';
 
-export interface LanSwitchParts {
+export interface LanSwitchContext {
   readonly config: Config;
   readonly log: Log;
   /** Listens on the same ports elsewhere. @throws when a port cannot be had; nothing has changed then */
@@ -16,22 +16,22 @@ export interface LanSwitchParts {
 
 /** Knows what the master listens on, and opens it to the local network while it runs [AC-47]. */
 export class LanSwitch implements Lan {
-  readonly #parts: LanSwitchParts;
+  readonly #context: LanSwitchContext;
   #host: string;
   #https: Https | undefined;
   #opening: Promise<void> | undefined;
 
-  private constructor(parts: LanSwitchParts, host: string, https: Https | undefined) {
-    this.#parts = parts;
+  private constructor(context: LanSwitchContext, host: string, https: Https | undefined) {
+    this.#context = context;
     this.#host = host;
     this.#https = https;
   }
 
   /** @throws ConfigError when there is a certificate that cannot be used */
-  static async create(parts: LanSwitchParts): Promise<LanSwitch> {
-    const { config, log } = parts;
+  static async create(context: LanSwitchContext): Promise<LanSwitch> {
+    const { config, log } = context;
     const host = config.lan ? ALL_NETWORKS : config.host;
-    return new LanSwitch(parts, host, await openHttps(config, host, log));
+    return new LanSwitch(context, host, await openHttps(config, host, log));
   }
 
   /** Host to listen on, see `openPort`. */
@@ -60,7 +60,7 @@ export class LanSwitch implements Lan {
   }
 
   async #open(): Promise<void> {
-    const { config, log, move, onOpen } = this.#parts;
+    const { config, log, move, onOpen } = this.#context;
     const https = this.#https ?? (await openHttps(config, ALL_NETWORKS, log));
     try {
       await move({ host: ALL_NETWORKS, onePort: https?.onePort });

@@ -12,7 +12,7 @@ import type { Doorkeeper } from './doorkeeper.ts';
 import { explainListenError } from './explain-listen-error.ts';
 import { openPort } from './open-port.ts';
 
-export interface ListenersOptions {
+export interface ListenersContext {
   /** Initial host to listen on, see `openPort`. */
   readonly host: string;
   readonly handleRequest: RequestListener;
@@ -88,7 +88,7 @@ interface OpenedPort {
 
 /** The servers of the master: whatever port a request over HTTP comes to, it is handled the same. */
 export class Listeners {
-  readonly #options: ListenersOptions;
+  readonly #context: ListenersContext;
   readonly #opened = new Map<number, OpenedPort>();
   /** Servers that listen no more, and answer the connections that they have. */
   readonly #retired: Server[] = [];
@@ -97,9 +97,9 @@ export class Listeners {
   #reach: Reach;
   #ports: ListeningPorts = { main: 0, services: 0, topicData: 0 };
 
-  constructor(options: ListenersOptions) {
-    this.#options = options;
-    this.#reach = { host: options.host, onePort: options.onePort };
+  constructor(context: ListenersContext) {
+    this.#context = context;
+    this.#reach = { host: context.host, onePort: context.onePort };
   }
 
   /** All zero before `open` is done. */
@@ -115,7 +115,7 @@ export class Listeners {
         return await this.#open(port, '--legacy-ports');
       } catch (error) {
         if (legacyWished || !(error instanceof Error)) throw error;
-        this.#options.log.warn(
+        this.#context.log.warn(
           `${error.message} Configure existing clients to use port ${mainPort}.`,
         );
         return mainPort;
@@ -153,7 +153,7 @@ export class Listeners {
       try {
         await this.#reopen(...other);
       } catch (error) {
-        this.#options.log.warn(`${String((error as Error).message)} It stays as it was.`);
+        this.#context.log.warn(`${String((error as Error).message)} It stays as it was.`);
         this.#reach = before;
         await this.#reopen(...other);
         this.#reach = reach;
@@ -182,7 +182,7 @@ export class Listeners {
   }
 
   async #openZeroMq({ services, topicData }: LegacyPorts): Promise<LegacyPorts> {
-    const { zeromq } = this.#options;
+    const { zeromq } = this.#context;
     if (zeromq === undefined) throw new Error('nothing takes connections of ZeroMQ');
     const open = (port: number, take: (socket: Socket) => void): Promise<number> =>
       this.#open(port, '--zeromq-ports', () => this.#createPlainServer(take));
@@ -220,21 +220,21 @@ export class Listeners {
 
   #createPlainServer(take: (socket: Socket) => void): Server {
     const server = createPlainServer(take);
-    this.#options.doorkeeper?.guard(server);
+    this.#context.doorkeeper?.guard(server);
     return server;
   }
 
   #createServer(): Server {
-    const { handleRequest, handleUpgrade, doorkeeper, timeouts } = this.#options;
+    const { handleRequest, handleUpgrade, doorkeeper, timeouts } = this.#context;
     const { onePort } = this.#reach;
-    const options = {
+    const context = {
       requestTimeout: REQUEST_TIMEOUT_MS,
       connectionsCheckingInterval: CHECK_INTERVAL_MS,
       keepAliveTimeout: timeouts?.keepAliveMs ?? KEEP_ALIVE_MS,
       ...(timeouts && { headersTimeout: timeouts.headersMs }),
     };
     const server = createServer(
-      options,
+      context,
       oneAtATime((request, response) => {
         doorkeeper?.of(request.socket)?.handleRequest();
         handleRequest(request, response);

@@ -25,7 +25,7 @@ export interface Reachability {
   readonly endpoints: MasterEndpoints;
 }
 
-export interface ReachabilityOptions {
+export interface ReachabilityContext {
   /** Others can use HTTPS. Browsers need nothing of the kind on this machine. @default false */
   readonly isSecure?: boolean;
   /** The only address for others, such as that of a proxy. [SV-13] @default those of the networks */
@@ -40,7 +40,7 @@ export function describeReachability(
   host: string,
   ports: ListeningPorts,
   networks: readonly NetworkAddress[],
-  { isSecure = false, publicUrl }: ReachabilityOptions = {},
+  { isSecure = false, publicUrl }: ReachabilityContext = {},
 ): Reachability {
   const reachable = isLoopbackHost(host)
     ? []

@@ -5,7 +5,7 @@ import type { SessionStorage } from '../../core/ports/index.ts';
 import { FolderWatch } from '../storage/folder-watch.ts';
 import { LayeredDocuments } from './layered-documents.ts';
 import type { OriginalFolders } from './original-files.ts';
-import { foldersOf, readOriginal, type OriginalParts } from './read-original.ts';
+import { foldersOf, readOriginal, type OriginalContext } from './read-original.ts';
 
 /**
  * Puts sessions and modules of an original installation below those of a storage. Files that are changed by hand count
@@ -17,12 +17,12 @@ import { foldersOf, readOriginal, type OriginalParts } from './read-original.ts'
 export async function openOriginal<S extends Pick<SessionStorage, 'sessions' | 'modules'>>(
   storage: S,
   folder: string | undefined,
-  parts: OriginalParts,
+  context: OriginalContext,
 ): Promise<S> {
   if (folder === undefined) return storage;
   const folders = await foldersOf(folder);
   let stamp = await stampOf(folders);
-  const data = await readOriginal(folders, parts);
+  const data = await readOriginal(folders, context);
   const watches: FolderWatch[] = [];
   const close = (): void => {
     for (const watch of watches.splice(0)) watch.close();
@@ -34,7 +34,7 @@ export async function openOriginal<S extends Pick<SessionStorage, 'sessions' | '
     const newest = await stampOf(folders);
     if (newest === stamp) return;
     stamp = newest;
-    const read = await readOriginal(folders, parts);
+    const read = await readOriginal(folders, context);
     modules.replace(read.modules);
     sessions.replace(read.sessions);
   };
@@ -42,7 +42,7 @@ export async function openOriginal<S extends Pick<SessionStorage, 'sessions' | '
     if (watched === undefined) continue;
     const handleNotice = (): void => {
       reading = reading.then(look).catch((error: unknown) => {
-        parts.log.warn('the original installation cannot be read', { reason: String(error) });
+        context.log.warn('the original installation cannot be read', { reason: String(error) });
       });
     };
     watches.push(new FolderWatch(watched, handleNotice));

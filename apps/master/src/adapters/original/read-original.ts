@@ -62,7 +62,7 @@ interface OriginalData {
 const SCRIPTS_MS = 20_000;
 
 /** Parts of the master that reading needs. */
-export interface OriginalParts {
+export interface OriginalContext {
   readonly sandboxes: SandboxFactory;
   readonly clock: Pick<Clock, 'monotonicMs'>;
   readonly log: Log;
@@ -85,10 +85,10 @@ export async function foldersOf(folder: string): Promise<OriginalFolders> {
  */
 export async function readOriginal(
   folders: OriginalFolders,
-  parts: OriginalParts,
+  context: OriginalContext,
 ): Promise<OriginalData> {
-  const { log, library } = parts;
-  const modules = await readModules(folders.processing, parts);
+  const { log, library } = context;
+  const modules = await readModules(folders.processing, context);
   const shadowed = new ShadowedModules(modules, library);
   const sessions = (await readSessions(folders.sessions)).map((file) => shadowed.addTo(file));
   report({ sessions, modules }, shadowed, log);
@@ -97,7 +97,7 @@ export async function readOriginal(
 
 async function readModules(
   folder: string | undefined,
-  { sandboxes, clock, log }: OriginalParts,
+  { sandboxes, clock, log }: OriginalContext,
 ): Promise<OriginalFile[]> {
   if (folder === undefined) return [];
   const endMs = clock.monotonicMs() + SCRIPTS_MS;

@@ -12,7 +12,7 @@ import { BinaryBodyScan, JsonBodyScan } from './bodies/receive-body.ts';
 import { receiveBody } from './bodies/receive-body.ts';
 import type { ServiceFormat } from './service-format.ts';
 
-export interface AnswerOptions {
+export interface AnswerContext {
   readonly master: Pick<Master, 'openRequest' | 'handleServiceRequest' | 'refuseServiceRequest'>;
   readonly clock: Clock;
   readonly decoder: BodyDecoder;
@@ -40,14 +40,14 @@ export interface ArrivingRequest {
 /** Reads and answers one request, over whatever transport: errors are in the reply. [SV-1] [SV-40] */
 export async function answerRequest(
   arriving: ArrivingRequest,
-  options: AnswerOptions,
+  context: AnswerContext,
 ): Promise<ServiceAnswer> {
-  const { master } = options;
+  const { master } = context;
   let incoming: IncomingRequest | undefined;
   try {
     incoming = master.openRequest(arriving.caller, arriving.connection);
     arriving.onIdentified(incoming.caller.kind);
-    const request = await readRequest(arriving, incoming, options);
+    const request = await readRequest(arriving, incoming, context);
     if (arriving.isAwaited !== undefined) await requireSender(arriving.isAwaited);
     return await master.handleServiceRequest(request, arriving.caller, incoming);
   } catch (error) {
@@ -75,7 +75,7 @@ async function requireSender(isAwaited: () => boolean): Promise<void> {
 async function readRequest(
   { format, body: stream, declaredBytes, encoding }: ArrivingRequest,
   incoming: IncomingRequest,
-  { clock, decoder, limits }: AnswerOptions,
+  { clock, decoder, limits }: AnswerContext,
 ): Promise<ServiceRequest> {
   if (encoding !== undefined && encoding.toLowerCase() !== 'identity') {
     throw new ServiceError(

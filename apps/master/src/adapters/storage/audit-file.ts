@@ -8,7 +8,7 @@ import type { AuditStore, Log } from '../../core/ports/index.ts';
 /** Lines that wait to be written at most: of more, while a disk hangs, the newest are lost. */
 const MAX_WAITING = 10_000;
 
-export interface AuditFileParts {
+export interface AuditFileContext {
   readonly folder: string;
   /** A file with so many lines becomes the one before; that one goes. */
   readonly maxLines: number;
@@ -17,7 +17,7 @@ export interface AuditFileParts {
 
 /** Lines in two alternating files, readable by the operator only [EX-92]. */
 export class AuditFile implements AuditStore {
-  readonly #parts: AuditFileParts;
+  readonly #context: AuditFileContext;
   readonly #current: string;
   readonly #before: string;
   #lines: string[];
@@ -29,14 +29,14 @@ export class AuditFile implements AuditStore {
   #written: Promise<void> = Promise.resolve();
 
   /** A folder that cannot be made or read is empty; what cannot be written is said in the log. */
-  constructor(parts: AuditFileParts) {
-    this.#parts = parts;
-    this.#current = join(parts.folder, 'audit.jsonl');
-    this.#before = join(parts.folder, 'audit.1.jsonl');
+  constructor(context: AuditFileContext) {
+    this.#context = context;
+    this.#current = join(context.folder, 'audit.jsonl');
+    this.#before = join(context.folder, 'audit.1.jsonl');
     try {
-      mkdirSync(parts.folder, { recursive: true, mode: 0o700 });
+      mkdirSync(context.folder, { recursive: true, mode: 0o700 });
     } catch (error) {
-      parts.log.warn('the audit log cannot be kept', { reason: String(error) });
+      context.log.warn('the audit log cannot be kept', { reason: String(error) });
     }
     const text = readText(this.#current);
     const lines = linesOf(text);
@@ -69,7 +69,7 @@ export class AuditFile implements AuditStore {
     const lines = this.#waiting;
     this.#waiting = [];
     try {
-      if (this.#lineCount > 0 && this.#lineCount + lines.length > this.#parts.maxLines) {
+      if (this.#lineCount > 0 && this.#lineCount + lines.length > this.#context.maxLines) {
         await rename(this.#current, this.#before);
         this.#lineCount = 0;
         this.#isCutOff = false;
@@ -82,7 +82,7 @@ export class AuditFile implements AuditStore {
       this.#lost += lines.length;
       // It is not known how much was written: start the next line with a line break.
       this.#isCutOff = true;
-      this.#parts.log.warn('entries of the audit log were not kept', {
+      this.#context.log.warn('entries of the audit log were not kept', {
         entries: this.#lost,
         reason: String(error),
       });

@@ -22,7 +22,7 @@ const CLOSE_TIMEOUT_MS = 5_000;
 /** Close code of RFC 6455: the server met something it did not expect. */
 const INTERNAL_ERROR = 1011;
 
-export interface TopicDataSocketsOptions {
+export interface TopicDataSocketsContext {
   readonly master: ConnectionHost;
   readonly policy: OriginPolicy;
   readonly callers: Pick<CallerReader, 'prepare' | 'read'>;
@@ -44,26 +44,26 @@ interface Upgrade {
 
 /** Turns upgrade requests, on any path of any port, into connections of the master. [TD-1] */
 export class TopicDataSockets {
-  readonly #options: TopicDataSocketsOptions;
+  readonly #context: TopicDataSocketsContext;
   /** By the most bytes of a message: the limit of a connection is that of its server. */
   readonly #servers = new Map<number, WebSocketServer>();
 
-  constructor(options: TopicDataSocketsOptions) {
-    this.#options = options;
+  constructor(context: TopicDataSocketsContext) {
+    this.#context = context;
   }
 
   /** To be called for the `upgrade` event of every HTTP server. */
   handleUpgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
-    const { callers, master, policy } = this.#options;
+    const { callers, master, policy } = this.#context;
     const verdict = policy.judge(request.headers);
     const claim = claimOf(request.url ?? '');
     // A page without a name proves to be a client: browsers let it send no header here. [AC-46]
     const isUnproven = verdict.kind === 'nameless' && !claim.token;
     if (verdict.kind === 'refused' || isUnproven) {
-      refuseUpgrade(socket, 403, verdict.reason, this.#options.clock);
+      refuseUpgrade(socket, 403, verdict.reason, this.#context.clock);
       return;
     }
-    if (this.#options.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
+    if (this.#context.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
     const { headers, httpVersion } = request;
     const isProven = master.provesLocalClient(claim);
     const asked = { headers, httpVersion, socket: request.socket, isProven };
@@ -83,12 +83,12 @@ export class TopicDataSockets {
 
   #admit(upgrade: Upgrade): void {
     const { request, socket, head, claim, caller } = upgrade;
-    const reason = this.#options.master.refuseConnection(claim, caller);
+    const reason = this.#context.master.refuseConnection(claim, caller);
     if (reason !== undefined) {
-      refuseUpgrade(socket, 403, reason, this.#options.clock); // [AC-27]
+      refuseUpgrade(socket, 403, reason, this.#context.clock); // [AC-27]
       return;
     }
-    const maxBytes = this.#options.master.maxMessageBytes(claim);
+    const maxBytes = this.#context.master.maxMessageBytes(claim);
     this.#serverFor(maxBytes).handleUpgrade(request, socket, head, (webSocket) => {
       this.#open(webSocket, upgrade, maxBytes);
     });
@@ -118,11 +118,11 @@ export class TopicDataSockets {
     for (const { clients } of this.#servers.values()) {
       for (const webSocket of clients) webSocket.terminate();
     }
-    this.#options.preflights?.terminate();
+    this.#context.preflights?.terminate();
   }
 
   #open(webSocket: WebSocket, { request, socket, claim, caller }: Upgrade, maxBytes: number): void {
-    const { master, log } = this.#options;
+    const { master, log } = this.#context;
     const opened = master.openConnection(
       claim,
       new WebSocketConnection(webSocket, socket),
@@ -142,7 +142,7 @@ export class TopicDataSockets {
       }
     });
     if (opened === undefined) return;
-    this.#options.doorkeeper?.of(socket)?.handleClient();
+    this.#context.doorkeeper?.of(socket)?.handleClient();
 
     // The library reads the socket between these two.
     socket.prependListener('data', () => opened.handleReadStart());

@@ -2,13 +2,13 @@ import type { Socket } from 'node:net';
 
 import type { Limits } from '../../core/limits/index.ts';
 import type { ConnectionHost } from '../../core/ports/index.ts';
-import { ZeroMqServices, type ZeroMqServicesOptions } from './zeromq-services.ts';
+import { ZeroMqServices, type ZeroMqServicesContext } from './zeromq-services.ts';
 import { ZeroMqTopicData } from './zeromq-topic-data.ts';
 
 /** What both ends need. */
-export interface ZeroMqEndsOptions extends Omit<ZeroMqServicesOptions, 'greetingMs' | 'replyMs'> {
-  readonly master: ConnectionHost & ZeroMqServicesOptions['master'];
-  readonly limits: ZeroMqServicesOptions['limits'] &
+export interface ZeroMqEndsContext extends Omit<ZeroMqServicesContext, 'greetingMs' | 'replyMs'> {
+  readonly master: ConnectionHost & ZeroMqServicesContext['master'];
+  readonly limits: ZeroMqServicesContext['limits'] &
     Pick<Limits, 'frameBytes' | 'headersTimeoutMs' | 'slowSocketTimeoutMs'>;
 }
 
@@ -17,11 +17,11 @@ export class ZeroMqEnds {
   readonly #services: ZeroMqServices;
   readonly #topicData: ZeroMqTopicData;
 
-  constructor(options: ZeroMqEndsOptions) {
-    const { frameBytes, headersTimeoutMs, slowSocketTimeoutMs } = options.limits;
+  constructor(context: ZeroMqEndsContext) {
+    const { frameBytes, headersTimeoutMs, slowSocketTimeoutMs } = context.limits;
     const greetingMs = headersTimeoutMs; // [AC-63]
-    this.#services = new ZeroMqServices({ ...options, greetingMs, replyMs: slowSocketTimeoutMs });
-    this.#topicData = new ZeroMqTopicData({ ...options, greetingMs, maxMessageBytes: frameBytes });
+    this.#services = new ZeroMqServices({ ...context, greetingMs, replyMs: slowSocketTimeoutMs });
+    this.#topicData = new ZeroMqTopicData({ ...context, greetingMs, maxMessageBytes: frameBytes });
   }
 
   /** Takes a connection to the port of the services. */

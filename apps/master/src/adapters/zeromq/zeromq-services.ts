@@ -9,7 +9,7 @@ import { DELIMITER, MORE, ZmtpError, encodeFrame } from './zmtp-frames.ts';
 import type { CallerFacts, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
-import { answerRequest, type AnswerOptions } from '../services/answer-request.ts';
+import { answerRequest, type AnswerContext } from '../services/answer-request.ts';
 import { drain } from '../services/bodies/drain.ts';
 import { binaryFormat, jsonFormat } from '../services/service-format.ts';
 import { greetPeer } from './greet-peer.ts';
@@ -102,7 +102,7 @@ const END_MS = 5_000;
 /** The first byte of a request as JSON. A request as protobuf cannot begin with it. */
 const OPENING_BRACE = 0x7b;
 
-export interface ZeroMqServicesOptions extends AnswerOptions {
+export interface ZeroMqServicesContext extends AnswerContext {
   readonly callers: Pick<CallerReader, 'prepare' | 'read'>;
   readonly log: Log;
   readonly clock: Clock;
@@ -118,14 +118,14 @@ export interface ZeroMqServicesOptions extends AnswerOptions {
  * are answered one after another. [SV-60]
  */
 export class ZeroMqServices {
-  readonly #options: ZeroMqServicesOptions;
+  readonly #context: ZeroMqServicesContext;
   readonly #sockets = new OpenSockets();
   /** Those that wait for a request. */
   readonly #idle = new Set<Socket>();
   #isClosing = false;
 
-  constructor(options: ZeroMqServicesOptions) {
-    this.#options = options;
+  constructor(context: ZeroMqServicesContext) {
+    this.#context = context;
   }
 
   /** To be called for the `connection` event of a server. */
@@ -133,7 +133,7 @@ export class ZeroMqServices {
     this.#sockets.add(socket);
     this.#serve(socket).catch((error: unknown) => {
       if (!(error instanceof SourceEnded)) {
-        this.#options.log.debug('a ZeroMQ connection failed', { reason: String(error) });
+        this.#context.log.debug('a ZeroMQ connection failed', { reason: String(error) });
       }
       socket.destroy();
     });
@@ -151,7 +151,7 @@ export class ZeroMqServices {
   }
 
   async #serve(socket: Socket): Promise<void> {
-    const { callers, clock, greetingMs } = this.#options;
+    const { callers, clock, greetingMs } = this.#context;
     // First of all: the address of a closed socket is unknown.
     const prepared = callers.prepare({ headers: {}, socket });
     const source = new ByteSource(socket);
@@ -189,7 +189,7 @@ export class ZeroMqServices {
     caller: CallerFacts,
     message: ServiceMessage,
   ): Promise<boolean> {
-    const { doorkeeper, master } = this.#options;
+    const { doorkeeper, master } = this.#context;
     doorkeeper.of(socket)?.handleRequest();
     const isJson = message.size > 0 && (await source.peek(1))[0] === OPENING_BRACE;
     const format = isJson ? jsonFormat : binaryFormat;
@@ -207,7 +207,7 @@ export class ZeroMqServices {
             declaredBytes: message.size,
             onIdentified: (kind) => doorkeeper.of(socket)?.handleCaller(kind),
           },
-          this.#options,
+          this.#context,
         );
     await this.#reply(socket, encodeReply(message, Buffer.from(format.encodeReply(answer.reply))));
     // Actions that wait for the reply run after it was sent, or after its receiver disconnected. [TD-24]
@@ -217,7 +217,7 @@ export class ZeroMqServices {
 
   /** Settles when the system took the reply, or the connection ended. */
   #reply(socket: Socket, reply: readonly Buffer[]): Promise<void> {
-    const { clock, replyMs } = this.#options;
+    const { clock, replyMs } = this.#context;
     if (socket.destroyed) return Promise.resolve();
     return new Promise((resolve) => {
       const cancel = clock.after(replyMs, () => socket.destroy());

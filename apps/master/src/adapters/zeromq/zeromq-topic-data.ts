@@ -20,7 +20,7 @@ const MAX_DISCARDED_BYTES = 64 * 1024;
 /** Default of `holdMs`. */
 const HOLD_MS = 10_000;
 
-export interface ZeroMqTopicDataOptions {
+export interface ZeroMqTopicDataContext {
   readonly master: ConnectionHost;
   readonly callers: Pick<CallerReader, 'prepare' | 'read'>;
   readonly log: Log;
@@ -40,20 +40,20 @@ export interface ZeroMqTopicDataOptions {
 
 /** Topic data as a ROUTER of ZeroMQ, to which each client connects with a DEALER. [TD-50] */
 export class ZeroMqTopicData {
-  readonly #options: ZeroMqTopicDataOptions;
+  readonly #context: ZeroMqTopicDataContext;
   readonly #sockets = new OpenSockets();
   /** Sockets from which nothing more is read. */
   readonly #ending = new WeakSet<Socket>();
 
-  constructor(options: ZeroMqTopicDataOptions) {
-    this.#options = options;
+  constructor(context: ZeroMqTopicDataContext) {
+    this.#context = context;
   }
 
   /** To be called for the `connection` event of a server. */
   handleConnection(socket: Socket): void {
     this.#sockets.add(socket);
     this.#open(socket).catch((error: unknown) => {
-      this.#options.log.debug('a ZeroMQ connection failed', { reason: String(error) });
+      this.#context.log.debug('a ZeroMQ connection failed', { reason: String(error) });
       // A refusal may still be on its way.
       if (socket.writableEnded) this.#cutLater(socket, CLOSE_TIMEOUT_MS);
       else socket.destroy();
@@ -66,7 +66,7 @@ export class ZeroMqTopicData {
   }
 
   async #open(socket: Socket): Promise<void> {
-    const { master, callers, clock, greetingMs, doorkeeper } = this.#options;
+    const { master, callers, clock, greetingMs, doorkeeper } = this.#context;
     // First of all: the address of a closed socket is unknown.
     const prepared = callers.prepare({ headers: {}, socket });
     const addressKind = kindOfPeer(socket.remoteAddress);
@@ -104,7 +104,7 @@ export class ZeroMqTopicData {
     handle: ConnectionHandle,
     rest: Buffer,
   ): void {
-    const { log, maxMessageBytes } = this.#options;
+    const { log, maxMessageBytes } = this.#context;
     const reader = new MessageReader(handle, maxMessageBytes, answersOn(socket));
     const read = (chunk: Buffer): void => {
       handle.handleReadStart();
@@ -128,7 +128,7 @@ export class ZeroMqTopicData {
 
   /** Reads no more messages, and ends the socket when what was written has left. */
   #end(socket: Socket, isHeld: boolean): void {
-    const { clock, holdMs = HOLD_MS } = this.#options;
+    const { clock, holdMs = HOLD_MS } = this.#context;
     this.#ending.add(socket);
     discard(socket);
     const end = (): void => {
@@ -144,7 +144,7 @@ export class ZeroMqTopicData {
   }
 
   #cutLater(socket: Socket, ms: number): void {
-    const cancel = this.#options.clock.after(ms, () => socket.destroy());
+    const cancel = this.#context.clock.after(ms, () => socket.destroy());
     socket.once('close', cancel);
   }
 }

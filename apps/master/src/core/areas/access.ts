@@ -15,7 +15,7 @@ import type { TopicArea } from './topics.ts';
 /** Admission of callers, connections and sockets. */
 export type AccessArea = ReturnType<typeof createAccess>;
 
-export type AccessDependencies = Pick<
+export type AccessAreaContext = Pick<
   MasterPorts,
   'clock' | 'ids' | 'log' | 'tokens' | 'accessSecrets' | 'grants' | 'cluster'
 > &
@@ -27,9 +27,9 @@ export type AccessDependencies = Pick<
   Pick<ClientArea, 'clients' | 'dismissals'> &
   Pick<SessionArea, 'reports'>;
 
-export function createAccess(dependencies: AccessDependencies) {
-  const { clock, ids, log, tokens, accessSecrets: secrets, limits, limitWatch } = dependencies;
-  const { clients, reports } = dependencies;
+export function createAccess(context: AccessAreaContext) {
+  const { clock, ids, log, tokens, accessSecrets: secrets, limits, limitWatch } = context;
+  const { clients, reports } = context;
   const access = new Access({
     clock,
     secrets,
@@ -39,16 +39,16 @@ export function createAccess(dependencies: AccessDependencies) {
       ids,
       log,
       secrets,
-      store: dependencies.grants,
+      store: context.grants,
       limits: limitWatch,
-      isShared: dependencies.cluster !== undefined,
-      installation: dependencies.settings.installation ?? '',
+      isShared: context.cluster !== undefined,
+      installation: context.settings.installation ?? '',
     }),
     guesses: new GuessLimit(clock, limitWatch),
     accessOf: (clientId) => clients.get(clientId)?.access,
   });
   const connections = new Connections(clock, limitWatch);
-  dependencies.onClose.add(() => connections.close());
+  context.onClose.add(() => connections.close());
   return {
     access,
     /** Connections to all ports. */
@@ -56,7 +56,7 @@ export function createAccess(dependencies: AccessDependencies) {
     /** Service requests in flight. */
     bodies: new BodyAccounts(limits, limitWatch),
     sockets: new SocketAdmission({
-      ...dependencies,
+      ...context,
       access,
       topicTexts: new TextCache(),
       slices: new FrameSlices(clock),

@@ -7,16 +7,16 @@ import type { MasterPorts } from './settings.ts';
 /** Bridges to other systems, which are clients. */
 export type BridgeArea = ReturnType<typeof createBridges>;
 
-export type BridgeDependencies = Pick<MasterPorts, 'clock'> &
+export type BridgeAreaContext = Pick<MasterPorts, 'clock'> &
   Pick<Foundation, 'limits' | 'onClose'> &
   Pick<ClientArea, 'clients'> &
   Pick<SessionArea, 'reports'>;
 
-export function createBridges(dependencies: BridgeDependencies) {
-  const bridgeMappings = new BridgeMappingsOfClients(dependencies);
-  dependencies.reports.onMessage.add((client, { bridgeAnswer }) => {
+export function createBridges(context: BridgeAreaContext) {
+  const bridgeMappings = new BridgeMappingsOfClients(context);
+  context.reports.onMessage.add((client, { bridgeAnswer }) => {
     if (bridgeAnswer !== undefined) bridgeMappings.handleAnswer(client, bridgeAnswer);
   });
-  dependencies.onClose.add(() => bridgeMappings.close());
+  context.onClose.add(() => bridgeMappings.close());
   return { bridgeMappings };
 }

@@ -10,7 +10,7 @@ import type { TopicArea } from './topics.ts';
 /** Clients and their devices. */
 export type ClientArea = ReturnType<typeof createClients>;
 
-export type ClientDependencies = Pick<
+export type ClientAreaContext = Pick<
   MasterPorts,
   'clock' | 'ids' | 'tokens' | 'patterns' | 'cluster'
 > &
@@ -18,11 +18,11 @@ export type ClientDependencies = Pick<
   Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'patternTable' | 'subscriptions'> &
   Pick<TopicArea, 'createSubscriber' | 'publisher'>;
 
-export function createClients(dependencies: ClientDependencies) {
-  const { clock, limits, limitWatch, accounts, kept, patternTable } = dependencies;
-  const masterId = dependencies.cluster && dependencies.id;
-  const info = new InfoTopics(dependencies.publisher, clock, limits, masterId);
-  const shared = { ...dependencies, limits: limitWatch, info };
+export function createClients(context: ClientAreaContext) {
+  const { clock, limits, limitWatch, accounts, kept, patternTable } = context;
+  const masterId = context.cluster && context.id;
+  const info = new InfoTopics(context.publisher, clock, limits, masterId);
+  const shared = { ...context, limits: limitWatch, info };
   const devices = new DeviceRegistry(shared);
   const dismissals = new Dismissals();
   const clients = new ClientRegistry({ ...shared, devices, dismissals });
@@ -33,7 +33,7 @@ export function createClients(dependencies: ClientDependencies) {
     const text = `Matching the regular expressions of this client took more than ${limits.patternMatchMs} ms (limit patternMatchMs), so they were ended. Subscribe with simpler expressions.`;
     clients.get(clientId)?.socket?.sendError('resource_exhausted', text);
   });
-  dependencies.onClose.add(() => {
+  context.onClose.add(() => {
     liveness.close();
     info.close();
     for (const { socket } of clients.values()) socket?.close('master is closing');

@@ -15,7 +15,7 @@ export interface ClusterArea {
   readonly masters: Cluster | undefined;
 }
 
-export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'> &
+export type ClusterAreaContext = Pick<MasterPorts, 'clock' | 'log' | 'cluster'> &
   Pick<Foundation, 'id' | 'startedMs' | 'settings' | 'limits' | 'counters' | 'events' | 'onClose'> &
   TopicArea &
   Pick<ClientArea, 'clients' | 'devices' | 'info'> &
@@ -28,12 +28,12 @@ export type ClusterDependencies = Pick<MasterPorts, 'clock' | 'log' | 'cluster'>
   };
 
 /** Without a cluster, nothing is told and asked. */
-export function createCluster(dependencies: ClusterDependencies): ClusterArea {
-  const { cluster, settings, access, sessionNews } = dependencies;
+export function createCluster(context: ClusterAreaContext): ClusterArea {
+  const { cluster, settings, access, sessionNews } = context;
   if (cluster === undefined) return { masters: undefined };
   const { name, bus, seal, owners } = cluster;
   const masters = new Cluster({
-    ...dependencies,
+    ...context,
     name,
     bus,
     seal,
@@ -43,11 +43,11 @@ export function createCluster(dependencies: ClusterDependencies): ClusterArea {
     self: () => ({
       name: nameOf(settings),
       version: settings.version,
-      startedMs: dependencies.startedMs,
+      startedMs: context.startedMs,
       installation: access.grants.installation,
       addresses: settings.endpoints().addresses.flatMap(({ url }) => url ?? []),
     }),
   });
-  dependencies.onClose.add(() => masters.close());
+  context.onClose.add(() => masters.close());
   return { masters };
 }

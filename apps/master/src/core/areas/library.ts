@@ -10,14 +10,14 @@ import type { MasterPorts } from './settings.ts';
 /** Stored modules with their versions, and stored sessions. */
 export type LibraryArea = ReturnType<typeof createLibrary>;
 
-export type LibraryDependencies = Pick<
+export type LibraryAreaContext = Pick<
   MasterPorts,
   'clock' | 'ids' | 'log' | 'storage' | 'library' | 'cluster'
 > &
   Pick<Foundation, 'id' | 'events' | 'onClose'>;
 
-export function createLibrary(dependencies: LibraryDependencies) {
-  const { id, clock, ids, log, events, storage } = dependencies;
+export function createLibrary(context: LibraryAreaContext) {
+  const { id, clock, ids, log, events, storage } = context;
   const stored = new StoredMessages(storage.sessions, 'ubii.sessions.Session');
   const running = new StoredMessages(storage.running, 'ubii.sessions.Session');
   const storedModules = new StoredMessages(storage.modules, 'ubii.processing.ProcessingModule');
@@ -26,10 +26,10 @@ export function createLibrary(dependencies: LibraryDependencies) {
   const unwatchModules = watchModuleFiles(history, storedModules);
   const sessionLibrary = new SessionLibrary({
     ...{ stored, running, masterId: id, log, ids },
-    remembersAll: dependencies.cluster !== undefined,
+    remembersAll: context.cluster !== undefined,
   });
 
-  dependencies.onClose.add(() => {
+  context.onClose.add(() => {
     files.close();
     unwatchModules();
     sessionLibrary.close();
@@ -37,7 +37,7 @@ export function createLibrary(dependencies: LibraryDependencies) {
       store.close();
   });
   return {
-    modules: new ModuleLibrary(dependencies.library, storedModules),
+    modules: new ModuleLibrary(context.library, storedModules),
     history,
     sessionLibrary,
     files,

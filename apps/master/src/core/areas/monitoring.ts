@@ -13,15 +13,15 @@ import type { MasterPorts } from './settings.ts';
 /** Measurements of a master, and its audit log. */
 export type MonitoringArea = ReturnType<typeof createMonitoring>;
 
-export type MonitoringDependencies = Pick<MasterPorts, 'clock' | 'usage' | 'audit'> &
+export type MonitoringAreaContext = Pick<MasterPorts, 'clock' | 'usage' | 'audit'> &
   Pick<Foundation, 'settings' | 'limits' | 'counters' | 'events' | 'onClose'> &
   Pick<ClientArea, 'clients'> &
   Pick<NodeArea, 'nodes'> &
   Pick<SessionArea, 'sessions'>;
 
-export function createMonitoring(dependencies: MonitoringDependencies) {
-  const { clock, usage, limits, counters, events, settings } = dependencies;
-  const { clients, nodes, sessions } = dependencies;
+export function createMonitoring(context: MonitoringAreaContext) {
+  const { clock, usage, limits, counters, events, settings } = context;
+  const { clients, nodes, sessions } = context;
   const clientMeter = new ClientMeter(clients);
   const checks = new OverloadChecks({
     clock,
@@ -36,7 +36,7 @@ export function createMonitoring(dependencies: MonitoringDependencies) {
     checks.look(measured);
   });
   const samples = new Samples(clock, load, counters);
-  dependencies.onClose.add(() => {
+  context.onClose.add(() => {
     samples.close();
     load.close();
   });
@@ -46,6 +46,6 @@ export function createMonitoring(dependencies: MonitoringDependencies) {
     checks,
     samples,
     /** Actions of admins and participants [EX-90]. */
-    audit: new AuditLog({ clock, limits, audit: dependencies.audit }),
+    audit: new AuditLog({ clock, limits, audit: context.audit }),
   };
 }

@@ -12,7 +12,7 @@ import type { TopicArea } from './topics.ts';
 /** Nodes, which run modules: the master, and clients. */
 export type NodeArea = ReturnType<typeof createNodes>;
 
-export type NodeDependencies = Pick<
+export type NodeAreaContext = Pick<
   MasterPorts,
   'clock' | 'patterns' | 'sandboxes' | 'assets' | 'cluster'
 > &
@@ -26,9 +26,9 @@ export type NodeDependencies = Pick<
 const DEFAULT_CAPACITY = 100;
 
 /** Nothing runs until a session starts. */
-export function createNodes(dependencies: NodeDependencies) {
-  const { id: nodeId, settings, limits, limitWatch, accounts, clients, devices } = dependencies;
-  const { assets, modules } = dependencies;
+export function createNodes(context: NodeAreaContext) {
+  const { id: nodeId, settings, limits, limitWatch, accounts, clients, devices } = context;
+  const { assets, modules } = context;
   const { libraries = [], capacity = DEFAULT_CAPACITY } = settings;
   const nodes = new NodeTable(
     {
@@ -39,16 +39,16 @@ export function createNodes(dependencies: NodeDependencies) {
     },
     clients,
   );
-  const sessionTable = new SessionTable(dependencies.cluster && nodeId);
+  const sessionTable = new SessionTable(context.cluster && nodeId);
   const localTopics = new LocalTopics({
-    ...dependencies,
+    ...context,
     nodeId,
     account: accounts.createSession(nodeId),
     deviceOf: (topic) => devices.deviceOfTopic(topic),
     isSession: (id) => sessionTable.get(id) !== undefined,
     onLimit: (limit) => limitWatch.count(limit, nodeId),
   });
-  const { clock, patterns, sandboxes } = dependencies;
+  const { clock, patterns, sandboxes } = context;
   const localNode = new LocalNode((hooks) =>
     createModuleRuntime({
       nodeId,

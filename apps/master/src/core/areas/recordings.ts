@@ -13,7 +13,7 @@ import type { TopicArea } from './topics.ts';
 /** Recordings of topics, and the flight recorder. */
 export type RecordingArea = ReturnType<typeof createRecordings>;
 
-export type RecordingDependencies = Pick<
+export type RecordingAreaContext = Pick<
   MasterPorts,
   'clock' | 'ids' | 'log' | 'patterns' | 'recorder' | 'personalData' | 'cluster'
 > &
@@ -22,18 +22,18 @@ export type RecordingDependencies = Pick<
   Pick<ClientArea, 'clients' | 'devices'> &
   Pick<SessionArea, 'sessions' | 'reports'>;
 
-export function createRecordings(dependencies: RecordingDependencies) {
-  const { settings, limitWatch: limits, sessions, onClose } = dependencies;
-  const interest = dependencies.cluster === undefined ? undefined : recordingInterest(dependencies);
-  const collector = new RecordCollector({ ...dependencies, interest });
+export function createRecordings(context: RecordingAreaContext) {
+  const { settings, limitWatch: limits, sessions, onClose } = context;
+  const interest = context.cluster === undefined ? undefined : recordingInterest(context);
+  const collector = new RecordCollector({ ...context, interest });
   const personalLabels = new PersonalLabels({
-    ...dependencies,
+    ...context,
     limits,
-    store: dependencies.personalData,
+    store: context.personalData,
   });
-  const parts = { ...dependencies, limits, collector, sessions: () => sessions.list() };
+  const parts = { ...context, limits, collector, sessions: () => sessions.list() };
   const atNodes = new NodeRecordings(parts);
-  dependencies.reports.onMessage.add((client, { recorderAnswer, recorderReport }) => {
+  context.reports.onMessage.add((client, { recorderAnswer, recorderReport }) => {
     if (recorderAnswer !== undefined) atNodes.handleAnswer(client, recorderAnswer);
     if (recorderReport !== undefined) atNodes.handleReport(client, recorderReport);
   });
@@ -45,7 +45,7 @@ export function createRecordings(dependencies: RecordingDependencies) {
     masterName: nameOf(settings),
     version: settings.version,
   });
-  dependencies.topics.onEnd.add((entry) => collector.handleEnd(entry));
+  context.topics.onEnd.add((entry) => collector.handleEnd(entry));
   onClose.add(() => {
     atNodes.close();
     collector.close();

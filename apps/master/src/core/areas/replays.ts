@@ -11,7 +11,7 @@ import type { TopicArea } from './topics.ts';
 /** Recordings that are played into live topics. */
 export type ReplayArea = ReturnType<typeof createReplays>;
 
-export type ReplayDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'patterns' | 'replayFiles'> &
+export type ReplayAreaContext = Pick<MasterPorts, 'clock' | 'ids' | 'patterns' | 'replayFiles'> &
   Pick<Foundation, 'limits' | 'limitWatch' | 'counters' | 'onClose'> &
   Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'tap' | 'replayed' | 'publisher'> &
   Pick<TopicArea, 'subscriptions' | 'recordedSources'> &
@@ -21,8 +21,8 @@ export type ReplayDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'patterns' 
   Pick<AccessArea, 'sockets'> &
   Pick<RecordingArea, 'recordings'>;
 
-export function createReplays(dependencies: ReplayDependencies) {
-  const replays = new Replays(dependencies);
-  dependencies.onClose.add(() => replays.close());
+export function createReplays(context: ReplayAreaContext) {
+  const replays = new Replays(context);
+  context.onClose.add(() => replays.close());
   return { replays };
 }

@@ -27,7 +27,7 @@ import type { TopicArea } from './topics.ts';
 /** Sessions, and the reports of nodes on their modules. */
 export type SessionArea = ReturnType<typeof createSessions>;
 
-export type SessionDependencies = Pick<
+export type SessionAreaContext = Pick<
   MasterPorts,
   'clock' | 'ids' | 'log' | 'patterns' | 'sandboxes' | 'cluster'
 > &
@@ -49,11 +49,11 @@ interface Listeners {
   readonly supervision: Supervision;
 }
 
-export function createSessions(dependencies: SessionDependencies) {
-  const { clock, limitWatch: limits, modules, sessionLibrary, sessionTable } = dependencies;
-  const news = new SessionNews(dependencies);
-  const life = createLife(dependencies, news);
-  const lockstep = createLockstep(dependencies, news);
+export function createSessions(context: SessionAreaContext) {
+  const { clock, limitWatch: limits, modules, sessionLibrary, sessionTable } = context;
+  const news = new SessionNews(context);
+  const life = createLife(context, news);
+  const lockstep = createLockstep(context, news);
   const monotonicMs = (): number => clock.monotonicMs();
   const onChange = news.announceChange.bind(news);
   const runTroubles = new RunTroubles({ monotonicMs, onChange });
@@ -61,33 +61,34 @@ export function createSessions(dependencies: SessionDependencies) {
     monotonicMs,
     onRunaway(_session, { nodeId }, text) {
       limits.count('topicsPerModule', nodeId);
-      dependencies.events.add(StatusEventKind.LIMIT_REACHED, text, nodeId);
+      context.events.add(StatusEventKind.LIMIT_REACHED, text, nodeId);
     },
     onChange,
   });
   const reports = new NodeReports({
-    ...dependencies,
+    ...context,
     life,
     table: sessionTable,
     lockstep,
     runTroubles,
   });
   const claims = new SessionClaims({
-    masterId: dependencies.nodes.masterId,
-    owners: dependencies.cluster?.owners,
-    log: dependencies.log,
+    masterId: context.nodes.masterId,
+    owners: context.cluster?.owners,
+    log: context.log,
   });
   const sessions = new Sessions({
-    ...dependencies,
+    ...context,
     limits,
     table: sessionTable,
-    requests: requestContext(dependencies),
+    requests: requestContext(context),
     life,
     claims,
     library: sessionLibrary,
-    topics: dependencies.localTopics,
+    topics: context.localTopics,
   });
-  const supervision = new Supervision(life, {
+  const supervision = new Supervision({
+    ...life,
     passes: (session) => lockstep.statistics(session),
     recheck: (session) => sessions.recheck(session),
     lookAtTroubles(session) {
@@ -96,8 +97,8 @@ export function createSessions(dependencies: SessionDependencies) {
     },
   });
   const reload = new ModuleReload({ library: modules, sessions, news });
-  listen(dependencies, { life, lockstep, reports, sessions, supervision });
-  dependencies.onClose.add(() => {
+  listen(context, { life, lockstep, reports, sessions, supervision });
+  context.onClose.add(() => {
     for (const part of [news, reload, supervision, lockstep]) part.close();
   });
   return {
@@ -111,8 +112,8 @@ export function createSessions(dependencies: SessionDependencies) {
   };
 }
 
-function createLife(dependencies: SessionDependencies, news: SessionNews): LifeContext {
-  const { clock, limits, log, clients, nodes, localNode, sessionTable } = dependencies;
+function createLife(context: SessionAreaContext, news: SessionNews): LifeContext {
+  const { clock, limits, log, clients, nodes, localNode, sessionTable } = context;
   return {
     clock,
     limits,
@@ -128,10 +129,10 @@ function createLife(dependencies: SessionDependencies, news: SessionNews): LifeC
   };
 }
 
-function createLockstep(dependencies: SessionDependencies, news: SessionNews): Lockstep {
-  const { localNode: local, localTopics } = dependencies;
+function createLockstep(context: SessionAreaContext, news: SessionNews): Lockstep {
+  const { localNode: local, localTopics } = context;
   return new Lockstep({
-    ...dependencies,
+    ...context,
     local,
     news,
     topics: localTopics,
@@ -142,8 +143,8 @@ function createLockstep(dependencies: SessionDependencies, news: SessionNews): L
   });
 }
 
-function requestContext(dependencies: SessionDependencies): RequestContext {
-  const { ids, limits, limitWatch, sessionTable, nodes, modules, sandboxes, clock } = dependencies;
+function requestContext(context: SessionAreaContext): RequestContext {
+  const { ids, limits, limitWatch, sessionTable, nodes, modules, sandboxes, clock } = context;
   return {
     limits: limitWatch,
     completion: {
@@ -151,20 +152,18 @@ function requestContext(dependencies: SessionDependencies): RequestContext {
       isTaken: (id) => sessionTable.findModule(id) !== undefined,
       // A session runs at one master, whichever a page names. [CU-76]
       nodeId: (text) =>
-        text === MASTER_ALIAS || dependencies.isOtherMaster(text)
-          ? nodes.masterId
-          : text || undefined,
+        text === MASTER_ALIAS || context.isOtherMaster(text) ? nodes.masterId : text || undefined,
       stored: (name) => modules.get(name),
       offered: (name, nodeId) => nodes.offered(name, nodeId),
     },
-    checks: createChecks(dependencies),
+    checks: createChecks(context),
     sources: { sandboxes, clock, timeoutMs: limits.sourceCheckTimeoutMs },
   };
 }
 
 /** Listeners are called in this order. */
 function listen(
-  { events, clients, nodes, localNode, sessionTable, sessionLibrary }: SessionDependencies,
+  { events, clients, nodes, localNode, sessionTable, sessionLibrary }: SessionAreaContext,
   { life, lockstep, reports, sessions, supervision }: Listeners,
 ): void {
   life.onLife.add((session) => supervision.handleLife(session));

@@ -20,7 +20,7 @@ import type { TopicArea } from './topics.ts';
 /** Studies, their runs and participants. */
 export type StudyArea = ReturnType<typeof createStudies>;
 
-export type StudyDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'log' | 'studyStorage'> &
+export type StudyAreaContext = Pick<MasterPorts, 'clock' | 'ids' | 'log' | 'studyStorage'> &
   Pick<Foundation, 'settings' | 'limitWatch' | 'onClose'> &
   Pick<TopicArea, 'topics' | 'publisher'> &
   Pick<ClientArea, 'clients' | 'devices'> &
@@ -28,17 +28,17 @@ export type StudyDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'log' | 'stu
   Pick<SessionArea, 'sessions'> &
   Pick<RecordingArea, 'recordings'>;
 
-export function createStudies(dependencies: StudyDependencies) {
-  const { clock, log, topics, nodes, settings, limitWatch: limits, onClose } = dependencies;
+export function createStudies(context: StudyAreaContext) {
+  const { clock, log, topics, nodes, settings, limitWatch: limits, onClose } = context;
   const rates = new RateMeter(clock, topics);
   const masterName = nameOf(settings);
-  const finder = new DeviceFinder({ ...dependencies, masterId: nodes.masterId, masterName, rates });
-  const store = new StudyStore({ storage: dependencies.studyStorage, limits, log });
+  const finder = new DeviceFinder({ ...context, masterId: nodes.masterId, masterName, rates });
+  const store = new StudyStore({ storage: context.studyStorage, limits, log });
   const checks = new StudyChecks({ clock, limits, rates, finder });
   const ownValues = new OwnValues({ store, topics, clock });
-  const news = new StudyNews({ ...dependencies, store, checks });
+  const news = new StudyNews({ ...context, store, checks });
   const blocks = new StudyBlocks({
-    ...dependencies,
+    ...context,
     ...{ limits, store, checks, ownValues },
     onTimeUp(runId, recordingId) {
       studyRuns.endBlock(runId, recordingId).catch((error: unknown) => {
@@ -46,11 +46,11 @@ export function createStudies(dependencies: StudyDependencies) {
       });
     },
   });
-  const context = { ...dependencies, limits, store, checks, blocks, news, turns: new Turns() };
-  const studyRuns = new StudyRuns(context);
+  const shared = { ...context, limits, store, checks, blocks, news, turns: new Turns() };
+  const studyRuns = new StudyRuns(shared);
   onClose.add(() => {
     news.close();
     blocks.close();
   });
-  return { studies: new Studies(context), studyRuns, participants: new Participants(context) };
+  return { studies: new Studies(shared), studyRuns, participants: new Participants(shared) };
 }

@@ -18,18 +18,18 @@ import type { MasterPorts } from './settings.ts';
 /** Topics with their subscribers, and the accounts that pay for them. */
 export type TopicArea = ReturnType<typeof createTopics>;
 
-export type TopicDependencies = Pick<MasterPorts, 'clock' | 'patterns'> &
+export type TopicAreaContext = Pick<MasterPorts, 'clock' | 'patterns'> &
   Pick<Foundation, 'startedMs' | 'limits' | 'limitWatch' | 'counters' | 'onClose'>;
 
-export function createTopics(dependencies: TopicDependencies) {
-  const { clock, patterns: compiler, limits, limitWatch, counters } = dependencies;
+export function createTopics(context: TopicAreaContext) {
+  const { clock, patterns: compiler, limits, limitWatch, counters } = context;
   const accounts = new Accounts({ clock, limits: limitWatch });
   const patterns = new PatternTable({ clock, compiler });
   const selections = new SelectionTable();
   const topics = new TopicTable(
     [patterns, selections],
     // A thousand epochs fit into each millisecond that earlier runs of the master lasted.
-    dependencies.startedMs * 1000,
+    context.startedMs * 1000,
     limits.keptRemovals,
     accounts.master,
   );
@@ -52,7 +52,7 @@ export function createTopics(dependencies: TopicDependencies) {
     limitWatch.count('patternMatchMs', subscriber.clientId);
     subscriptions.unsubscribePatterns(subscriber);
   });
-  dependencies.onClose.add(() => expiring.close());
+  context.onClose.add(() => expiring.close());
   return {
     accounts,
     topics,

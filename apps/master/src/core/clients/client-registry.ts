@@ -52,7 +52,7 @@ export interface ClientContext {
 }
 
 /** What is fixed of a client of another master. */
-export interface ForeignParts {
+export interface ForeignClientInit {
   readonly home: ClientHome;
   readonly spec: ClientSpec;
   readonly isExtension: boolean;
@@ -177,7 +177,7 @@ export class ClientRegistry {
    *
    * @param hereSinceMs when it came there, epoch milliseconds
    */
-  addForeign(id: string, { home, spec, isExtension, hereSinceMs }: ForeignParts): Client {
+  addForeign(id: string, { home, spec, isExtension, hereSinceMs }: ForeignClientInit): Client {
     const { accounts, clock, createSubscriber } = this.#context;
     const account = accounts.createForeign(id);
     const nowMs = clock.monotonicMs();

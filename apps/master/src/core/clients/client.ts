@@ -19,7 +19,7 @@ import { Traffic } from './traffic.ts';
 export type ClientSpec = Omit<ClientMessage, 'id' | 'devices' | 'state' | 'latency' | 'extension'>;
 
 /** Fixed properties of a client. */
-export interface ClientParts {
+export interface ClientInit {
   readonly id: string;
   readonly spec: ClientSpec;
   readonly isExtension: boolean;
@@ -105,7 +105,7 @@ export class Client implements PublishingClient {
   clock: (ToldClock & { readonly toldMs: number }) | undefined = undefined;
   latencyMeasuredMs: number;
 
-  constructor(parts: ClientParts) {
+  constructor(parts: ClientInit) {
     this.id = parts.id;
     this.spec = parts.spec;
     this.ownName = parts.spec.name;

@@ -115,8 +115,8 @@ function encodeCall(
 ): Init<Omit<ClusterCall, 'number'>> {
   const bytes = encode('ubii.services.ServiceRequest', request);
   // A program of this machine is of the network for clients that are local to another one.
-  const told = standing === 'local' ? 'network' : standing;
-  return { request: bytes, standing: told, place, address, bearer, isHere };
+  const forwarded = standing === 'local' ? 'network' : standing;
+  return { request: bytes, standing: forwarded, place, address, bearer, isHere };
 }
 
 /** What the other master says of the caller: it has judged its connection. */

@@ -9,7 +9,7 @@ const NEWS_MS = 20;
 export interface ClientNewsContext {
   readonly clock: Clock;
   readonly clients: ClientRegistry;
-  readonly tell: (changed: readonly Client[], goneIds: readonly string[]) => void;
+  readonly send: (changed: readonly Client[], goneIds: readonly string[]) => void;
 }
 
 /** Collects what became of clients of this master, for the others. [CU-20] */
@@ -25,16 +25,16 @@ export class ClientNews {
   /** The client came, changed or left. */
   note(clientId: string): void {
     this.#ids.add(clientId);
-    this.#cancel ??= this.#context.clock.after(NEWS_MS, () => this.#tell());
+    this.#cancel ??= this.#context.clock.after(NEWS_MS, () => this.#send());
   }
 
   close(): void {
     this.#cancel?.();
   }
 
-  #tell(): void {
+  #send(): void {
     this.#cancel = undefined;
-    const { clients, tell } = this.#context;
+    const { clients, send } = this.#context;
     const changed: Client[] = [];
     const gone: string[] = [];
     for (const id of this.#ids) {
@@ -43,6 +43,6 @@ export class ClientNews {
       else if (client.home === undefined) changed.push(client);
     }
     this.#ids.clear();
-    if (changed.length + gone.length > 0) tell(changed, gone);
+    if (changed.length + gone.length > 0) send(changed, gone);
   }
 }

@@ -20,18 +20,17 @@ import type { ClusterContext } from './cluster-context.ts';
 import { Directory } from './directory.ts';
 import { ForeignTopics } from './foreign-topics.ts';
 import { ForeignValues } from './foreign-values.ts';
-import { HeardAddresses } from './heard-addresses.ts';
+import { KnownAddresses } from './known-addresses.ts';
 import { LostMasters } from './lost-masters.ts';
 import { HELLO_MS, Members, type Member } from './members.ts';
 import { MeteredBus } from './metered-bus.ts';
-import { OwnInterest } from './own-interest.ts';
-import type { PeerContext } from './peer-subscriber.ts';
+import { LocalInterest } from './local-interest.ts';
 import { Peer } from './peer.ts';
 import { Peers } from './peers.ts';
 import { ProvenBus } from './proven-bus.ts';
 import { SessionMirror } from './session-mirror.ts';
 import { Takeover } from './takeover.ts';
-import { ToldRecords } from './told-records.ts';
+import { ReceivedRecords } from './received-records.ts';
 
 /** Time that other masters have to add to a reply, milliseconds. */
 const GATHER_MS = 1_000;
@@ -41,14 +40,14 @@ export class Cluster implements BusListener {
   readonly name: string;
   readonly members: Members;
   readonly lost = new LostMasters();
-  readonly heardAddresses = new HeardAddresses();
-  readonly #context: Omit<ClusterContext, 'bus'> & Pick<PeerContext, 'bus'>;
+  readonly knownAddresses = new KnownAddresses();
+  readonly #context: Omit<ClusterContext, 'bus'> & { readonly bus: ProvenBus };
   readonly #bus: MeteredBus;
   readonly #texts = new TextCache();
   readonly #clientNews: ClientNews;
   readonly #directory: Directory;
-  readonly #interest: OwnInterest;
-  readonly #told: ToldRecords;
+  readonly #interest: LocalInterest;
+  readonly #received: ReceivedRecords;
   readonly #mirror: SessionMirror;
   readonly #calls: Calls;
   readonly #topics: ForeignTopics;
@@ -62,20 +61,20 @@ export class Cluster implements BusListener {
   /** Since when it can or cannot be, epoch milliseconds; undefined before it could be. */
   reachSinceMs: number | undefined = undefined;
 
-  constructor(dependencies: ClusterContext) {
-    this.#bus = new MeteredBus(dependencies.bus);
-    const bus = new ProvenBus({ ...dependencies, bus: this.#bus });
-    const context = { ...dependencies, bus };
+  constructor(init: ClusterContext) {
+    this.#bus = new MeteredBus(init.bus);
+    const bus = new ProvenBus({ ...init, bus: this.#bus });
+    const context = { ...init, bus };
     this.#context = context;
     this.name = context.name;
     const { clock, clients, self } = context;
     this.members = new Members({ clock, bus, self });
     this.#directory = new Directory(context);
-    this.#interest = new OwnInterest(context);
-    this.#told = new ToldRecords(context);
+    this.#interest = new LocalInterest(context);
+    this.#received = new ReceivedRecords(context);
     this.#mirror = new SessionMirror({
       ...context,
-      isThere: (id) => this.members.get(id) !== undefined,
+      isReachable: (id) => this.members.get(id) !== undefined,
     });
     this.#calls = new Calls(context);
     this.#topics = new ForeignTopics({
@@ -89,19 +88,19 @@ export class Cluster implements BusListener {
     this.#clientNews = new ClientNews({
       clock,
       clients,
-      tell: (changed, gone) => {
-        for (const peer of this.peers) peer.tellClients(changed, gone);
+      send: (changed, gone) => {
+        for (const peer of this.peers) peer.sendClients(changed, gone);
       },
     });
     context.onSessionNews.add((topic, session) => {
-      for (const peer of this.peers) peer.tellSession({ topic, session });
+      for (const peer of this.peers) peer.sendSession({ topic, session });
     });
     this.#interest.onChange.add((wanted, unwanted) => {
-      for (const peer of this.peers) peer.tellInterest(wanted, unwanted);
+      for (const peer of this.peers) peer.sendInterest(wanted, unwanted);
       if (unwanted.length > 0) this.#values.endUnwanted();
     });
     this.members.onJoined.add(({ addresses }) => {
-      this.heardAddresses.add(addresses);
+      this.knownAddresses.add(addresses);
       this.#publishAddresses();
     });
     this.members.onLost.add((member, hasEnded) => {
@@ -198,11 +197,11 @@ export class Cluster implements BusListener {
     ) as ServiceReply[];
   }
 
-  /** A node says something: masters that run modules there are told, if it is at this master. [CU-24] */
+  /** Forwards a message of a node at this master to the masters that run modules there. [CU-24] */
   #handleNodeMessage({ id: nodeId, home }: Client, message: Uint8Array): void {
     if (home !== undefined) return;
     for (const masterId of this.#context.foreignSessions.mastersUsing(nodeId)) {
-      this.peers.get(masterId)?.tellNodeMessage(nodeId, message);
+      this.peers.get(masterId)?.sendNodeMessage(nodeId, message);
     }
   }
 
@@ -244,7 +243,7 @@ export class Cluster implements BusListener {
     const parts = {
       directory: this.#directory,
       interest: this.#interest,
-      told: this.#told,
+      received: this.#received,
       mirror: this.#mirror,
       bytes: this.#bus.follow(id),
       onFrame: (clientId: string, frame: Uint8Array) =>
@@ -260,7 +259,7 @@ export class Cluster implements BusListener {
     this.#context.events.add(StatusEventKind.MASTER_JOINED, text);
     this.#values.handleJoined(id);
     this.lost.delete(id);
-    // It may not have heard of this master yet.
+    // It may not know this master yet.
     this.members.sayHello();
     peer.listen();
     return peer;

@@ -47,21 +47,21 @@ export class Directory {
   }
 
   /** A client of another master is there, or changed. */
-  set(masterId: string, told: ClusterClient): void {
-    const { client: message } = told;
+  set(masterId: string, announced: ClusterClient): void {
+    const { client: message } = announced;
     if (message === undefined || message.id === '') return;
     const { clients } = this.#context;
     const home = this.#homeOf(masterId);
     const known = clients.get(message.id);
-    if (known !== undefined && !this.#isThere(known, home, told)) return; // [CU-22]
-    const client = known ?? clients.addForeign(message.id, foreignParts(home, told, message));
-    client.hereSinceMs = told.hereSinceMs;
-    client.library = told.library;
-    client.node = told.node;
+    if (known !== undefined && !this.#isReachable(known, home, announced)) return; // [CU-22]
+    const client = known ?? clients.addForeign(message.id, foreignParts(home, announced, message));
+    client.hereSinceMs = announced.hereSinceMs;
+    client.library = announced.library;
+    client.node = announced.node;
     // Its own master judged its devices.
     client.publishRights = undefined;
     this.#setDevices(client, message);
-    clients.admitForeign(client, this.#accessOf(told));
+    clients.admitForeign(client, this.#accessOf(announced));
     clients.setForeign(client, {
       spec: specOf(message),
       status: statusOf(message.state),
@@ -87,7 +87,7 @@ export class Directory {
   }
 
   /** Whether the client is at this master now, or else at another one that it came to later. */
-  #isThere(known: Client, home: ClientHome, { hereSinceMs }: ClusterClient): boolean {
+  #isReachable(known: Client, home: ClientHome, { hereSinceMs }: ClusterClient): boolean {
     if (known.home?.masterId === home.masterId) {
       known.home = home;
       return true;
@@ -152,8 +152,8 @@ export function describeClient(client: Client): Init<ClusterClient> {
   };
 }
 
-function foreignParts(home: ClientHome, told: ClusterClient, message: ClientMessage) {
-  const { isExtension, hereSinceMs } = told;
+function foreignParts(home: ClientHome, announced: ClusterClient, message: ClientMessage) {
+  const { isExtension, hereSinceMs } = announced;
   return { home, spec: specOf(message), isExtension, hereSinceMs };
 }
 

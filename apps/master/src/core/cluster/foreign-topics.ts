@@ -127,17 +127,17 @@ export class ForeignTopics {
     const known = this.#masters.get(id) ?? { cursor: 0, topics: new Map<string, KnownTopic>() };
     const { topic } = SERVICES.topicStatistics;
     const request = { topic, topicStatisticsRequest: { cursor: known.cursor } } as ServiceRequest;
-    const told = (await this.#context.call(id, request, facts))?.topicStatistics;
-    if (told === undefined) return;
+    const reply = (await this.#context.call(id, request, facts))?.topicStatistics;
+    if (reply === undefined) return;
     this.#masters.set(id, known);
     const { epoch } = this.#context.topics;
-    const gone = told.reset ? new Set(known.topics.keys()) : new Set(told.removed);
-    for (const statistic of told.elements) {
+    const gone = reply.reset ? new Set(known.topics.keys()) : new Set(reply.removed);
+    for (const statistic of reply.elements) {
       gone.delete(statistic.topic);
       known.topics.set(statistic.topic, { statistic, epoch });
     }
     for (const one of gone) this.#remove(known, one, epoch);
-    known.cursor = told.cursor;
+    known.cursor = reply.cursor;
   }
 
   #forget(id: string): void {

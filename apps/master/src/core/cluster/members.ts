@@ -36,21 +36,21 @@ export interface MembersContext {
   readonly self: () => OwnMember;
 }
 
-interface Heard {
+interface Entry {
   member: Member;
-  heardMs: number;
+  lastSeenMs: number;
 }
 
 /** The reachable other masters of the cluster. */
 export class Members {
   /** A master is there that was not, or says something else of itself. */
   readonly onJoined = new Hook<[member: Member]>();
-  /** A master said that it ends, or is not heard any more. */
+  /** A master said that it ends, or is not entry any more. */
   readonly onLost = new Hook<[member: Member, hasEnded: boolean]>();
   readonly #context: MembersContext;
-  readonly #members = new Map<string, Heard>();
-  /** Those that fell silent, as long as they may be there and not be heard. */
-  readonly #silent = new Map<string, Heard>();
+  readonly #members = new Map<string, Entry>();
+  /** Those that fell silent, as long as they may be there and not be entry. */
+  readonly #silent = new Map<string, Entry>();
 
   constructor(context: MembersContext) {
     this.#context = context;
@@ -62,7 +62,7 @@ export class Members {
   }
 
   /**
-   * Where clients can go: to those that are there. While none is heard, to those that fell silent, because it may be
+   * Where clients can go: to those that are there. While none is entry, to those that fell silent, because it may be
    * this master that is cut off; never to those that said goodbye. [CU-26]
    */
   listForClients(): Member[] {
@@ -92,16 +92,16 @@ export class Members {
     const { name, addresses, masterVersion: version, startedMs, installation } = hello;
     const sinceMs = before?.member.sinceMs ?? clock.nowMs();
     const member = { id, name, addresses, version, startedMs, installation, sinceMs };
-    this.#members.set(id, { member, heardMs: clock.monotonicMs() });
+    this.#members.set(id, { member, lastSeenMs: clock.monotonicMs() });
     this.#silent.delete(id);
     if (before === undefined || !isSame(before.member, member)) this.onJoined.emit(member);
   }
 
   /** A master sent something. @returns whether it has said who it is */
   handleSign(id: string): boolean {
-    const heard = this.#members.get(id);
-    if (heard !== undefined) heard.heardMs = this.#context.clock.monotonicMs();
-    return heard !== undefined;
+    const entry = this.#members.get(id);
+    if (entry !== undefined) entry.lastSeenMs = this.#context.clock.monotonicMs();
+    return entry !== undefined;
   }
 
   handleGoodbye(id: string): void {
@@ -112,26 +112,26 @@ export class Members {
   /** Gives up masters that are silent. */
   sweep(): void {
     const nowMs = this.#context.clock.monotonicMs();
-    for (const [id, heard] of this.#members) {
-      if (nowMs - heard.heardMs < LOST_MS) continue;
-      this.#silent.set(id, heard);
+    for (const [id, entry] of this.#members) {
+      if (nowMs - entry.lastSeenMs < LOST_MS) continue;
+      this.#silent.set(id, entry);
       this.#lose(id, false);
     }
     // With another master reachable, these are down, and this one is not cut off.
-    for (const [id, { heardMs }] of this.#silent) {
-      if (this.#members.size > 0 && nowMs - heardMs >= 2 * LOST_MS) this.#silent.delete(id);
+    for (const [id, { lastSeenMs }] of this.#silent) {
+      if (this.#members.size > 0 && nowMs - lastSeenMs >= 2 * LOST_MS) this.#silent.delete(id);
     }
   }
 
   #lose(id: string, hasEnded: boolean): void {
-    const heard = this.#members.get(id);
-    if (heard === undefined || !this.#members.delete(id)) return;
-    this.onLost.emit(heard.member, hasEnded);
+    const entry = this.#members.get(id);
+    if (entry === undefined || !this.#members.delete(id)) return;
+    this.onLost.emit(entry.member, hasEnded);
   }
 }
 
-function sorted(heard: ReadonlyMap<string, Heard>): Member[] {
-  return [...heard.values()]
+function sorted(entries: ReadonlyMap<string, Entry>): Member[] {
+  return [...entries.values()]
     .map(({ member }) => member)
     .sort((a, b) => a.name.localeCompare(b.name) || (a.id < b.id ? -1 : 1));
 }

@@ -8,7 +8,7 @@ export type PartTimes = Pick<ClusterPart, 'sentMs' | 'echoMs' | 'heldMs'>;
  * compared, as in NTP (RFC 5905, section 8). [CU-74]
  */
 export class PeerRoundTrip {
-  #heard: { readonly sentMs: number; readonly heardMs: number } | undefined = undefined;
+  #received: { readonly sentMs: number; readonly receivedMs: number } | undefined = undefined;
   #latestMs = 0;
 
   /** The last measurement, milliseconds; 0 before the first. */
@@ -18,14 +18,14 @@ export class PeerRoundTrip {
 
   /** Times for a part that is sent now. @param nowMs monotonic milliseconds */
   times(nowMs: number): PartTimes {
-    if (this.#heard === undefined) return { sentMs: nowMs, echoMs: 0, heldMs: 0 };
-    const { sentMs, heardMs } = this.#heard;
-    return { sentMs: nowMs, echoMs: sentMs, heldMs: nowMs - heardMs };
+    if (this.#received === undefined) return { sentMs: nowMs, echoMs: 0, heldMs: 0 };
+    const { sentMs, receivedMs } = this.#received;
+    return { sentMs: nowMs, echoMs: sentMs, heldMs: nowMs - receivedMs };
   }
 
   /** Times of a part that came now. Parts without times have zeros. */
   handleTimes({ sentMs, echoMs, heldMs }: PartTimes, nowMs: number): void {
-    if (sentMs !== 0) this.#heard = { sentMs, heardMs: nowMs };
+    if (sentMs !== 0) this.#received = { sentMs, receivedMs: nowMs };
     if (echoMs !== 0) this.#latestMs = Math.max(0, nowMs - echoMs - heldMs);
   }
 }

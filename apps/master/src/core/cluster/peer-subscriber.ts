@@ -26,7 +26,7 @@ const VALUES_BYTES = 256 * 1024;
 const EVERYTHING = 'everything';
 
 /** Dependencies of what another master gets. */
-export interface PeerContext {
+export interface PeerSubscriberContext {
   readonly clock: Clock;
   readonly log: Log;
   readonly bus: ProvenBus;
@@ -43,7 +43,7 @@ export interface PeerContext {
  * queue in front of the bus. [CU-10]
  */
 export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
-  readonly #context: PeerContext;
+  readonly #context: PeerSubscriberContext;
   readonly #stream: OutgoingStream;
   readonly #subscriber: ClientSubscriber;
   /** The same, with this as its receiver. */
@@ -52,7 +52,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
   #isTouched = false;
   #cancelDrain: Cancel | undefined = undefined;
 
-  constructor(context: PeerContext, peerId: string, stream: OutgoingStream) {
+  constructor(context: PeerSubscriberContext, peerId: string, stream: OutgoingStream) {
     this.#context = context;
     this.#stream = stream;
     const account = context.accounts.createForeign(peerId);

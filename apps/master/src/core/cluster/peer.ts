@@ -15,15 +15,15 @@ import type { TopicTable } from '../topics/topic-table.ts';
 import type { Directory } from './directory.ts';
 import { describeClient } from './directory.ts';
 import { interestKey } from './interest-key.ts';
-import type { OwnInterest } from './own-interest.ts';
-import { PeerSubscriber, type PeerContext } from './peer-subscriber.ts';
+import type { LocalInterest } from './local-interest.ts';
+import { PeerSubscriber, type PeerSubscriberContext } from './peer-subscriber.ts';
 import type { CrossedBytes } from './metered-bus.ts';
 import { PeerRates, type PeerTotals } from './peer-rates.ts';
 import { PeerRoundTrip } from './peer-round-trip.ts';
 import { Resync } from './resync.ts';
 import type { SessionMirror } from './session-mirror.ts';
 import { IncomingStream, OutgoingStream } from './streams.ts';
-import type { ToldRecords } from './told-records.ts';
+import type { ReceivedRecords } from './received-records.ts';
 
 /** Bytes of clients in one message, unless a single one has more. */
 const CLIENTS_BYTES = 256 * 1024;
@@ -39,12 +39,12 @@ const SILENT_LOOKS = 5;
 const INTERESTS_PER_PART = 500;
 
 /** Dependencies of a peer. */
-export interface PeerParts extends PeerContext {
+export interface PeerContext extends PeerSubscriberContext {
   readonly topics: TopicTable;
   readonly endOfTurn: EndOfTurn;
   readonly directory: Directory;
-  readonly interest: OwnInterest;
-  readonly told: ToldRecords;
+  readonly interest: LocalInterest;
+  readonly received: ReceivedRecords;
   readonly mirror: SessionMirror;
   /** Of all messages to and from the other master. */
   readonly bytes: CrossedBytes;
@@ -56,7 +56,7 @@ export interface PeerParts extends PeerContext {
 /** Another master: the messages to it and from it. */
 export class Peer {
   readonly id: string;
-  readonly #parts: PeerParts;
+  readonly #context: PeerContext;
   readonly #outgoing: OutgoingStream;
   readonly #incoming: IncomingStream;
   readonly #subscriber: PeerSubscriber;
@@ -72,13 +72,13 @@ export class Peer {
   readonly #rates: PeerRates;
   #recordsFrom = 0;
   /** A message of it has come since it appeared. */
-  #hasTold = false;
+  #hasReceived = false;
   /** Gaps in its messages so far. */
   gaps = 0;
 
-  constructor(parts: PeerParts, id: string) {
+  constructor(parts: PeerContext, id: string) {
     this.id = id;
-    this.#parts = parts;
+    this.#context = parts;
     this.#outgoing = new OutgoingStream(parts.bus, id);
     this.#incoming = new IncomingStream(parts.bus, id);
     this.#subscriber = new PeerSubscriber(parts, id, this.#outgoing);
@@ -112,7 +112,7 @@ export class Peer {
 
   /** Asks it for all it has. */
   listen(): void {
-    this.#resync = new Resync(this.#parts, this.id);
+    this.#resync = new Resync(this.#context, this.id);
     this.#silentLooks = 0;
     this.#looksSinceListen = 0;
     this.#incoming.listen();
@@ -121,9 +121,9 @@ export class Peer {
   /** It asks for all that this master has. [CU-5] */
   handleListen(stream: number): void {
     this.#outgoing.restart(stream);
-    this.tellClients(this.#parts.directory.own(), []);
-    for (const news of this.#parts.mirror.own()) this.#outgoing.send({ sessionNews: [news] });
-    for (const wanted of chunks(this.#parts.interest.list(), INTERESTS_PER_PART)) {
+    this.sendClients(this.#context.directory.own(), []);
+    for (const news of this.#context.mirror.own()) this.#outgoing.send({ sessionNews: [news] });
+    for (const wanted of chunks(this.#context.interest.list(), INTERESTS_PER_PART)) {
       this.#outgoing.send({ wanted });
     }
     this.#subscriber.replayAll();
@@ -131,36 +131,36 @@ export class Peer {
     this.#outgoing.send({ complete: true });
   }
 
-  /** It tells something. @throws DecodeError when a record cannot be read */
+  /** Handles a message of the other master. @throws DecodeError when a record cannot be read */
   handlePart(part: ClusterPart): void {
     if (!this.#isNext(part)) return;
-    this.#roundTrip.handleTimes(part, this.#parts.clock.monotonicMs());
+    this.#roundTrip.handleTimes(part, this.#context.clock.monotonicMs());
     this.#apply(part);
   }
 
-  /** It tells records and nothing else. The hot path between masters. @throws DecodeError as above */
+  /** Handles a message with records alone: the hot path between masters. @throws DecodeError as above */
   handleRecords(part: RecordPart): void {
     if (this.#isNext(part)) this.#publish(part.records);
   }
 
-  tellClients(clients: readonly Client[], goneClients: readonly string[]): void {
+  sendClients(clients: readonly Client[], goneClients: readonly string[]): void {
     if (goneClients.length > 0) this.#outgoing.send({ goneClients: [...goneClients] });
-    let told: Init<ClusterClient>[] = [];
+    let batch: Init<ClusterClient>[] = [];
     let byteLength = 0;
     for (const client of clients) {
       const size = CLIENT_BYTES + client.account.used(RESOURCE.registrationBytes);
-      if (told.length > 0 && byteLength + size > CLIENTS_BYTES) {
-        this.#outgoing.send({ clients: told });
-        told = [];
+      if (batch.length > 0 && byteLength + size > CLIENTS_BYTES) {
+        this.#outgoing.send({ clients: batch });
+        batch = [];
         byteLength = 0;
       }
-      told.push(describeClient(client));
+      batch.push(describeClient(client));
       byteLength += size;
     }
-    if (told.length > 0) this.#outgoing.send({ clients: told });
+    if (batch.length > 0) this.#outgoing.send({ clients: batch });
   }
 
-  tellSession(news: Init<ClusterSessionNews>): void {
+  sendSession(news: Init<ClusterSessionNews>): void {
     this.#outgoing.send({ sessionNews: [news] });
   }
 
@@ -170,11 +170,11 @@ export class Peer {
   }
 
   /** A node of this master, of whom it runs modules, says something. */
-  tellNodeMessage(clientId: string, message: Uint8Array): void {
+  sendNodeMessage(clientId: string, message: Uint8Array): void {
     this.#outgoing.send({ nodeMessages: [{ clientId, bytes: message }] });
   }
 
-  tellInterest(
+  sendInterest(
     wanted: readonly Init<ClusterInterest>[],
     unwanted: readonly Init<ClusterInterest>[],
   ): void {
@@ -183,7 +183,7 @@ export class Peer {
 
   /** To be called about twice a second: says that this master is there, and notices when the other is not. [CU-6] */
   sweep(): void {
-    const nowMs = this.#parts.clock.monotonicMs();
+    const nowMs = this.#context.clock.monotonicMs();
     this.#outgoing.send(this.#roundTrip.times(nowMs));
     this.#rates.measure(this.#totals(), nowMs);
     this.#subscriber.sweep();
@@ -199,7 +199,7 @@ export class Peer {
   }
 
   #apply(part: ClusterPart): void {
-    const { directory, told } = this.#parts;
+    const { directory, received } = this.#context;
     const resync = this.#resync;
     for (const id of part.goneClients) directory.delete(this.id, id);
     for (const client of part.clients) {
@@ -207,23 +207,23 @@ export class Peer {
       resync?.note('clients', client.client?.id ?? '');
     }
     for (const news of part.sessionNews) {
-      this.#parts.mirror.handleNews(this.id, news);
+      this.#context.mirror.handleNews(this.id, news);
       resync?.note('sessions', news.session?.id ?? '');
     }
-    for (const { clientId, bytes } of part.frames) this.#parts.onFrame(clientId, bytes);
+    for (const { clientId, bytes } of part.frames) this.#context.onFrame(clientId, bytes);
     for (const { clientId, bytes } of part.nodeMessages) {
-      this.#parts.onNodeMessage(clientId, bytes);
+      this.#context.onNodeMessage(clientId, bytes);
     }
     for (const interest of part.wanted) this.#want(interest);
     for (const interest of part.unwanted) this.#endWant(interestKey(interest));
-    if (part.values !== undefined) told.publish(this.id, part.values, true, resync?.topics);
+    if (part.values !== undefined) received.publish(this.id, part.values, true, resync?.topics);
     if (part.records !== undefined) this.#publish(part.records);
     if (part.complete && resync?.isComplete === false) this.#complete(resync);
   }
 
   #publish(records: ClusterRecords): void {
     this.#recordsFrom += records.records.length;
-    this.#parts.told.publish(this.id, records, false, this.#resync?.topics);
+    this.#context.received.publish(this.id, records, false, this.#resync?.topics);
   }
 
   /** Counts a part. @returns whether it is to be read */
@@ -231,12 +231,12 @@ export class Peer {
     const place = this.#incoming.place(part);
     if (place === 'gap') this.#listenAgain();
     else if (place === 'next' || this.#looksSinceListen < OLD_PARTS_LOOKS) this.#silentLooks = 0;
-    if (place === 'next') this.#hasTold = true;
+    if (place === 'next') this.#hasReceived = true;
     return place === 'next';
   }
 
   #totals(): PeerTotals {
-    const { to: bytesTo, from: bytesFrom } = this.#parts.bytes;
+    const { to: bytesTo, from: bytesFrom } = this.#context.bytes;
     const { sentRecords: recordsTo } = this.#subscriber;
     return { recordsTo, recordsFrom: this.#recordsFrom, bytesTo, bytesFrom };
   }
@@ -245,7 +245,7 @@ export class Peer {
   #listenAgain(): void {
     if (this.#isToListen) return;
     // A first request that gets lost while both start costs nothing that was known.
-    if (this.#hasTold) this.gaps++;
+    if (this.#hasReceived) this.gaps++;
     this.#isToListen = true;
     if (this.#waitLooks === 0) this.#listenNow();
   }

@@ -12,7 +12,7 @@ export interface MirrorContext {
   readonly sessionTable: SessionTable;
   readonly owners: OwnerStore;
   /** True while the master is reachable. */
-  readonly isThere: (masterId: string) => boolean;
+  readonly isReachable: (masterId: string) => boolean;
 }
 
 const NEWS_TOPICS = new Set<string>(Object.values(INFO_TOPICS));
@@ -45,7 +45,7 @@ export class SessionMirror {
     return this.#context.foreignSessions.idsOf(masterId);
   }
 
-  /** A master tells of one of its sessions: clients here are told the same. */
+  /** Applies the announcement of a session of another master, and passes it on to clients of this one. */
   handleNews(masterId: string, { topic, session }: ClusterSessionNews): void {
     const { foreignSessions, sessionTable, publisher } = this.#context;
     if (session === undefined || session.id === '') return;
@@ -60,11 +60,11 @@ export class SessionMirror {
     }
   }
 
-  /** A master that was apart may tell of a session that another one has taken over. */
+  /** A master that was disconnected may announce a session that another one has taken over. */
   #mayBeOf(masterId: string, sessionId: string): boolean {
-    const { owners, isThere } = this.#context;
+    const { owners, isReachable } = this.#context;
     const ownerId = owners.owners().get(sessionId);
-    return ownerId === undefined || ownerId === masterId || !isThere(ownerId);
+    return ownerId === undefined || ownerId === masterId || !isReachable(ownerId);
   }
 
   /** It was removed without an announcement. */

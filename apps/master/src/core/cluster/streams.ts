@@ -5,7 +5,7 @@ import type { ProvenBus } from './proven-bus.ts';
 /** Content of one message of a stream. */
 export type PartContent = Omit<Init<ClusterPart>, 'stream' | 'number'>;
 
-/** What this master tells another one, in numbered parts. [CU-6] */
+/** Messages from this master to another one, in numbered parts. [CU-6] */
 export class OutgoingStream {
   readonly #bus: ProvenBus;
   readonly #peerId: string;
@@ -44,7 +44,7 @@ export class OutgoingStream {
 /** Place of a part in a stream, as the listener finds it. */
 export type PartPlace = 'next' | 'old' | 'gap';
 
-/** What another master tells this one. */
+/** Messages from another master to this one. */
 export class IncomingStream {
   readonly #bus: ProvenBus;
   readonly #peerId: string;

@@ -151,7 +151,7 @@ export class Takeover {
     return true;
   }
 
-  /** Another master took a session over while this one could not be heard. [CU-34] */
+  /** Another master took a session over while this one was not reachable. [CU-34] */
   #giveUpIfLost(sessionId: string): void {
     const { sessionTable, sessions, owners, events, foreignSessions, publisher, id } =
       this.#context;
@@ -159,8 +159,8 @@ export class Takeover {
     const ownerId = owners.owners().get(sessionId);
     if (session === undefined || ownerId === undefined || ownerId === id) return;
     sessions.giveUp(session);
-    const told = foreignSessions.get(sessionId);
-    if (told !== undefined) publisher.publish(INFO_TOPICS.changeSession, { session: told });
+    const known = foreignSessions.get(sessionId);
+    if (known !== undefined) publisher.publish(INFO_TOPICS.changeSession, { session: known });
     const name = this.#names.get(ownerId) ?? ownerId;
     events.add(
       StatusEventKind.SESSION_MOVED,

@@ -17,7 +17,7 @@ import type { Client } from '../clients/client.ts';
 import type { Throttle } from '../counters/throttle.ts';
 
 /** Dependencies of client reports. */
-export type ClientReportParts = Pick<Core, 'clients' | 'clock' | 'clientMeter'>;
+export type ClientReportContext = Pick<Core, 'clients' | 'clock' | 'clientMeter'>;
 
 /** Subscriptions listed of one client [EX-25]. */
 const MAX_SUBSCRIPTIONS = 1_000;
@@ -30,7 +30,7 @@ const ADDRESS_KINDS: Readonly<Record<AddressKind, ClientActivity['addressKind']>
 
 /** Reports the activity of clients and their share of the work of the master [EX-25]. */
 export function readClientReport(
-  { clients, clock, clientMeter }: ClientReportParts,
+  { clients, clock, clientMeter }: ClientReportContext,
   request: ClientReportRequest,
 ): Init<ClientReport> {
   const wanted = new Set(request.clientIds);

@@ -12,14 +12,14 @@ import type { Problem } from '../checks/problem.ts';
 import type { Cluster } from '../cluster/cluster.ts';
 
 /** Dependencies of the status of the cluster. */
-export type ClusterStatusParts = Pick<Core, 'id' | 'clock' | 'settings' | 'startedMs'> &
+export type ClusterStatusContext = Pick<Core, 'id' | 'clock' | 'settings' | 'startedMs'> &
   Pick<Core, 'masters' | 'clients' | 'sessions' | 'foreignSessions'>;
 
 /** A master of the cluster; members that are missing are zero. */
 type DescribedMaster = Omit<Init<ClusterMaster>, 'id'> & { readonly id: string };
 
 /** Describes the cluster as this master sees it; undefined for a master that is alone. [CU-72] */
-export function readClusterStatus(core: ClusterStatusParts): Init<ClusterStatus> | undefined {
+export function readClusterStatus(core: ClusterStatusContext): Init<ClusterStatus> | undefined {
   const { masters, startedMs } = core;
   if (masters === undefined) return undefined;
   const clients = countClients(core);
@@ -52,7 +52,7 @@ export function* clusterProblems({ masters }: Pick<Core, 'masters'>): Iterable<P
   };
 }
 
-function describeSelf({ id, settings, startedMs }: ClusterStatusParts): DescribedMaster {
+function describeSelf({ id, settings, startedMs }: ClusterStatusContext): DescribedMaster {
   return {
     id,
     name: nameOf(settings),
@@ -73,7 +73,7 @@ function present(masters: Cluster): DescribedMaster[] {
   }));
 }
 
-function absent({ clock }: ClusterStatusParts, masters: Cluster): DescribedMaster[] {
+function absent({ clock }: ClusterStatusContext, masters: Cluster): DescribedMaster[] {
   return masters.lost.list(clock.nowMs()).map(({ member, hasEnded, sinceMs }) => ({
     ...member,
     state: hasEnded ? ClusterMasterState.ENDED : ClusterMasterState.LOST,
@@ -82,7 +82,7 @@ function absent({ clock }: ClusterStatusParts, masters: Cluster): DescribedMaste
 }
 
 /** Clients by the id of their master. */
-function countClients({ id, clients }: ClusterStatusParts): Map<string, number> {
+function countClients({ id, clients }: ClusterStatusContext): Map<string, number> {
   const counts = new Map<string, number>();
   for (const { home, status } of clients.values()) {
     if (status !== 'unavailable') add(counts, home?.masterId ?? id);
@@ -91,7 +91,11 @@ function countClients({ id, clients }: ClusterStatusParts): Map<string, number> 
 }
 
 /** Sessions that run, by the id of their master. */
-function countSessions({ id, sessions, foreignSessions }: ClusterStatusParts): Map<string, number> {
+function countSessions({
+  id,
+  sessions,
+  foreignSessions,
+}: ClusterStatusContext): Map<string, number> {
   const counts = new Map<string, number>();
   for (const { isLive } of sessions.list()) if (isLive) add(counts, id);
   for (const [sessionId, masterId] of foreignSessions.masters()) {

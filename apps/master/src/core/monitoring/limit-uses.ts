@@ -6,12 +6,12 @@ import { RESOURCE, type Resource } from '../shares/resources.ts';
 import type { Session } from '../sessions/session.ts';
 
 /** Dependencies of the present uses. */
-export type LimitUseParts = Pick<Core, 'topics' | 'patternTable' | 'selectionTable'> &
+export type LimitUseContext = Pick<Core, 'topics' | 'patternTable' | 'selectionTable'> &
   Pick<Core, 'accounts' | 'clients' | 'devices' | 'sockets' | 'connections' | 'bodies'> &
   Pick<Core, 'access' | 'nodes' | 'sessions' | 'modules' | 'sessionLibrary'>;
 
 /** Current usage of each limit that is measured. [EX-36] */
-type LimitUses = { readonly [L in LimitName]?: (core: LimitUseParts) => Init<LimitUse> };
+type LimitUses = { readonly [L in LimitName]?: (core: LimitUseContext) => Init<LimitUse> };
 
 /** The present use of limits. Limits of one message, and times, have none. */
 export const LIMIT_USES: LimitUses = {
@@ -92,12 +92,12 @@ export const LIMIT_USES: LimitUses = {
 };
 
 /** The client that uses most of a scarce resource. */
-function ofAccounts(resource: Resource): (core: LimitUseParts) => Init<LimitUse> {
+function ofAccounts(resource: Resource): (core: LimitUseContext) => Init<LimitUse> {
   return ofClients(({ account }) => account.used(resource));
 }
 
 /** The client that uses most of what each may have. */
-function ofClients(use: (client: Client) => number): (core: LimitUseParts) => Init<LimitUse> {
+function ofClients(use: (client: Client) => number): (core: LimitUseContext) => Init<LimitUse> {
   return ({ clients }) => {
     const [who, value] = most(clients.values(), use);
     return { value, clientId: who?.id ?? '' };
@@ -105,7 +105,7 @@ function ofClients(use: (client: Client) => number): (core: LimitUseParts) => In
 }
 
 /** The session that uses most of what each may have. */
-function ofSessions(use: (session: Session) => number): (core: LimitUseParts) => Init<LimitUse> {
+function ofSessions(use: (session: Session) => number): (core: LimitUseContext) => Init<LimitUse> {
   return ({ sessions }) => {
     const [which, value] = most(sessions.list(), use);
     return { value, sessionId: which?.id ?? '' };

@@ -1,19 +1,19 @@
 import type { Init, MasterStatus } from '@ubii/proto';
 import type { Core } from '../areas/core.ts';
 import { nameOf } from '../areas/settings.ts';
-import { readClusterStatus, type ClusterStatusParts } from './cluster-status.ts';
-import { listProblems, type ProblemParts } from './problems.ts';
+import { readClusterStatus, type ClusterStatusContext } from './cluster-status.ts';
+import { listProblems, type ProblemContext } from './problems.ts';
 
 /** Dependencies of the status. */
-export type StatusParts = ProblemParts &
-  ClusterStatusParts &
+export type StatusContext = ProblemContext &
+  ClusterStatusContext &
   Pick<Core, 'id' | 'settings' | 'counters' | 'load' | 'topics' | 'samples' | 'events'>;
 
 /**
  * Returns the status of the master. [EX-16]
  * @param sinceMs Samples and events after this moment are wanted; 0 for all that are kept.
  */
-export function readMasterStatus(core: StatusParts, sinceMs: number): Init<MasterStatus> {
+export function readMasterStatus(core: StatusContext, sinceMs: number): Init<MasterStatus> {
   const { counters, clients, settings, load } = core;
   const { cpuPercent, busyPercent, delayMs } = load.latest;
   const states = clients.countByStatus();

@@ -66,7 +66,7 @@ function readClusterMetrics({
 }
 
 /** Dependencies of metrics. */
-type MetricParts = Pick<Core, 'counters' | 'limits' | 'limitWatch' | 'topics' | 'clients'> &
+type MetricContext = Pick<Core, 'counters' | 'limits' | 'limitWatch' | 'topics' | 'clients'> &
   Pick<
     Core,
     'devices' | 'sockets' | 'connections' | 'bodies' | 'sessions' | 'localNode' | 'masters'
@@ -74,7 +74,7 @@ type MetricParts = Pick<Core, 'counters' | 'limits' | 'limitWatch' | 'topics' | 
   Pick<Core, 'foreignSessions'>;
 
 /** Every metric. Labels come from closed lists: limits, codes, states, services; never ids or topics. */
-export function readMetrics(core: MetricParts): MasterMetrics {
+export function readMetrics(core: MetricContext): MasterMetrics {
   const { counters, clients, devices, topics, sockets, limitWatch, limits } = core;
   const hits = new Map([...limitWatch.hits()].map((hit) => [hit.limit, hit.streak.count]));
   const waiting = [...clients.values()].map((client) => client.subscriber.outbox.waitingCount);
@@ -168,14 +168,14 @@ export function readMetrics(core: MetricParts): MasterMetrics {
 }
 
 /** Every state, those without a session too. */
-function countSessions({ sessions }: MetricParts): [string, number][] {
+function countSessions({ sessions }: MetricContext): [string, number][] {
   const counts = new Map<string, number>(SESSION_LIVES.map((life) => [life, 0]));
   for (const { life } of sessions.list()) counts.set(life, counts.get(life)! + 1);
   return [...counts];
 }
 
 /** Totals of all modules of live sessions since their creation, on all nodes. */
-function moduleTotals({ sessions }: MetricParts): MetricFamily[] {
+function moduleTotals({ sessions }: MetricContext): MetricFamily[] {
   const statistics = sessions
     .list()
     .filter(({ isLive }) => isLive)

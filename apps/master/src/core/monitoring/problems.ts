@@ -11,7 +11,7 @@ import { quote } from '../texts/quote.ts';
 import type { Problem } from '../checks/problem.ts';
 
 /** Dependencies of the search for problems. */
-export type ProblemParts = Pick<Core, 'clock' | 'limits' | 'limitWatch' | 'startedMs' | 'files'> &
+export type ProblemContext = Pick<Core, 'clock' | 'limits' | 'limitWatch' | 'startedMs' | 'files'> &
   Pick<Core, 'sessions' | 'clients' | 'checks' | 'masters'>;
 
 /** Problems told at most: what a page can show. */
@@ -33,7 +33,7 @@ const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
 ]);
 
 /** Lists the current problems, most severe first [EX-18]. */
-export function listProblems(core: ProblemParts): Problem[] {
+export function listProblems(core: ProblemContext): Problem[] {
   const problems = [...clusterProblems(core), ...limitProblems(core)];
   problems.push(...fileProblems(core), ...sessionProblems(core), ...core.checks.problems());
   for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
@@ -44,7 +44,7 @@ export function listProblems(core: ProblemParts): Problem[] {
     .map((problem) => ({ ...problem, text: oneLine(problem.text, eventCharacters) })); // [EX-72]
 }
 
-function* limitProblems({ limitWatch, clock, limits }: ProblemParts): Iterable<Problem> {
+function* limitProblems({ limitWatch, clock, limits }: ProblemContext): Iterable<Problem> {
   for (const { limit, streak, clientId } of limitWatch.hits()) {
     if (!streak.isOn(clock.monotonicMs())) continue;
     const isCommon = COMMON_LIMITS.has(limit);
@@ -62,7 +62,7 @@ function* limitProblems({ limitWatch, clock, limits }: ProblemParts): Iterable<P
 }
 
 /** [SE-23] */
-function* fileProblems({ files, startedMs }: ProblemParts): Iterable<Problem> {
+function* fileProblems({ files, startedMs }: ProblemContext): Iterable<Problem> {
   for (const { where, reason } of files.broken()) {
     yield {
       code: 'file_broken',
@@ -75,7 +75,7 @@ function* fileProblems({ files, startedMs }: ProblemParts): Iterable<Problem> {
 }
 
 /** [SE-12] */
-function* sessionProblems({ sessions, clock }: ProblemParts): Iterable<Problem> {
+function* sessionProblems({ sessions, clock }: ProblemContext): Iterable<Problem> {
   for (const session of sessions.list()) {
     if (session.life !== 'degraded') continue;
     const first = session.problems().find(({ isError }) => isError);
@@ -91,7 +91,7 @@ function* sessionProblems({ sessions, clock }: ProblemParts): Iterable<Problem> 
   }
 }
 
-function* clientProblems({ clock }: ProblemParts, client: Client): Iterable<Problem> {
+function* clientProblems({ clock }: ProblemContext, client: Client): Iterable<Problem> {
   const nowMs = clock.monotonicMs();
   const { socket, label, protocolErrors, throttle, id: clientId } = client;
   const { outbox } = client.subscriber;

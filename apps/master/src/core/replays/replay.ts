@@ -32,7 +32,7 @@ export interface ReplayContext extends MutingContext, ReplayClientContext {
 }
 
 /** What is played, for whom. */
-export interface ReplayParts {
+export interface ReplayInit {
   readonly id: string;
   readonly request: ReplayStartRequest;
   readonly wish: ReplayWish;
@@ -65,7 +65,7 @@ interface Copy {
 
 /** A recording that is played into live topics. */
 export class Replay {
-  readonly parts: ReplayParts;
+  readonly parts: ReplayInit;
   /** Names of the topics that it plays, as far as its starter may publish there. */
   readonly plannedTopics: ReadonlySet<string>;
   readonly #context: ReplayContext;
@@ -83,7 +83,7 @@ export class Replay {
   #isClosed = false;
 
   /** @throws ServiceError when there is no room for its clients, or its topics cannot be published */
-  constructor(context: ReplayContext, parts: ReplayParts) {
+  constructor(context: ReplayContext, parts: ReplayInit) {
     const { wish, file, access } = parts;
     this.#context = context;
     this.parts = parts;

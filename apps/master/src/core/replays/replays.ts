@@ -13,7 +13,7 @@ import type { ReplayFiles } from '../ports/replay-files.ts';
 import { quote } from '../texts/quote.ts';
 import { chosenTopics } from './played-topics.ts';
 import { ReplayNews } from './replay-news.ts';
-import { Replay, type ReplayContext, type ReplayParts } from './replay.ts';
+import { Replay, type ReplayContext, type ReplayInit } from './replay.ts';
 import { Rerun, type RerunContext } from './rerun.ts';
 import { wishOf } from './replay-wish.ts';
 
@@ -35,7 +35,7 @@ export interface ReplayAuthor {
   readonly access: ClientAccess;
 }
 
-type Facts = Omit<ReplayParts, 'numbers' | 'onChange' | 'onEnd' | 'recorded'>;
+type Facts = Omit<ReplayInit, 'numbers' | 'onChange' | 'onEnd' | 'recorded'>;
 
 /** All replays of a master. */
 export class Replays {
@@ -144,7 +144,7 @@ export class Replays {
     return Rerun.prepare(this.#context, what, file, wish.span);
   }
 
-  #create(facts: Omit<ReplayParts, 'numbers' | 'onChange' | 'onEnd'>): Replay {
+  #create(facts: Omit<ReplayInit, 'numbers' | 'onChange' | 'onEnd'>): Replay {
     const { request, wish } = facts;
     const replay: Replay = new Replay(this.#context, {
       ...facts,

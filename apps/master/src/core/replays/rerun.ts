@@ -43,7 +43,7 @@ export interface RerunWish {
   readonly grantId: GrantId | undefined;
 }
 
-interface RerunParts {
+interface PreparedRerun {
   readonly rerun: RerunSession;
   readonly file: ReplayFile;
   readonly devices: readonly RecordedDevice[];
@@ -72,7 +72,7 @@ export class Rerun {
   private constructor(
     context: RerunContext,
     wish: RerunWish,
-    { rerun, file, devices }: RerunParts,
+    { rerun, file, devices }: PreparedRerun,
   ) {
     this.#context = context;
     this.#wish = wish;

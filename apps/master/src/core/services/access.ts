@@ -12,7 +12,13 @@ import {
 import { isLongerThan, oneLine } from '@ubii/words';
 import { isUsedUp } from '../access/access.ts';
 import { grantOf, type Caller } from '../access/caller.ts';
-import { clientIdsOf, endGrant, withDescendants, workOf, type GrantParts } from './grant-work.ts';
+import {
+  clientIdsOf,
+  endGrant,
+  withDescendants,
+  workOf,
+  type GrantWorkContext,
+} from './grant-work.ts';
 import { grantMessage, type Grant, type GrantSpec } from '../access/grant.ts';
 import { joinRefusal } from '../access/join-refusals.ts';
 import { ADMINS, givenRole, wireRole } from '../access/roles.ts';
@@ -25,8 +31,8 @@ import { byCaller } from './by-caller.ts';
 import { definer } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
-type Parts = GrantParts & Pick<Core, 'settings' | 'limits' | 'patterns'>;
-const define = definer<keyof Parts>();
+type Context = GrantWorkContext & Pick<Core, 'settings' | 'limits' | 'patterns'>;
+const define = definer<keyof Context>();
 
 const HOUR_MS = 3_600_000;
 const DEFAULT_LIFETIME_MS = 12 * HOUR_MS;
@@ -119,12 +125,12 @@ export const ACCESS_SERVICES = [
   }),
 ];
 
-function messageOf(core: Parts, grant: Grant): Init<AccessGrant> {
+function messageOf(core: Context, grant: Grant): Init<AccessGrant> {
   return grantMessage(grant, clientIdsOf(core, grant), workOf(core, grant));
 }
 
 /** What a person who joins can choose from. [EX-100] */
-function marksFor({ clients }: Parts, { caller }: ServiceCall) {
+function marksFor({ clients }: Context, { caller }: ServiceCall) {
   const ownId = caller.kind === 'client' ? caller.clientId : undefined;
   const taken = new Map<number, Init<TakenMark>>();
   for (const { id, status, spec, mark } of clients.values()) {
@@ -141,7 +147,7 @@ interface Checked {
   readonly expiresMs?: number;
 }
 
-function ofToken({ access }: Parts, token: string, call: ServiceCall): Checked {
+function ofToken({ access }: Context, token: string, call: ServiceCall): Checked {
   const { grant, problem } = access.check(token, call.facts);
   if (grant === undefined) return { problem };
   if (isUsedUp(grant) && !isOfGrant(call, grant)) return { problem: JoinProblem.JOIN_PROBLEM_USED };
@@ -173,7 +179,7 @@ function ofCaller({ caller }: ServiceCall): Checked {
 }
 
 /** @throws ServiceError for what no grant can be */
-function specOf(core: Parts, wanted: AccessGrantCreateRequest, caller: Caller): GrantSpec {
+function specOf(core: Context, wanted: AccessGrantCreateRequest, caller: Caller): GrantSpec {
   const { label, target, lifetimeMs, maxJoins, readTopics, writeTopics, stayMs } = wanted;
   const role = givenRole(wanted.role);
   if (role === undefined)
@@ -213,7 +219,7 @@ function specOf(core: Parts, wanted: AccessGrantCreateRequest, caller: Caller): 
 }
 
 function requireGlobs(
-  { limits, patterns }: Parts,
+  { limits, patterns }: Context,
   member: string,
   role: string,
   globs: readonly string[],

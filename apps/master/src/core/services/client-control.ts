@@ -9,8 +9,8 @@ import { byCaller, nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
-type Parts = Pick<Core, 'clients' | 'limits' | 'events' | 'clock'>;
-const define = definer<keyof Parts>();
+type Context = Pick<Core, 'clients' | 'limits' | 'events' | 'clock'>;
+const define = definer<keyof Context>();
 
 /** The slowest throttle: a record in ten seconds [EX-31]. */
 const MIN_RECORDS_PER_SECOND = 0.1;
@@ -101,11 +101,11 @@ function requireTarget({ caller }: ServiceCall, client: Client, what: string): v
   );
 }
 
-function by(core: Parts, clientId: string): string {
+function by(core: Context, clientId: string): string {
   const name = nameOfCaller(core, clientId);
   return name === '' ? '' : ` by ${name}`;
 }
 
-function nameOf({ clients }: Parts, id: string): string {
+function nameOf({ clients }: Context, id: string): string {
   return clients.get(id)?.label ?? id;
 }

@@ -3,9 +3,9 @@ import { PUBLISHERS, READERS } from '../access/roles.ts';
 import { quote } from '../texts/quote.ts';
 import { definer, success } from './define-service.ts';
 import { requireProfiles } from './list-limits.ts';
-import { replayAfterReply, type ReplayParts } from './replay-after-reply.ts';
+import { replayAfterReply, type AfterReplyContext } from './replay-after-reply.ts';
 
-const define = definer<keyof ReplayParts | 'clients' | 'devices' | 'info' | 'limitWatch'>();
+const define = definer<keyof AfterReplyContext | 'clients' | 'devices' | 'info' | 'limitWatch'>();
 
 /** Services on devices and their components. */
 export const DEVICE_SERVICES = [

@@ -4,7 +4,7 @@ import type { CallerFacts } from '../ports/caller-facts.ts';
 import { quote } from '../texts/quote.ts';
 import type { CallTarget, Service } from './define-service.ts';
 
-type Parts = Pick<Core, 'masters' | 'clients' | 'sessionTable' | 'foreignSessions'> &
+type Context = Pick<Core, 'masters' | 'clients' | 'sessionTable' | 'foreignSessions'> &
   Pick<Core, 'sessionLibrary'>;
 
 /**
@@ -14,7 +14,7 @@ type Parts = Pick<Core, 'masters' | 'clients' | 'sessionTable' | 'foreignSession
  * @throws ServiceError when that master is lost
  */
 export function forward(
-  core: Parts,
+  core: Context,
   service: Service,
   request: ServiceRequest,
   facts: CallerFacts,
@@ -25,7 +25,7 @@ export function forward(
 }
 
 /** Another master carried the call here, but its client or session has gone elsewhere meanwhile. @throws ServiceError */
-export function requireHere(core: Parts, service: Service, request: ServiceRequest): void {
+export function requireHere(core: Context, service: Service, request: ServiceRequest): void {
   if (masterOf(core, service.targetOf(request)) === undefined) return;
   throw new ServiceError(
     'unavailable',
@@ -33,14 +33,14 @@ export function requireHere(core: Parts, service: Service, request: ServiceReque
   );
 }
 
-function masterOf(core: Parts, { clientId, session, moduleId }: CallTarget): string | undefined {
+function masterOf(core: Context, { clientId, session, moduleId }: CallTarget): string | undefined {
   if (clientId !== undefined && clientId !== '') return masterOfClient(core, clientId);
   if (session !== undefined) return masterOfSession(core, session);
   if (moduleId === undefined || core.sessionTable.findModule(moduleId)) return undefined;
   return core.foreignSessions.masterOfModule(moduleId);
 }
 
-function masterOfClient({ clients }: Parts, id: string): string | undefined {
+function masterOfClient({ clients }: Context, id: string): string | undefined {
   const home = clients.get(id)?.home;
   if (home?.isLost !== true) return home?.masterId;
   throw new ServiceError(
@@ -51,7 +51,7 @@ function masterOfClient({ clients }: Parts, id: string): string | undefined {
 
 /** A stored session has the id under which it is opened. */
 function masterOfSession(
-  { sessionTable, foreignSessions, sessionLibrary }: Parts,
+  { sessionTable, foreignSessions, sessionLibrary }: Context,
   { id, name }: { readonly id: string; readonly name: string },
 ): string | undefined {
   const openedId = id === '' && name !== '' ? (sessionLibrary.get(name)?.id ?? '') : id;

@@ -6,7 +6,7 @@ import { quote } from '../texts/quote.ts';
 import type { Grant, GrantWork } from '../access/grant.ts';
 
 /** Dependencies of ending a grant. */
-export type GrantParts = Pick<Core, 'sessions' | 'sessionLibrary' | 'modules' | 'clients'> &
+export type GrantWorkContext = Pick<Core, 'sessions' | 'sessionLibrary' | 'modules' | 'clients'> &
   Pick<Core, 'access' | 'kept' | 'events' | 'clock' | 'log'>;
 
 /** Interval of checks for expired invitations, milliseconds. */
@@ -14,7 +14,7 @@ const LOOK_INTERVAL_MS = 1_000;
 
 /** Sessions and modules that were created or changed with a grant [AC-90]. */
 export function workOf(
-  { sessions, sessionLibrary, modules }: GrantParts,
+  { sessions, sessionLibrary, modules }: GrantWorkContext,
   { id }: Grant,
 ): GrantWork {
   const made = sessions.madeWith(id);
@@ -30,12 +30,12 @@ export function workOf(
 }
 
 /** Ids of the clients that joined with a grant and are registered. */
-export function clientIdsOf({ clients }: GrantParts, grant: Grant): string[] {
+export function clientIdsOf({ clients }: GrantWorkContext, grant: Grant): string[] {
   return [...clients.values()].flatMap(({ id, access }) => (access.grant === grant ? [id] : []));
 }
 
 /** The grant, and those that were made with it, and with those [AC-93]. */
-export function withDescendants({ access }: GrantParts, grant: Grant): Grant[] {
+export function withDescendants({ access }: GrantWorkContext, grant: Grant): Grant[] {
   const all = [grant];
   const others = access.grants.list();
   for (const one of all) {
@@ -49,7 +49,7 @@ export function withDescendants({ access }: GrantParts, grant: Grant): Grant[] {
  * now on [AC-92]. All but what is written down has happened when this returns.
  */
 export async function endGrant(
-  core: GrantParts,
+  core: GrantWorkContext,
   grant: Grant,
   dismissal: Dismissal,
   isHandedOver: boolean,
@@ -78,7 +78,7 @@ export async function endGrant(
 }
 
 /** Ends grants when their time is over [AC-91], and those that another master revoked. @returns what makes it stop */
-export function watchGrants(core: GrantParts): Cancel {
+export function watchGrants(core: GrantWorkContext): Cancel {
   const look = (): void => {
     for (const grant of core.access.grants.takeOver()) {
       void endGrant(core, grant, { reason: 'expired' }, false); // writes nothing

@@ -1,21 +1,21 @@
 import type { LimitWatch } from '../counters/limit-watch.ts';
 
-interface Parts {
+interface Context {
   readonly limitWatch: LimitWatch;
 }
 
 /** The profiles of a request, unless there are too many to compare everything with. */
-export function requireProfiles<T>(parts: Parts, profiles: readonly T[]): readonly T[] {
-  return requireAtMost(parts, 'listProfiles', profiles, 'profiles');
+export function requireProfiles<T>(context: Context, profiles: readonly T[]): readonly T[] {
+  return requireAtMost(context, 'listProfiles', profiles, 'profiles');
 }
 
 /** The elements of a list in a request, unless there are too many. */
-export function requireElements<T>(parts: Parts, elements: readonly T[]): readonly T[] {
-  return requireAtMost(parts, 'listElements', elements, 'elements of a list');
+export function requireElements<T>(context: Context, elements: readonly T[]): readonly T[] {
+  return requireAtMost(context, 'listElements', elements, 'elements of a list');
 }
 
 function requireAtMost<T>(
-  { limitWatch }: Parts,
+  { limitWatch }: Context,
   limit: 'listProfiles' | 'listElements',
   list: readonly T[],
   what: string,

@@ -21,21 +21,21 @@ import { unknownModule, withOrigin } from '../library/module-library.ts';
 import { requireElements, requireProfiles } from './list-limits.ts';
 import type { ServiceCall } from './service-call.ts';
 
-type Parts = Pick<Core, 'modules' | 'history' | 'reload' | 'nodes' | 'sessions' | 'reports'> &
+type Context = Pick<Core, 'modules' | 'history' | 'reload' | 'nodes' | 'sessions' | 'reports'> &
   Pick<Core, 'clients' | 'limitWatch'>;
-const define = definer<keyof Parts>();
+const define = definer<keyof Context>();
 
 /** Lists or returns kept versions of a module. [EX-40] */
 const moduleVersionList = define('moduleVersionList', {
   roles: READERS,
-  handle(parts, { name, moduleId, number }) {
+  handle(context, { name, moduleId, number }) {
     if ((name === '') === (moduleId === '')) {
       throw new ServiceError(
         'invalid_argument',
         'The request has to give either the name of a stored module or the id of a module of a session.',
       );
     }
-    const { history } = parts;
+    const { history } = context;
     const key: HistoryKey = name === '' ? `instance ${moduleId}` : `module ${name}`;
     const what = name === '' ? `with the id ${quote(moduleId)}` : `named ${quote(name)}`;
     const versions = history.list(key);
@@ -45,7 +45,7 @@ const moduleVersionList = define('moduleVersionList', {
         `The master keeps no versions of a module ${what}: it was not changed, or does not exist.`,
       );
     }
-    const current = presentModule(parts, name, moduleId);
+    const current = presentModule(context, name, moduleId);
     const isCurrent = newestIsCurrent(history, key, versions, current);
     if (number === 0) {
       const elements = versions.map((version, index) => ({
@@ -67,7 +67,7 @@ const moduleVersionList = define('moduleVersionList', {
 });
 
 function presentModule(
-  { modules, sessions }: Parts,
+  { modules, sessions }: Context,
   name: string,
   moduleId: string,
 ): ProcessingModule | undefined {
@@ -190,7 +190,7 @@ function ofModules({ elements }: ProcessingModuleList): CallTarget {
 }
 
 function report(
-  { sessions, reports, limitWatch }: Parts,
+  { sessions, reports, limitWatch }: Context,
   { elements }: ProcessingModuleList,
   { caller }: ServiceCall,
   isRunning: boolean,
@@ -216,7 +216,7 @@ function report(
 }
 
 function selected(
-  core: Parts,
+  core: Context,
   modules: readonly ProcessingModule[],
   profiles: ProcessingModuleList | undefined,
 ): Init<ProcessingModuleList> {
@@ -228,7 +228,7 @@ function selected(
   return { elements };
 }
 
-function offeredModules({ clients }: Parts): ProcessingModule[] {
+function offeredModules({ clients }: Context): ProcessingModule[] {
   return [...clients.values()]
     .filter(({ status }) => status !== 'unavailable')
     .flatMap(({ spec }) => spec.processingModules)
@@ -240,6 +240,6 @@ function requireName({ name }: ProcessingModule): string {
   throw new ServiceError('invalid_argument', 'The request names no module. Set its name.');
 }
 
-function nameOf(_core: Parts, { name, id }: ProcessingModule): string {
+function nameOf(_core: Context, { name, id }: ProcessingModule): string {
   return name || id;
 }

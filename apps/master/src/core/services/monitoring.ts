@@ -2,14 +2,14 @@ import { type Init, type Limit, ServiceError } from '@ubii/proto';
 import { READERS, ADMINS } from '../access/roles.ts';
 import { LIMITS, type LimitName } from '../limits/index.ts';
 import { LIMIT_GROUPS } from '../limits/limit.ts';
-import { LIMIT_USES, type LimitUseParts } from '../monitoring/limit-uses.ts';
+import { LIMIT_USES, type LimitUseContext } from '../monitoring/limit-uses.ts';
 import { definer } from './define-service.ts';
-import { readClientReport, type ClientReportParts } from '../monitoring/client-report.ts';
-import { readMasterStatus, type StatusParts } from '../monitoring/master-status.ts';
+import { readClientReport, type ClientReportContext } from '../monitoring/client-report.ts';
+import { readMasterStatus, type StatusContext } from '../monitoring/master-status.ts';
 import { requireElements } from './list-limits.ts';
 
 /** Lists the limits in force. [EX-35] */
-const limitList = definer<keyof LimitUseParts | 'limits' | 'limitWatch'>()('limitList', {
+const limitList = definer<keyof LimitUseContext | 'limits' | 'limitWatch'>()('limitList', {
   roles: READERS,
   handle(core) {
     const { limits, limitWatch } = core;
@@ -35,7 +35,7 @@ const limitList = definer<keyof LimitUseParts | 'limits' | 'limitWatch'>()('limi
   },
 });
 
-const define = definer<keyof StatusParts | keyof ClientReportParts | 'logTail' | 'audit'>();
+const define = definer<keyof StatusContext | keyof ClientReportContext | 'logTail' | 'audit'>();
 
 /** Services that say how the master is, and what was done to it. */
 export const MONITORING_SERVICES = [

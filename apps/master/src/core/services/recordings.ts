@@ -9,8 +9,8 @@ import { nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
-type Parts = Pick<Core, 'recordings' | 'clients'>;
-const define = definer<keyof Parts>();
+type Context = Pick<Core, 'recordings' | 'clients'>;
+const define = definer<keyof Context>();
 
 /** Services on recordings. Each is its maker's and admins' [RC-66]; marking what runs is for all that publish. */
 export const RECORDING_SERVICES = [
@@ -122,7 +122,7 @@ interface Wish {
   readonly notes: string;
 }
 
-function wishOf(core: Parts, { clientId, name, notes }: Wish, call: ServiceCall): RecordingWish {
+function wishOf(core: Context, { clientId, name, notes }: Wish, call: ServiceCall): RecordingWish {
   return { name, notes, author: nameOfCaller(core, clientId), makerId: fileMakerOf(call.caller) };
 }
 
@@ -137,7 +137,7 @@ function requirePage({ topicsFrom, markersFrom }: RecordingPage): RecordingPage 
 
 /** @throws ServiceError when it is of others, and the caller no admin [RC-66] */
 async function requireOwn(
-  { recordings }: Parts,
+  { recordings }: Context,
   id: string,
   { caller }: ServiceCall,
 ): Promise<void> {

@@ -8,7 +8,7 @@ import type { Client } from '../clients/client.ts';
 import type { Core } from '../areas/core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import { definer } from './define-service.ts';
-import { replayAfterReply, type ReplayParts } from './replay-after-reply.ts';
+import { replayAfterReply, type AfterReplyContext } from './replay-after-reply.ts';
 
 /** A credential that a registration gives, and what for [AC-13]. */
 interface Given {
@@ -18,11 +18,11 @@ interface Given {
   readonly hasJoined: boolean;
 }
 
-type Parts = ReplayParts &
+type Context = AfterReplyContext &
   Pick<Core, 'id' | 'clients' | 'devices' | 'info' | 'access' | 'tokens' | 'settings' | 'masters'>;
 
 /** Says itself whom it admits, and as whom. [CL-1] [AC-13] [AC-23] */
-export const clientRegistration = definer<keyof Parts>()('clientRegistration', {
+export const clientRegistration = definer<keyof Context>()('clientRegistration', {
   roles: 'anyone',
   subject: ({ id }) => id,
   mayNameOthers: true,
@@ -64,7 +64,7 @@ function asClientOf(caller: Caller, message: ClientMessage): ClientMessage {
 
 /** The credential this caller is to be given; undefined for those that need none. */
 function give(
-  { access, clients }: Parts,
+  { access, clients }: Context,
   caller: Caller,
   message: ClientMessage,
 ): Given | undefined {
@@ -92,7 +92,7 @@ function removedMeanwhile(): ServiceError {
 
 /** Facts about itself for a client; legacy clients do not receive extension fields [EX-1]. */
 function replyOf(
-  { id, tokens, settings, access, masters }: Parts,
+  { id, tokens, settings, access, masters }: Context,
   client: Client,
   isResumed: boolean,
 ): Init<ClientMessage> {

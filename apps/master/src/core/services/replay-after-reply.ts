@@ -4,14 +4,14 @@ import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceCall } from './service-call.ts';
 
 /** Sender of retained records. */
-export type ReplayParts = Pick<Core, 'topics' | 'subscriptions' | 'clock' | 'limits'>;
+export type AfterReplyContext = Pick<Core, 'topics' | 'subscriptions' | 'clock' | 'limits'>;
 
 /**
  * Sends the client the retained records of these topics once the reply has left [TD-24]. Existing
  * clients know the callback only some turns after they read the reply: they are given the time.
  */
 export function replayAfterReply(
-  { topics, subscriptions, clock, limits }: ReplayParts,
+  { topics, subscriptions, clock, limits }: AfterReplyContext,
   call: ServiceCall,
   client: Client,
   entries: readonly TopicEntry[],

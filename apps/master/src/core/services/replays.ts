@@ -6,8 +6,8 @@ import { nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
-type Parts = Pick<Core, 'replays' | 'recordings' | 'clients'>;
-const define = definer<keyof Parts>();
+type Context = Pick<Core, 'replays' | 'recordings' | 'clients'>;
+const define = definer<keyof Context>();
 
 /** Services that play recordings into live topics. */
 export const REPLAY_SERVICES = [
@@ -52,6 +52,6 @@ export const REPLAY_SERVICES = [
 ];
 
 /** @throws ServiceError when it is of others, and the caller no admin [RP-6] */
-function requireOwn({ replays }: Parts, id: string, { caller }: ServiceCall): void {
+function requireOwn({ replays }: Context, id: string, { caller }: ServiceCall): void {
   requireFilesOf(replays.require(id).parts.makerId, caller, 'replays');
 }

@@ -10,10 +10,10 @@ import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';
 import { nameOfSession, namesOfSession } from './sessions.ts';
 
-type Parts = Pick<Core, 'sessions' | 'sessionLibrary' | 'limitWatch'>;
-const define = definer<keyof Parts>();
+type Context = Pick<Core, 'sessions' | 'sessionLibrary' | 'limitWatch'>;
+const define = definer<keyof Context>();
 
-const listStoredSessions = ({ sessionLibrary }: Parts) => ({
+const listStoredSessions = ({ sessionLibrary }: Context) => ({
   elements: sessionLibrary.list(),
 });
 
@@ -78,7 +78,7 @@ function namesOf(sessions: readonly SessionMessage[]): string {
 
 /** Makes a session known, and stores it under its name. */
 async function saveSession(
-  core: Parts,
+  core: Context,
   message: SessionMessage,
   maker: GrantId | undefined,
 ): Promise<Session> {

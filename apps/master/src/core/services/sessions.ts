@@ -4,8 +4,8 @@ import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../areas/core.ts';
 import { definer, success } from './define-service.ts';
 
-type Parts = Pick<Core, 'sessions' | 'sessionLibrary' | 'foreignSessions'>;
-const define = definer<keyof Parts>();
+type Context = Pick<Core, 'sessions' | 'sessionLibrary' | 'foreignSessions'>;
+const define = definer<keyof Context>();
 
 /** Of every service that is about a session. */
 const ABOUT = { target: (session: SessionMessage) => ({ session }) };
@@ -17,9 +17,9 @@ export const SESSION_SERVICES = [
   // [SE-1]
   define('sessionRuntimeAdd', {
     ...CHANGE,
-    async handle(parts, message, { caller }) {
-      const session = await parts.sessions.add(message, grantOf(caller));
-      return whenRemembered(parts, session.id, session.toMessage());
+    async handle(context, message, { caller }) {
+      const session = await context.sessions.add(message, grantOf(caller));
+      return whenRemembered(context, session.id, session.toMessage());
     },
   }),
   define('sessionRuntimeGet', {
@@ -47,38 +47,38 @@ export const SESSION_SERVICES = [
   // [SE-11]
   define('sessionRuntimeStart', {
     ...CHANGE,
-    async handle(parts, message, { caller }) {
-      const session = await parts.sessions.start(message, grantOf(caller));
-      return whenRemembered(parts, session.id, session.toMessage());
+    async handle(context, message, { caller }) {
+      const session = await context.sessions.start(message, grantOf(caller));
+      return whenRemembered(context, session.id, session.toMessage());
     },
   }),
   // [SE-13]
   define('sessionRuntimeStop', {
     ...CHANGE,
-    async handle(parts, { id }) {
-      const { sessions } = parts;
+    async handle(context, { id }) {
+      const { sessions } = context;
       sessions.stop(await sessions.find(id));
-      return whenRemembered(parts, id, success('The session is stopping.'));
+      return whenRemembered(context, id, success('The session is stopping.'));
     },
   }),
   // [SE-15]
   define('sessionRuntimeUpdate', {
     ...CHANGE,
     auditObject: namesOfSession,
-    async handle(parts, message, { caller }) {
-      const { sessions } = parts;
+    async handle(context, message, { caller }) {
+      const { sessions } = context;
       const session = await sessions.find(message.id);
       await sessions.update(session, message, grantOf(caller));
-      return whenRemembered(parts, session.id, session.toMessage());
+      return whenRemembered(context, session.id, session.toMessage());
     },
   }),
   // [SE-16]
   define('sessionRuntimeRemove', {
     ...CHANGE,
-    handle(parts, { id }) {
-      const { sessions } = parts;
+    handle(context, { id }) {
+      const { sessions } = context;
       sessions.remove(sessions.require(id));
-      return whenRemembered(parts, id, success('The session is removed.'));
+      return whenRemembered(context, id, success('The session is removed.'));
     },
   }),
   // [SE-14]

@@ -6,8 +6,8 @@ import type { Core } from '../areas/core.ts';
 import { nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';
 
-type Parts = Pick<Core, 'studies' | 'studyRuns' | 'participants' | 'clients'>;
-const define = definer<keyof Parts>();
+type Context = Pick<Core, 'studies' | 'studyRuns' | 'participants' | 'clients'>;
+const define = definer<keyof Context>();
 
 const STUDY = { roles: PARTICIPANTS, auditObject: nameOfStudy };
 

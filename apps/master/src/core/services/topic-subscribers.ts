@@ -17,13 +17,13 @@ import type { ServiceCall } from './service-call.ts';
 /** Topics of one request: what a page shows. */
 const MAX_TOPICS = 16;
 
-type Parts = Pick<
+type Context = Pick<
   Core,
   'id' | 'topics' | 'clients' | 'selectionTable' | 'patternTable' | 'sessions'
 >;
 
 /** Says who receives topics. Players learn how many receive their own, and no names. [EX-95] [EX-96] */
-export const topicSubscribers = definer<keyof Parts>()('topicSubscribers', {
+export const topicSubscribers = definer<keyof Context>()('topicSubscribers', {
   roles: JOINED,
   handle(core, { topics }, { caller }) {
     if (topics.length > MAX_TOPICS) {
@@ -69,7 +69,7 @@ function requireOwn(caller: ServiceCall['caller'], topic: string): void {
   );
 }
 
-function subscribersOf(core: Parts, topic: string): Init<TopicSubscribers> & { count: number } {
+function subscribersOf(core: Context, topic: string): Init<TopicSubscribers> & { count: number } {
   const entry = core.topics.get(topic);
   if (entry === undefined) return { topic, count: 0 };
   // The master and its modules are no client.
@@ -80,7 +80,7 @@ function subscribersOf(core: Parts, topic: string): Init<TopicSubscribers> & { c
 }
 
 /** The modules of live sessions that have the topic on an input, each once [EX-97]. */
-function* modulesOf(core: Parts, entry: TopicEntry): Iterable<Init<SubscribedModule>> {
+function* modulesOf(core: Context, entry: TopicEntry): Iterable<Init<SubscribedModule>> {
   for (const session of core.sessions.list()) {
     for (const module of session.isLive ? session.modules : []) {
       const takes = module.mapping.inputMappings.some(({ topic, topicMux }) =>
@@ -94,7 +94,7 @@ function* modulesOf(core: Parts, entry: TopicEntry): Iterable<Init<SubscribedMod
 }
 
 /** The node of the module has subscribed to the same, so that it is known what matches. */
-function selects(core: Parts, mux: TopicMux, entry: TopicEntry): boolean {
+function selects(core: Context, mux: TopicMux, entry: TopicEntry): boolean {
   if (mux.component !== undefined) {
     return core.selectionTable.get(mux.component)?.entries.has(entry) === true;
   }

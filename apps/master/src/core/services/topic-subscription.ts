@@ -4,15 +4,15 @@ import type { Core } from '../areas/core.ts';
 import type { Subscriber, TopicEntry } from '../topics/topic-entry.ts';
 import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';
-import { replayAfterReply, type ReplayParts } from './replay-after-reply.ts';
+import { replayAfterReply, type AfterReplyContext } from './replay-after-reply.ts';
 
 /** One subscription or unsubscription of a request; returns the topics whose retained record is to be sent. */
 type Step = () => readonly TopicEntry[] | void;
 
-type Parts = ReplayParts & Pick<Core, 'clients' | 'limitWatch'>;
+type Context = AfterReplyContext & Pick<Core, 'clients' | 'limitWatch'>;
 
 /** Subscribes and unsubscribes. [SV-12] */
-export const topicSubscription = definer<keyof Parts>()('topicSubscription', {
+export const topicSubscription = definer<keyof Context>()('topicSubscription', {
   roles: JOINED,
   subject: ({ clientId }) => clientId,
   async handle(core, message, call) {
@@ -36,7 +36,7 @@ export const topicSubscription = definer<keyof Parts>()('topicSubscription', {
 
 /** Everything the request asks for, in the order in which it is done. */
 function* stepsOf(
-  core: Parts,
+  core: Context,
   message: TopicSubscription,
   subscriber: Subscriber,
   rateHz: number,

@@ -13,7 +13,7 @@ export const STATISTICS_INTERVAL_MS = 250;
 const LOOKS_PER_CHECK = 4;
 
 /** Dependencies of the supervision. */
-export interface SupervisionParts {
+export interface SupervisionContext extends LifeContext {
   /** Passes of a session since the call before. */
   readonly passes: (
     session: Session,
@@ -26,14 +26,12 @@ export interface SupervisionParts {
 
 /** Checks live sessions for late modules, and publishes their statistics. Has a timer only while sessions are live. */
 export class Supervision {
-  readonly #context: LifeContext;
-  readonly #parts: SupervisionParts;
+  readonly #context: SupervisionContext;
   #cancel: Cancel | undefined = undefined;
   #looks = 0;
 
-  constructor(context: LifeContext, parts: SupervisionParts) {
+  constructor(context: SupervisionContext) {
     this.#context = context;
-    this.#parts = parts;
   }
 
   /** A session came to another state. */
@@ -71,8 +69,8 @@ export class Supervision {
     if (session.life === 'stopping') return this.#lookAtStop(session);
     this.#lookAtStart(session);
     if (!session.isLive || this.#looks % LOOKS_PER_CHECK !== 0) return;
-    this.#parts.recheck(session);
-    this.#parts.lookAtTroubles(session);
+    this.#context.recheck(session);
+    this.#context.lookAtTroubles(session);
   }
 
   /** [SE-12] */
@@ -129,7 +127,7 @@ export class Supervision {
       timeMs: clock.nowMs(),
       modules: session.modules.flatMap(({ statistics }) => statistics ?? []),
       memoryLimitBytes: limits.moduleBytesPerSession,
-      ...this.#parts.passes(session),
+      ...this.#context.passes(session),
     });
   }
 }

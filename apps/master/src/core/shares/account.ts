@@ -4,7 +4,7 @@ import { RESOURCES, type Resource } from './resources.ts';
 export type AccountKind = 'all' | 'class' | 'invitation' | 'client' | 'session' | 'master';
 
 /** Fixed properties of an account. */
-export interface AccountParts {
+export interface AccountInit {
   readonly kind: AccountKind;
   /** Id of the client, session or invitation; name of the class. */
   readonly id: string;
@@ -33,7 +33,7 @@ export class Account {
   /** By resource; undefined before the first, as for nearly all clients. */
   #barrenUntilMs: Map<Resource, number> | undefined = undefined;
 
-  constructor({ kind, id, label = id, parent, max, untilFilled }: AccountParts) {
+  constructor({ kind, id, label = id, parent, max, untilFilled }: AccountInit) {
     this.kind = kind;
     this.id = id;
     this.label = label;

@@ -9,7 +9,7 @@ import type { TopicTable } from './topic-table.ts';
 import type { TurnBatches } from './turn-batches.ts';
 
 /** Dependencies common to subscribers. */
-export interface SubscriberParts {
+export interface SubscriberContext {
   readonly clock: Clock;
   readonly limits: Limits;
   readonly counters: Counters;
@@ -30,8 +30,8 @@ export type SubscriberFactory = (
 const UNBOUNDED = 1e12;
 
 /** All subscribers share the end of the turn. */
-export function subscriberFactory(parts: SubscriberParts): SubscriberFactory {
-  const { clock, limits, counters, endOfTurn, batches, topics } = parts;
+export function subscriberFactory(context: SubscriberContext): SubscriberFactory {
+  const { clock, limits, counters, endOfTurn, batches, topics } = context;
   const outboxContext: OutboxContext = {
     clock,
     limits,

@@ -27,7 +27,7 @@ const HEAP_MIB = 256;
 /** A thread that has nothing to do for this long is ended. */
 const IDLE_MS = 60_000;
 
-export interface BodyDecoderOptions {
+export interface BodyDecoderContext {
   /** The decoding thread, as the build makes it; undefined: everything is decoded on this thread. */
   readonly workerFile: URL | undefined;
   readonly clock: Clock;
@@ -49,7 +49,7 @@ interface Thread {
  * caller in turn. What comes back is taken in pieces, so that no body holds this thread. [SV-44]
  */
 export class BodyDecoder {
-  readonly #options: BodyDecoderOptions;
+  readonly #context: BodyDecoderContext;
   /** Jobs that wait, by caller; the next one is of the first caller. */
   readonly #waiting = new Map<unknown, Job[]>();
   #current: Job | undefined = undefined;
@@ -57,8 +57,8 @@ export class BodyDecoder {
   #cancelTimer: Cancel = () => undefined;
   #isClosed = false;
 
-  constructor(options: BodyDecoderOptions) {
-    this.#options = options;
+  constructor(context: BodyDecoderContext) {
+    this.#context = context;
   }
 
   /**
@@ -68,7 +68,7 @@ export class BodyDecoder {
   async decode(body: ReceivedBody, format: FormatName, caller: unknown): Promise<ServiceRequest> {
     const { bytes, values } = body;
     const isSmall = bytes.byteLength <= SMALL_BYTES && values <= SMALL_VALUES;
-    if (isSmall || this.#options.workerFile === undefined) {
+    if (isSmall || this.#context.workerFile === undefined) {
       return FORMATS[format].decodeRequest(bytes);
     }
     return new Promise((resolve, reject) => {
@@ -92,7 +92,7 @@ export class BodyDecoder {
     if (this.#current !== undefined) return;
     const job = this.#nextJob();
     this.#cancelTimer();
-    const { clock } = this.#options;
+    const { clock } = this.#context;
     if (job === undefined) {
       if (this.#thread !== undefined) {
         this.#cancelTimer = clock.after(IDLE_MS, () => this.#endThread('it was idle'));
@@ -105,7 +105,7 @@ export class BodyDecoder {
     );
     const { format, bytes } = job;
     try {
-      this.#thread ??= this.#startThread(this.#options.workerFile!);
+      this.#thread ??= this.#startThread(this.#context.workerFile!);
       this.#thread.worker.postMessage({ format, bytes }, [bytes.buffer]);
     } catch (error) {
       this.#endThread(String(error));
@@ -164,7 +164,7 @@ export class BodyDecoder {
   }
 
   async #takePieces(pieces: MessagePort): Promise<Record<string, unknown>> {
-    const { clock } = this.#options;
+    const { clock } = this.#context;
     const joined = new JoinedMessage();
     let startMs = clock.monotonicMs();
     for (;;) {
@@ -187,7 +187,7 @@ export class BodyDecoder {
     thread?.pieces.close();
     void thread?.worker.terminate();
     if (job === undefined) return;
-    this.#options.log.warn('a request could not be decoded', { reason });
+    this.#context.log.warn('a request could not be decoded', { reason });
     job.reject(failure(reason));
     this.#startNext();
   }

@@ -69,7 +69,7 @@ function cannot(draft: DraftModule, node: Node, reason: string): SessionProblem 
 const GONE_CLIENT = 'a client that has left';
 
 /** State of the master for the checks. */
-interface ChecksParts {
+interface SurroundingsContext {
   readonly patterns: PatternCompiler;
   readonly devices: DeviceRegistry;
   readonly nodes: NodeTable;
@@ -78,8 +78,8 @@ interface ChecksParts {
   readonly limits: Limits;
 }
 
-export function createChecks(parts: ChecksParts): CheckContext {
-  const { patterns, devices, nodes, topics, clients, limits } = parts;
+export function createChecks(context: SurroundingsContext): CheckContext {
+  const { patterns, devices, nodes, topics, clients, limits } = context;
   const compile = (source: string): CompiledPattern | string => {
     if (source.length > limits.patternLength) {
       return `it has more than ${limits.patternLength} characters (limit patternLength)`;

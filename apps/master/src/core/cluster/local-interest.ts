@@ -24,7 +24,7 @@ interface Wanted {
 const NOTHING: Interest = { topic: '', pattern: '', profile: undefined, everything: false };
 
 /** What subscribers of this master need from others, each entry once. Sends changes at the end of the turn. [CU-10] */
-export class OwnInterest implements TurnTask {
+export class LocalInterest implements TurnTask {
   /** Something is wanted, or at another rate, or not any more. */
   readonly onChange = new Hook<
     [wanted: readonly Init<ClusterInterest>[], unwanted: readonly Init<ClusterInterest>[]]

@@ -5,8 +5,8 @@ import type { Clock, EndOfTurn } from '@ubii/timing';
 import { publishForeign, type ForeignContext } from '../topics/foreign-records.ts';
 import { Publication } from '../topics/publication.ts';
 
-/** Dependencies of records that were told. */
-export interface ToldContext extends ForeignContext {
+/** Dependencies of received records. */
+export interface ReceivedRecordsContext extends ForeignContext {
   readonly clock: Clock;
   readonly endOfTurn: EndOfTurn;
 }
@@ -14,12 +14,12 @@ export interface ToldContext extends ForeignContext {
 const NO_BYTES = new Uint8Array(0);
 
 /** Gives the records of other masters to the topics of this one. */
-export class ToldRecords {
-  readonly #context: ToldContext;
+export class ReceivedRecords {
+  readonly #context: ReceivedRecordsContext;
   readonly #publication = new Publication();
   readonly #texts = new TextCache();
 
-  constructor(context: ToldContext) {
+  constructor(context: ReceivedRecordsContext) {
     this.#context = context;
   }
 
@@ -31,7 +31,7 @@ export class ToldRecords {
    */
   publish(
     masterId: string,
-    told: ClusterRecords,
+    part: ClusterRecords,
     isValues: boolean,
     topics: Set<string> | undefined,
   ): void {
@@ -39,7 +39,7 @@ export class ToldRecords {
     const publication = this.#publication;
     publication.nowMs = clock.nowMs();
     publication.monotonicMs = clock.monotonicMs();
-    for (const [i, record] of told.records.entries()) {
+    for (const [i, record] of part.records.entries()) {
       const { topic, valueField } = readRecordHead(record, this.#texts);
       publication.topic = topic;
       publication.frame = record;
@@ -47,8 +47,8 @@ export class ToldRecords {
       publication.valueField = valueField;
       publishForeign(this.#context, publication, {
         masterId,
-        publisherId: told.publisherIds[told.publishers[i] ?? -1] ?? '',
-        stamp: told.stamps[i] ?? 0,
+        publisherId: part.publisherIds[part.publishers[i] ?? -1] ?? '',
+        stamp: part.stamps[i] ?? 0,
         isValue: isValues,
       });
       topics?.add(topic);
