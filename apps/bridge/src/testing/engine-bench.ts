@@ -72,7 +72,7 @@ export function createEngineBench({ returnsMessages = false, isSettled = true } 
     gone(topic: string) {
       for (const listener of [...listeners.keys()]) listener.onGone(topic);
     },
-    lane(index: number, direction: 'in' | 'out') {
+    forwarder(index: number, direction: 'in' | 'out') {
       return engine.report().mappings[index]![direction]!;
     },
   };

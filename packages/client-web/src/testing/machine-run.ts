@@ -99,11 +99,11 @@ export const EVENTS: readonly RunEvent[] = [
   { type: 'known' },
   { type: 'restored' },
   { type: 'failed', failure: failureWith() },
-  { type: 'patience-over', patienceMs: 2_000 },
+  { type: 'attempt-timeout', attemptTimeoutMs: 2_000 },
   { type: 'retry-due' },
   { type: 'retry-now' },
   { type: 'recheck' },
-  { type: 'visit', url: 'http://other' },
+  { type: 'switch-master', url: 'http://other' },
   { type: 'drop', error: new ConnectionError('refused', 'unknown client') },
   { type: 'close', farewell: {} },
 ];

@@ -18,7 +18,7 @@ describe('a bridge between a master and another system', () => {
     bench.record('/garden/wind', 4);
     expect(bench.published).toEqual([['/mqtt/kitchen/temp', 21.5]]);
     expect(bench.sent).toEqual([['out/wind', '4']]);
-    expect(bench.lane(0, 'in')).toMatchObject({
+    expect(bench.forwarder(0, 'in')).toMatchObject({
       ...{ passed: 1, refused: 0, dropped: 0, topics: 1 },
       lastValue: { address: '/mqtt/kitchen/temp', text: '21.5' },
     });
@@ -29,15 +29,15 @@ describe('a bridge between a master and another system', () => {
     bench.engine.setMappings([inMapping, outMapping]);
     bench.receive('sensors/kitchen/temp', 'warm');
     bench.record('/garden/wind', 'strong', 'ada', 'string');
-    expect(bench.lane(0, 'in')).toMatchObject({
+    expect(bench.forwarder(0, 'in')).toMatchObject({
       ...{ passed: 0, refused: 1 },
       lastError: { address: 'sensors/kitchen/temp' },
     });
-    expect(bench.lane(0, 'in').lastError?.message).toContain('is not JSON');
-    expect(bench.lane(1, 'out').lastError?.message).toBe('Expected double, got string.');
+    expect(bench.forwarder(0, 'in').lastError?.message).toContain('is not JSON');
+    expect(bench.forwarder(1, 'out').lastError?.message).toBe('Expected double, got string.');
     bench.answer.sent = { kind: 'dropped', reason: 'The broker is not connected.' };
     bench.record('/garden/wind', 4);
-    expect(bench.lane(1, 'out')).toMatchObject({ passed: 0, refused: 1, dropped: 1 });
+    expect(bench.forwarder(1, 'out')).toMatchObject({ passed: 0, refused: 1, dropped: 1 });
   });
 
   it('refuses topics of the master, wildcards in addresses, and what is too long [BR-30]', () => {
@@ -50,7 +50,7 @@ describe('a bridge between a master and another system', () => {
     bench.record('/garden/#', 1);
     expect(bench.published).toEqual([]);
     expect(bench.sent).toEqual([]);
-    expect([bench.lane(0, 'in').refused, bench.lane(1, 'out').refused]).toEqual([3, 2]);
+    expect([bench.forwarder(0, 'in').refused, bench.forwarder(1, 'out').refused]).toEqual([3, 2]);
   });
 
   it('bounds topics, sizes and the rate of what comes [BR-30]', () => {
@@ -59,7 +59,7 @@ describe('a bridge between a master and another system', () => {
     for (const name of ['x', 'y', 'z', 'x']) bench.receive(`a/${name}`, '1');
     bench.receive('a/x', '1234');
     expect(bench.published.map(([topic]) => topic)).toEqual(['/a/x', '/a/y', '/a/x']);
-    expect(bench.lane(0, 'in')).toMatchObject({ passed: 3, refused: 2, topics: 2 });
+    expect(bench.forwarder(0, 'in')).toMatchObject({ passed: 3, refused: 2, topics: 2 });
     for (let index = 0; index < BRIDGE_LIMITS.messagesPerSecond; index++) {
       bench.receive('a/x', '1');
     }
@@ -80,7 +80,7 @@ describe('a bridge between a master and another system', () => {
     ]);
     bench.clock.advanceSync(100);
     expect(bench.published.at(-1)).toEqual(['/a/x', 3]);
-    expect(bench.lane(0, 'in')).toMatchObject({ passed: 3, dropped: 1 });
+    expect(bench.forwarder(0, 'in')).toMatchObject({ passed: 3, dropped: 1 });
     bench.receive('a/x', '4');
     bench.engine.close();
     expect(bench.clock.timerCount).toBe(0);
@@ -99,7 +99,7 @@ describe('a bridge between a master and another system', () => {
     bench.record('/home/lamp', 2, 'other');
     bench.receive('home/lamp', '3', { isOurs: true });
     expect([bench.sent, bench.published]).toEqual([[], []]);
-    expect([bench.lane(0, 'out').returned, bench.lane(0, 'in').returned]).toEqual([2, 1]);
+    expect([bench.forwarder(0, 'out').returned, bench.forwarder(0, 'in').returned]).toEqual([2, 1]);
     bench.record('/home/lamp', 4, 'third');
     add('other', 'the broker', true);
     bench.record('/home/lamp', 5, 'other');
@@ -126,7 +126,7 @@ describe('a bridge between a master and another system', () => {
     bench.record('/home/lamp', 0.1);
     bench.receive('home/lamp', String(Math.fround(0.1)));
     expect(bench.published).toEqual([]);
-    expect(bench.lane(0, 'in').returned).toBe(1);
+    expect(bench.forwarder(0, 'in').returned).toBe(1);
   });
 
   it('a newer value of one side takes the place of one that waits for it [BR-31]', () => {
@@ -172,7 +172,7 @@ describe('a bridge between a master and another system', () => {
       bench.engine.handleSettled();
       bench.record('/home/lamp', 2, 'ada', 'double', bench.clock.nowMs() - 1);
       expect(bench.sent).toEqual([]);
-      expect(bench.lane(0, 'out').returned).toBe(1);
+      expect(bench.forwarder(0, 'out').returned).toBe(1);
       // Only the first record can be that, and only soon.
       bench.record('/home/lamp', 3, 'ada', 'double', bench.clock.nowMs() - 1);
       bench.clock.advanceSync(10_001);
@@ -194,7 +194,7 @@ describe('a bridge between a master and another system', () => {
       bench.record('/home/fan', 2);
       bench.record('/home/fan', 1, 'bridge');
       expect(bench.sent).toEqual([['home/lamp', '2']]);
-      expect(bench.lane(0, 'out').returned).toBe(3);
+      expect(bench.forwarder(0, 'out').returned).toBe(3);
     });
 
     it('the record counts where nothing is kept, or what another run of a bridge here has sent', () => {
@@ -284,7 +284,7 @@ describe('a bridge between a master and another system', () => {
     bench.engine.setMappings([{ ...inMapping, maxRateHz: 1 }]);
     bench.receive('sensors/kitchen/temp', '2');
     bench.record('/garden/wind', 4);
-    expect(bench.lane(0, 'in').passed).toBe(2);
+    expect(bench.forwarder(0, 'in').passed).toBe(2);
     expect([bench.sent, bench.patterns()]).toEqual([[], []]);
   });
 
@@ -308,7 +308,7 @@ describe('a bridge between a master and another system', () => {
     bench.engine.setMappings([{ ...outMapping, maxRateHz: 5 }]);
     expect(bench.subscriptions()).toHaveLength(1);
     expect(bench.subscriptions()).not.toContain(first);
-    expect(bench.lane(0, 'out').passed).toBe(1);
+    expect(bench.forwarder(0, 'out').passed).toBe(1);
   });
 
   it('counts what waited for the connection and was dropped [BR-32]', () => {
@@ -316,7 +316,7 @@ describe('a bridge between a master and another system', () => {
     bench.engine.setMappings([outMapping]);
     bench.engine.handleDropped(outMapping, 'Too many messages wait for the connection.');
     bench.engine.handleRefused('no packet');
-    expect(bench.lane(0, 'out').dropped).toBe(1);
+    expect(bench.forwarder(0, 'out').dropped).toBe(1);
     expect(bench.engine.report()).toMatchObject({ refused: 1, lastRefusal: 'no packet' });
   });
 });

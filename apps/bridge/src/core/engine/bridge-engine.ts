@@ -9,9 +9,9 @@ import type { Mapping } from '../mapping/mapping.ts';
 import type { PayloadCodec } from '../payload/payload-codec.ts';
 import type { ForeignMessage, ForeignState, ForeignSystem } from '../ports/foreign-system.ts';
 import type { TopicMaster } from '../ports/topic-master.ts';
-import { InLane } from './in-lane.ts';
-import type { LaneReport } from './lane-report.ts';
-import { OutLane } from './out-lane.ts';
+import { InboundForwarder } from './inbound-forwarder.ts';
+import type { ForwarderReport } from './forwarder-report.ts';
+import { OutboundForwarder } from './outbound-forwarder.ts';
 import { SendGate } from './send-gate.ts';
 
 /** Addresses whose mappings are remembered. */
@@ -34,8 +34,8 @@ export interface MappingReport {
   readonly direction: Mapping['direction'];
   readonly foreign: string;
   readonly topic: string;
-  readonly in?: LaneReport;
-  readonly out?: LaneReport;
+  readonly in?: ForwarderReport;
+  readonly out?: ForwarderReport;
 }
 
 /** How a bridge does. */
@@ -48,13 +48,13 @@ export interface EngineReport {
   readonly lastRefusal?: string;
 }
 
-interface Lanes<P> {
+interface Forwarders<P> {
   readonly mapping: Mapping;
-  readonly in?: InLane<P>;
-  readonly out?: OutLane<P>;
+  readonly in?: InboundForwarder<P>;
+  readonly out?: OutboundForwarder<P>;
   /** Asks the master again for the values that the other system is to keep. [BR-15] */
   repeat(): void;
-  /** Ends what the lanes began. */
+  /** Ends what the forwarders began. */
   end(): void;
 }
 
@@ -66,8 +66,11 @@ export class BridgeEngine<P> {
   readonly #context: EngineContext<P>;
   readonly #bucket: TokenBucket;
   readonly #gate: SendGate<P>;
-  #lanes: readonly Lanes<P>[] = [];
-  #routes = new Map<string, readonly { readonly lane: InLane<P>; readonly topic: string }[]>();
+  #forwarders: readonly Forwarders<P>[] = [];
+  #routes = new Map<
+    string,
+    readonly { readonly forwarder: InboundForwarder<P>; readonly topic: string }[]
+  >();
   #overRate = 0;
   #refused = 0;
   #lastRefusal: string | undefined;
@@ -84,19 +87,25 @@ export class BridgeEngine<P> {
 
   /** The mappings that hold from now on. Counters go on where a mapping has the same name, and all of it where nothing changed. [BR-4] */
   setMappings(mappings: readonly Mapping[]): void {
-    const before = new Map(this.#lanes.map((lanes) => [lanes.mapping.name, lanes]));
+    const before = new Map(
+      this.#forwarders.map((forwarders) => [forwarders.mapping.name, forwarders]),
+    );
     const kept = new Set(
       mappings.flatMap((mapping) => {
-        const lanes = before.get(mapping.name);
-        return lanes !== undefined && isSameMapping(lanes.mapping, mapping) ? [lanes] : [];
+        const forwarders = before.get(mapping.name);
+        return forwarders !== undefined && isSameMapping(forwarders.mapping, mapping)
+          ? [forwarders]
+          : [];
       }),
     );
-    for (const lanes of this.#lanes) if (!kept.has(lanes)) lanes.end();
+    for (const forwarders of this.#forwarders) if (!kept.has(forwarders)) forwarders.end();
     this.#gate.close(false);
     this.#routes.clear();
-    this.#lanes = mappings.map((mapping) => {
-      const lanes = before.get(mapping.name);
-      return lanes !== undefined && kept.has(lanes) ? lanes : this.#open(mapping, lanes);
+    this.#forwarders = mappings.map((mapping) => {
+      const forwarders = before.get(mapping.name);
+      return forwarders !== undefined && kept.has(forwarders)
+        ? forwarders
+        : this.#open(mapping, forwarders);
     });
     this.#context.foreign.setMappings(mappings);
   }
@@ -106,8 +115,8 @@ export class BridgeEngine<P> {
       this.#overRate++;
       return;
     }
-    for (const { lane, topic } of this.#routesOf(message.address)) {
-      lane.handleMessage(message, topic);
+    for (const { forwarder, topic } of this.#routesOf(message.address)) {
+      forwarder.handleMessage(message, topic);
     }
   }
 
@@ -118,7 +127,7 @@ export class BridgeEngine<P> {
 
   handleState(state: ForeignState): void {
     if (state.status !== 'connected') this.#gate.close(true);
-    else if (state.hasForgotten) for (const lanes of this.#lanes) lanes.repeat();
+    else if (state.hasForgotten) for (const forwarders of this.#forwarders) forwarders.repeat();
   }
 
   handleRefused(reason: string): void {
@@ -127,16 +136,16 @@ export class BridgeEngine<P> {
   }
 
   handleDropped(mapping: Mapping, reason: string): void {
-    const lanes = this.#lanes.find((entry) => entry.mapping.name === mapping.name);
-    lanes?.out?.handleDropped(reason);
+    const forwarders = this.#forwarders.find((entry) => entry.mapping.name === mapping.name);
+    forwarders?.out?.handleDropped(reason);
   }
 
   report(): EngineReport {
     return {
-      mappings: this.#lanes.map(({ mapping, in: inLane, out }) => ({
+      mappings: this.#forwarders.map(({ mapping, in: inbound, out }) => ({
         ...{ name: mapping.name, direction: mapping.direction },
         ...{ foreign: mapping.foreign.text, topic: mapping.topic.text },
-        ...(inLane && { in: inLane.report() }),
+        ...(inbound && { in: inbound.report() }),
         ...(out && { out: out.report() }),
       })),
       ...{ overRate: this.#overRate, refused: this.#refused },
@@ -145,52 +154,52 @@ export class BridgeEngine<P> {
   }
 
   close(): void {
-    for (const lanes of this.#lanes) lanes.end();
-    this.#lanes = [];
+    for (const forwarders of this.#forwarders) forwarders.end();
+    this.#forwarders = [];
     this.#routes.clear();
   }
 
-  #open(mapping: Mapping, before: Lanes<P> | undefined): Lanes<P> {
+  #open(mapping: Mapping, before: Forwarders<P> | undefined): Forwarders<P> {
     const { clock, codec, master, bridges, echoes } = this.#context;
     const shared = { clock, codec, master, echoes, gate: this.#gate };
-    const inLane = takesIn(mapping)
-      ? new InLane(
+    const inbound = takesIn(mapping)
+      ? new InboundForwarder(
           mapping,
-          { ...shared, onPublished: (address) => out?.handleNewer(address) },
+          { ...shared, onPublished: (address) => outbound?.handleNewer(address) },
           before?.in?.counters,
         )
       : undefined;
-    const out: OutLane<P> | undefined = givesOut(mapping)
-      ? new OutLane(
+    const outbound: OutboundForwarder<P> | undefined = givesOut(mapping)
+      ? new OutboundForwarder(
           mapping,
           {
             ...shared,
             isFromForeignSystem: (publisherId) =>
               publisherId !== '' && (publisherId === master.ownId || bridges.has(publisherId)),
-            onAccepted: (topic) => inLane?.handleNewer(topic),
+            onAccepted: (topic) => inbound?.handleNewer(topic),
           },
           before?.out?.counters,
         )
       : undefined;
-    let unsubscribe = out && this.#subscribe(mapping, out);
+    let unsubscribe = outbound && this.#subscribe(mapping, outbound);
     return {
       mapping,
-      ...(inLane && { in: inLane }),
-      ...(out && { out }),
+      ...(inbound && { in: inbound }),
+      ...(outbound && { out: outbound }),
       repeat: () => {
-        if (out === undefined || !mapping.retained) return;
+        if (outbound === undefined || !mapping.retained) return;
         unsubscribe?.();
-        unsubscribe = this.#subscribe(mapping, out);
+        unsubscribe = this.#subscribe(mapping, outbound);
       },
       end() {
         unsubscribe?.();
-        inLane?.close();
-        out?.close();
+        inbound?.close();
+        outbound?.close();
       },
     };
   }
 
-  #subscribe({ topic }: Mapping, out: OutLane<P>): () => void {
+  #subscribe({ topic }: Mapping, out: OutboundForwarder<P>): () => void {
     const pattern = isPattern(topic) ? { glob: toGlob(topic) } : { topic: topic.text };
     return this.#context.master.subscribe(pattern, {
       onRecord: (record) => out.handleRecord(record),
@@ -200,15 +209,17 @@ export class BridgeEngine<P> {
 
   #handleSent(address: string, payload: P): void {
     if (this.#context.echoes === undefined) return;
-    for (const { lane } of this.#routesOf(address)) lane.handleSent(address, payload);
+    for (const { forwarder } of this.#routesOf(address)) forwarder.handleSent(address, payload);
   }
 
-  #routesOf(address: string): readonly { readonly lane: InLane<P>; readonly topic: string }[] {
+  #routesOf(
+    address: string,
+  ): readonly { readonly forwarder: InboundForwarder<P>; readonly topic: string }[] {
     const known = this.#routes.get(address);
     if (known !== undefined) return known;
-    const routes = this.#lanes.flatMap(({ in: lane }) => {
-      const topic = lane?.topicFor(address);
-      return lane === undefined || topic === undefined ? [] : [{ lane, topic }];
+    const routes = this.#forwarders.flatMap(({ in: forwarder }) => {
+      const topic = forwarder?.topicFor(address);
+      return forwarder === undefined || topic === undefined ? [] : [{ forwarder, topic }];
     });
     if (this.#routes.size >= REMEMBERED_ADDRESSES) this.#routes.clear();
     this.#routes.set(address, routes);

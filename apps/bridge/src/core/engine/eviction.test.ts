@@ -24,7 +24,12 @@ describe('a mapping whose addresses a flood has filled', () => {
       ['/a/flood2', undefined],
       ['/a/lamp', 5],
     ]);
-    expect(bench.lane(0, 'in')).toMatchObject({ passed: 5, refused: 0, evicted: 1, topics: 3 });
+    expect(bench.forwarder(0, 'in')).toMatchObject({
+      passed: 5,
+      refused: 0,
+      evicted: 1,
+      topics: 3,
+    });
   });
 
   it('keeps those that had a value in the last minute [BR-34]', () => {
@@ -32,8 +37,8 @@ describe('a mapping whose addresses a flood has filled', () => {
     bench.clock.advanceSync(quietMs - 1);
     bench.receive('a/lamp', '5');
     expect(bench.published).toHaveLength(3);
-    expect(bench.lane(0, 'in')).toMatchObject({ refused: 1, evicted: 0, topics: 3 });
-    expect(bench.lane(0, 'in').lastError?.message).toBe(
+    expect(bench.forwarder(0, 'in')).toMatchObject({ refused: 1, evicted: 0, topics: 3 });
+    expect(bench.forwarder(0, 'in').lastError?.message).toBe(
       'The mapping has made 3 topics. Select fewer addresses, or raise maxTopics.',
     );
   });
@@ -45,7 +50,10 @@ describe('a mapping whose addresses a flood has filled', () => {
     for (let index = 0; index < maxTopics; index++) bench.receive(`a/slow${index}`, '1');
     bench.clock.advanceSync(quietMs);
     for (let index = 0; index < maxTopics; index++) bench.receive(`a/new${index}`, '1');
-    expect(bench.lane(0, 'in')).toMatchObject({ evicted: evictionsPerSecond, topics: maxTopics });
+    expect(bench.forwarder(0, 'in')).toMatchObject({
+      evicted: evictionsPerSecond,
+      topics: maxTopics,
+    });
     bench.clock.advanceSync(1_000);
     bench.receive('a/lamp', '5');
     expect(bench.published.at(-1)).toEqual(['/a/lamp', 5]);
@@ -59,7 +67,7 @@ describe('a mapping whose addresses a flood has filled', () => {
     bench.receive('a/slow', '2');
     bench.clock.advanceSync(quietMs);
     bench.receive('a/lamp', '5');
-    expect(bench.lane(0, 'in')).toMatchObject({ refused: 1, evicted: 0 });
+    expect(bench.forwarder(0, 'in')).toMatchObject({ refused: 1, evicted: 0 });
     bench.engine.close();
   });
 
@@ -75,6 +83,6 @@ describe('a mapping whose addresses a flood has filled', () => {
       ['a/flood', undefined],
       ['a/lamp', '5'],
     ]);
-    expect(bench.lane(0, 'out')).toMatchObject({ evicted: 1, topics: 1 });
+    expect(bench.forwarder(0, 'out')).toMatchObject({ evicted: 1, topics: 1 });
   });
 });

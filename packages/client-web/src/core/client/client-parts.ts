@@ -225,7 +225,7 @@ export class ClientParts {
       ask: (url) => this.#proofs.ask(masters.at(url), registration.identity, uuid()),
       outage: () => connection.outage,
       recheck: () => connection.recheck(),
-      visit: (url) => connection.visit(url),
+      switchTo: (url) => connection.switchTo(url),
     });
     connection.onState((state) => {
       scout.handleState(state);

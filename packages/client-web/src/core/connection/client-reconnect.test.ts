@@ -166,7 +166,7 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(delaysMs).toEqual([100, 200, 400, 800, 1_000, 1_000]);
   });
 
-  it('does not hurry twice in one outage', async () => {
+  it('retries without a delay only once in one outage', async () => {
     const { master, clock, client } = await setup();
     // Registration succeeds, and the socket is refused anyway.
     const refuse = master.openConnection.bind(master);

@@ -35,7 +35,7 @@ export function fail(
   context: MachineContext,
   mustHurry = false,
 ): Step {
-  if (state.memory.isVisiting) return failVisit(state, failure, context);
+  if (state.memory.hasSwitched) return failVisit(state, failure, context);
   const remedy = remedyFor(failure);
   const effects: readonly MachineEffect[] = [
     ...endPhase(state),
@@ -64,11 +64,11 @@ export function fail(
 
 /** Whatever another master says, the client still has its own. [CU-83] */
 function failVisit(state: LiveState, failure: LinkFailure, context: MachineContext): Step {
-  const memory = { ...state.memory, isVisiting: false };
+  const memory = { ...state.memory, hasSwitched: false };
   const effects: readonly MachineEffect[] = [
     ...endPhase(state),
     ...closeLink(state, {}),
-    { type: 'leave-master' },
+    { type: 'switch-back' },
   ];
   const { policy, chance } = context;
   const delayMs =
@@ -131,11 +131,11 @@ function toRegistration(
     case 'register-as-new':
       return [{ type: 'forget' }];
     case 'register-again':
-      return [{ type: isTold(failure) ? 'invalidate' : 'doubt' }];
+      return [{ type: isTold(failure) ? 'invalidate' : 'distrust' }];
     case 'retry': {
       // A socket that is refused silently: services say why, and a browser is not told. [AC-27]
       const isMute = failure.code === BROKEN && !failure.wasUp && cause === undefined;
-      return hasLink(state) && isMute && hasCredential ? [{ type: 'doubt' }] : [];
+      return hasLink(state) && isMute && hasCredential ? [{ type: 'distrust' }] : [];
     }
   }
 }
@@ -170,7 +170,7 @@ function endPhase({ phase }: MachineState): readonly MachineEffect[] {
     case 'connected':
       return [{ type: 'stop-sleep-watch' }];
     default:
-      return [{ type: 'cancel-patience' }];
+      return [{ type: 'cancel-attempt-timer' }];
   }
 }
 

@@ -20,7 +20,7 @@ const MOVES: Record<ConnectionStatus, readonly ConnectionStatus[]> = {
 /** Keeps account of what the effects open and close. */
 class Ledger {
   status: ConnectionStatus = 'idle';
-  /** Open resources: `link`, `retry`, `patience`, `sleep-watch`, `waiter`. */
+  /** Open resources: `link`, `retry`, `attempt-timer`, `sleep-watch`, `waiter`. */
   readonly open = new Set<string>();
   readonly attempts: number[] = [];
 
@@ -28,7 +28,7 @@ class Ledger {
     effects.forEach((effect, index) => {
       if ('attempt' in effect) this.#handleAttempt(effect);
       const [, start, timer] =
-        /^(start|stop|cancel)-(retry|patience|sleep-watch)$/.exec(effect.type) ?? [];
+        /^(start|stop|cancel)-(retry|attempt-timer|sleep-watch)$/.exec(effect.type) ?? [];
       if (timer !== undefined && start === 'start') this.#add(timer);
       else if (timer !== undefined) this.open.delete(timer);
       if (effect.type === 'open-link') this.#add('link');
@@ -49,7 +49,7 @@ class Ledger {
     const newest = this.attempts.at(-1) ?? 0;
     if (effect.type === 'register') this.attempts.push(effect.attempt);
     if (effect.type === 'register') expect(effect.attempt).toBeGreaterThan(newest);
-    else if (effect.type !== 'start-patience') expect(effect.attempt).toBe(newest);
+    else if (effect.type !== 'start-attempt-timer') expect(effect.attempt).toBe(newest);
   }
 
   #add(what: string): void {
@@ -63,7 +63,7 @@ class Ledger {
   }
 }
 
-/** Resources that are open in each phase; `patience` may be open during an attempt. */
+/** Resources that are open in each phase; `attempt-timer` may be open during an attempt. */
 const OPEN = {
   idle: [],
   registering: ['waiter'],
@@ -141,12 +141,12 @@ it('any order of events leaves open what the phase needs, and nothing else', () 
         const attempt = before.memory.attemptId - late;
         const effects = run.send({ ...event, attempt } as RunEvent);
         if (event.type === 'retry-due') ledger.open.delete('retry');
-        if (event.type === 'patience-over' && late === 0) ledger.open.delete('patience');
+        if (event.type === 'attempt-timeout' && late === 0) ledger.open.delete('attempt-timer');
         ledger.apply(effects, event.type === 'close');
         const { state } = run;
         phases.add(state.phase);
         const mayBePatient = isLive(state) && state.phase !== 'connected';
-        const open = [...ledger.open].filter((what) => what !== 'patience' || !mayBePatient);
+        const open = [...ledger.open].filter((what) => what !== 'attempt-timer' || !mayBePatient);
         expect(open.sort()).toEqual(OPEN[state.phase]);
         expect(ledger.status).toBe(state.announced.status);
         if (event.type !== 'connect' && before.phase === 'closed') {

@@ -72,30 +72,30 @@ describe('transition()', () => {
     expect(moves.filter((move) => move !== '')).toEqual([
       'idle + connect = registering: register, announce',
       'idle + close = closed: settle, announce',
-      'registering + registered = opening: cancel-patience, open-link',
-      'registering + failed = waiting: cancel-patience, start-retry, announce',
-      'registering + patience-over = waiting: cancel-registration, cancel-patience, start-retry, announce',
-      'registering + retry-now = waiting: cancel-registration, cancel-patience, start-retry, announce',
-      'registering + close = closed: cancel-patience, settle, announce',
+      'registering + registered = opening: cancel-attempt-timer, open-link',
+      'registering + failed = waiting: cancel-attempt-timer, start-retry, announce',
+      'registering + attempt-timeout = waiting: cancel-registration, cancel-attempt-timer, start-retry, announce',
+      'registering + retry-now = waiting: cancel-registration, cancel-attempt-timer, start-retry, announce',
+      'registering + close = closed: cancel-attempt-timer, settle, announce',
       'opening + link-up = restoring: restore',
-      'opening + failed = waiting: cancel-patience, close-link, start-retry, announce',
-      'opening + patience-over = waiting: cancel-registration, cancel-patience, close-link, start-retry, announce',
-      'opening + retry-now = waiting: cancel-registration, cancel-patience, close-link, start-retry, announce',
-      'opening + close = closed: cancel-patience, close-link, settle, announce',
+      'opening + failed = waiting: cancel-attempt-timer, close-link, start-retry, announce',
+      'opening + attempt-timeout = waiting: cancel-registration, cancel-attempt-timer, close-link, start-retry, announce',
+      'opening + retry-now = waiting: cancel-registration, cancel-attempt-timer, close-link, start-retry, announce',
+      'opening + close = closed: cancel-attempt-timer, close-link, settle, announce',
       'checking + known = restoring: restore',
-      'checking + failed = waiting: cancel-patience, close-link, start-retry, announce',
-      'checking + close = closed: cancel-patience, close-link, settle, announce',
-      'restoring + restored = connected: cancel-patience, start-sleep-watch, settle, announce',
-      'restoring + failed = waiting: cancel-patience, close-link, start-retry, announce',
-      'restoring + close = closed: cancel-patience, close-link, settle, announce',
+      'checking + failed = waiting: cancel-attempt-timer, close-link, start-retry, announce',
+      'checking + close = closed: cancel-attempt-timer, close-link, settle, announce',
+      'restoring + restored = connected: cancel-attempt-timer, start-sleep-watch, settle, announce',
+      'restoring + failed = waiting: cancel-attempt-timer, close-link, start-retry, announce',
+      'restoring + close = closed: cancel-attempt-timer, close-link, settle, announce',
       'connected + failed = waiting: stop-sleep-watch, close-link, start-retry, announce',
       'connected + retry-now = connected: probe-link',
       'connected + drop = waiting: stop-sleep-watch, close-link, start-retry, announce',
       'connected + close = closed: stop-sleep-watch, settle, announce',
-      'waiting + retry-due = registering: start-patience, register',
-      'waiting + retry-now = registering: cancel-retry, trust, start-patience, register',
-      'waiting + recheck = registering: cancel-retry, start-patience, register',
-      'waiting + visit = registering: cancel-retry, visit-master, register',
+      'waiting + retry-due = registering: start-attempt-timer, register',
+      'waiting + retry-now = registering: cancel-retry, trust, start-attempt-timer, register',
+      'waiting + recheck = registering: cancel-retry, start-attempt-timer, register',
+      'waiting + switch-master = registering: cancel-retry, switch-to-master, register',
       'waiting + close = closed: cancel-retry, settle, announce',
       'closed + connect = registering: register, announce',
       'closed + close = closed: settle, announce',
@@ -120,8 +120,8 @@ describe('transition()', () => {
     ['close code 4003', 'waiting', 'forget', failure('closed', 4003, true)],
     ['close code 4004', 'waiting', 'invalidate', failure('closed', 4004, true)],
     ['close code 1000', 'waiting', 'invalidate', failure('closed', 1000, true)],
-    ['a socket that says nothing', 'waiting', 'doubt', failure('timeout')],
-    ['a socket that is refused silently', 'waiting', 'doubt', failure('closed')],
+    ['a socket that says nothing', 'waiting', 'distrust', failure('timeout')],
+    ['a socket that is refused silently', 'waiting', 'distrust', failure('closed')],
     ['not_found', 'waiting', 'invalidate', failure('refused', 1006, false, unknownClient())],
     ['permission_denied', 'closed', 'none', failure('refused', 1006, false, FORBIDDEN)],
     ['a link that broke', 'waiting', 'none', failure('closed', 1006, true)],
@@ -129,31 +129,31 @@ describe('transition()', () => {
     const [, phase, order, of] = row;
     const run = runTo('opening', { hasCredential: true });
     const effects = run.send({ type: 'failed', failure: of });
-    const orders = ['trust', 'doubt', 'invalidate', 'forget'];
+    const orders = ['trust', 'distrust', 'invalidate', 'forget'];
     expect(run.state.phase).toBe(phase);
     expect(effects.find(({ type }) => orders.includes(type))?.type ?? 'none').toBe(order);
   });
 
   it('has no doubt after a socket that is refused silently when it has not joined', () => {
-    expect(types(runTo('opening').fail({ wasUp: false }))).not.toContain('doubt');
+    expect(types(runTo('opening').fail({ wasUp: false }))).not.toContain('distrust');
   });
 });
 
 describe('an attempt at another master [CU-83]', () => {
-  const visiting = () => {
+  const switched = () => {
     const run = runTo('connected');
     run.fail();
-    run.send({ type: 'visit', url: 'http://other' });
+    run.send({ type: 'switch-master', url: 'http://other' });
     return run;
   };
 
   it('that succeeds keeps it', () => {
-    const run = visiting();
+    const run = switched();
     const effects = run.send(OURS, UP, { type: 'restored' });
     expect(types(effects)).toBe(
-      'cancel-patience, keep-master, start-sleep-watch, settle, announce',
+      'cancel-attempt-timer, confirm-switch, start-sleep-watch, settle, announce',
     );
-    expect(types(run.fail())).not.toContain('leave-master');
+    expect(types(run.fail())).not.toContain('switch-back');
   });
 
   it.each([
@@ -162,18 +162,18 @@ describe('an attempt at another master [CU-83]', () => {
     ['close code 4010', failure('disconnected', 4010, true)],
     ['silence', failure('timeout')],
   ] as const)('that ends with %s leads back to the own master, as it was', (_, why) => {
-    const run = visiting();
+    const run = switched();
     run.send(OURS);
     expect(types(run.send({ type: 'failed', failure: why }))).toBe(
-      'cancel-patience, close-link, leave-master, start-retry, announce',
+      'cancel-attempt-timer, close-link, switch-back, start-retry, announce',
     );
     expect(run.state.phase).toBe('waiting');
   });
 
   it('that a program closed is one at the own master when it connects again', () => {
-    const run = visiting();
+    const run = switched();
     run.send({ type: 'close', farewell: {} });
-    expect(types(run.send({ type: 'connect' }))).toBe('leave-master, register, announce');
+    expect(types(run.send({ type: 'connect' }))).toBe('switch-back, register, announce');
   });
 });
 
@@ -243,30 +243,30 @@ describe('an attempt', () => {
   it('is not given up when it could make a second client [CL-3]', () => {
     const run = runTo('registering', { isResumable: false });
     expect(run.send({ type: 'retry-now' })).toEqual([]);
-    expect(run.send({ type: 'patience-over', patienceMs: 2_000 })).toEqual([]);
+    expect(run.send({ type: 'attempt-timeout', attemptTimeoutMs: 2_000 })).toEqual([]);
   });
 
   it('may take 2 s, and twice as long each time, below the time-out [CL-43]', () => {
     const run = runTo('waiting');
-    const patienceMs = [1, 2, 3, 4].map(() => {
+    const attemptTimeoutMs = [1, 2, 3, 4].map(() => {
       const start = run
         .send({ type: 'retry-due' })
-        .find((effect) => effect.type === 'start-patience');
-      run.send({ type: 'patience-over', patienceMs: start?.patienceMs ?? 0 });
+        .find((effect) => effect.type === 'start-attempt-timer');
+      run.send({ type: 'attempt-timeout', attemptTimeoutMs: start?.attemptTimeoutMs ?? 0 });
       if (start === undefined) run.fail();
-      return start?.patienceMs;
+      return start?.attemptTimeoutMs;
     });
-    expect(patienceMs).toEqual([2_000, 4_000, 8_000, undefined]);
+    expect(attemptTimeoutMs).toEqual([2_000, 4_000, 8_000, undefined]);
     run.send({ type: 'retry-now' });
     run.fail();
-    expect(run.send({ type: 'retry-due' })[0]).toMatchObject({ patienceMs: 2_000 });
+    expect(run.send({ type: 'retry-due' })[0]).toMatchObject({ attemptTimeoutMs: 2_000 });
   });
 
   it('may take as long as its steps once the master has answered [CL-43]', () => {
     const { isAnswered, ...registered } = OURS;
     const effectsOf = (answered: boolean) =>
       types(runTo('registering').send({ ...registered, isAnswered: answered }));
-    expect(effectsOf(isAnswered)).toBe('cancel-patience, open-link');
+    expect(effectsOf(isAnswered)).toBe('cancel-attempt-timer, open-link');
     expect(effectsOf(false)).toBe('open-link');
   });
 

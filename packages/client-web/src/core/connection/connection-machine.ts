@@ -21,7 +21,7 @@ const FRESH_ATTEMPT_MS = 1_000;
  * Timeout of the first attempts to reconnect until the connection is established, milliseconds. Doubled after each
  * timeout: the network may be gone, or the computer busy. [CL-43]
  */
-const FIRST_PATIENCE_MS = 2_000;
+const FIRST_ATTEMPT_TIMEOUT_MS = 2_000;
 
 /** The connection as a state machine: returns the next state, and what is to be done. Has no side effects. */
 export function transition(
@@ -42,8 +42,8 @@ export function transition(
         : stay(state);
     case 'recheck':
       return state.phase === 'waiting' ? recheck(state, context) : stay(state);
-    case 'visit':
-      return state.phase === 'waiting' ? visit(state, event.url, context) : stay(state);
+    case 'switch-master':
+      return state.phase === 'waiting' ? switchMaster(state, event.url, context) : stay(state);
     case 'drop':
       return state.phase === 'connected'
         ? fail(state, { error: event.error, code: BROKEN, wasUp: true }, context)
@@ -62,7 +62,8 @@ export function transition(
 /** The steps of an attempt. An event that does not belong to the phase changes nothing. */
 function advance(state: LiveState, event: AttemptEvent, context: MachineContext): Step {
   if (event.type === 'failed') return fail(state, event.failure, context);
-  if (event.type === 'patience-over') return losePatience(state, event.patienceMs, context);
+  if (event.type === 'attempt-timeout')
+    return failByTimeout(state, event.attemptTimeoutMs, context);
   const { attempt, type } = event;
   if (state.phase === 'registering' && type === 'registered') {
     const { membership, isAnswered } = event;
@@ -70,7 +71,7 @@ function advance(state: LiveState, event: AttemptEvent, context: MachineContext)
       state: { ...state, phase: 'opening', membership },
       effects: [
         // It is there, and busy: who asks again loses the place that it has. [CL-43]
-        ...(isAnswered ? [{ type: 'cancel-patience' } as const] : []),
+        ...(isAnswered ? [{ type: 'cancel-attempt-timer' } as const] : []),
         { type: 'open-link', attempt, membership },
       ],
     };
@@ -83,12 +84,12 @@ function advance(state: LiveState, event: AttemptEvent, context: MachineContext)
 
 function connect(memory: ConnectionMemory, context: MachineContext): Step {
   const announced = { status: 'connecting', attempt: 1 } as const;
-  const fresh = { ...memory, failedAttempts: 0, hasHurried: false, isVisiting: false };
+  const fresh = { ...memory, failedAttempts: 0, hasHurried: false, hasSwitched: false };
   const { state, effects } = startAttempt(announced, fresh, context);
   return {
     state,
     effects: [
-      ...(memory.isVisiting ? [{ type: 'leave-master' } as const] : []), // it was closed there
+      ...(memory.hasSwitched ? [{ type: 'switch-back' } as const] : []), // it was closed there
       ...effects,
       { type: 'announce', state: announced },
     ],
@@ -102,11 +103,15 @@ function recheck({ announced, memory }: In<'waiting'>, context: MachineContext):
 }
 
 /** [CU-83] */
-function visit({ announced, memory }: In<'waiting'>, url: string, context: MachineContext): Step {
-  const { state, effects } = startAttempt(announced, { ...memory, isVisiting: true }, context);
+function switchMaster(
+  { announced, memory }: In<'waiting'>,
+  url: string,
+  context: MachineContext,
+): Step {
+  const { state, effects } = startAttempt(announced, { ...memory, hasSwitched: true }, context);
   return {
     state,
-    effects: [{ type: 'cancel-retry' }, { type: 'visit-master', url }, ...effects],
+    effects: [{ type: 'cancel-retry' }, { type: 'switch-to-master', url }, ...effects],
   };
 }
 
@@ -116,10 +121,10 @@ function startAttempt(
   { monotonicMs, openTimeoutMs }: MachineContext,
 ): Step {
   const attempt = memory.attemptId + 1;
-  const patienceMs = FIRST_PATIENCE_MS * 2 ** memory.slowAttempts;
+  const attemptTimeoutMs = FIRST_ATTEMPT_TIMEOUT_MS * 2 ** memory.slowAttempts;
   // Another master has just answered. It may be slow because many come at once, and not faster by their asking again.
   const isTimed =
-    announced.status === 'reconnecting' && patienceMs < openTimeoutMs && !memory.isVisiting;
+    announced.status === 'reconnecting' && attemptTimeoutMs < openTimeoutMs && !memory.hasSwitched;
   return {
     state: {
       phase: 'registering',
@@ -128,7 +133,7 @@ function startAttempt(
       memory: { ...memory, attemptId: attempt },
     },
     effects: [
-      ...(isTimed ? [{ type: 'start-patience', attempt, patienceMs } as const] : []),
+      ...(isTimed ? [{ type: 'start-attempt-timer', attempt, attemptTimeoutMs } as const] : []),
       { type: 'register', attempt },
     ],
   };
@@ -175,12 +180,12 @@ function arrive({ membership, memory }: In<'restoring'>, context: MachineContext
         slowAttempts: 0,
         hasHurried: false,
         outage: undefined,
-        isVisiting: false,
+        hasSwitched: false,
       },
     },
     effects: [
-      { type: 'cancel-patience' },
-      ...(memory.isVisiting ? [{ type: 'keep-master' } as const] : []),
+      { type: 'cancel-attempt-timer' },
+      ...(memory.hasSwitched ? [{ type: 'confirm-switch' } as const] : []),
       { type: 'start-sleep-watch' },
       { type: 'settle', error: undefined },
       { type: 'announce', state: announced },
@@ -207,10 +212,15 @@ function retryNow(before: MachineState, context: MachineContext): Step {
   return abandon(state, message, context, true);
 }
 
-function losePatience(before: LiveState, patienceMs: number, context: MachineContext): Step {
+function failByTimeout(before: LiveState, attemptTimeoutMs: number, context: MachineContext): Step {
   if (!mayAbandon(before, context)) return stay(before);
   const state = remember(before, { slowAttempts: before.memory.slowAttempts + 1 });
-  return abandon(state, `Expected the master to answer within ${patienceMs} ms`, context, false);
+  return abandon(
+    state,
+    `Expected the master to answer within ${attemptTimeoutMs} ms`,
+    context,
+    false,
+  );
 }
 
 /** Before the link is up nothing is lost, unless a second registration would make a second client. */

@@ -23,7 +23,7 @@ export interface ConnectionMemory {
   /** How long the own master has not answered; `undefined` while it does. [CU-81] */
   readonly outage: Outage | undefined;
   /** Whether the attempt under way is one at another master. [CU-83] */
-  readonly isVisiting: boolean;
+  readonly hasSwitched: boolean;
 }
 
 /** A time in which the own master does not answer; monotonic milliseconds. */
@@ -91,7 +91,7 @@ export type AttemptEvent = { readonly attempt: number } &
     /** A step of the attempt failed, or the link ended. */
     | { readonly type: 'failed'; readonly failure: LinkFailure }
     /** The attempt took longer than it may. */
-    | { readonly type: 'patience-over'; readonly patienceMs: number }
+    | { readonly type: 'attempt-timeout'; readonly attemptTimeoutMs: number }
   );
 
 /** Event of the connection. */
@@ -104,7 +104,7 @@ export type MachineEvent =
   /** Another master answers: the own one is asked again at once. [CU-82] */
   | { readonly type: 'recheck' }
   /** The own one did not answer then. [CU-82] */
-  | { readonly type: 'visit'; readonly url: string }
+  | { readonly type: 'switch-master'; readonly url: string }
   /** The link of a connected client does not work. */
   | { readonly type: 'drop'; readonly error: ConnectionError }
   | { readonly type: 'close'; readonly farewell: Farewell }
@@ -132,19 +132,23 @@ export type MachineEffect =
   | { readonly type: 'register'; readonly attempt: number }
   | { readonly type: 'cancel-registration'; readonly error: ConnectionError }
   /** The attempts from here on are at another master; at the own one again; the other one is the own one from now on. */
-  | { readonly type: 'visit-master'; readonly url: string }
-  | { readonly type: 'leave-master' | 'keep-master' }
-  /** Whether the client's knowledge of its registration is valid, doubtful or invalid; or the identity is discarded. */
-  | { readonly type: 'trust' | 'doubt' | 'invalidate' | 'forget' }
+  | { readonly type: 'switch-to-master'; readonly url: string }
+  | { readonly type: 'switch-back' | 'confirm-switch' }
+  /** Whether the client's knowledge of its registration is valid, unverified or invalid; or the identity is discarded. */
+  | { readonly type: 'trust' | 'distrust' | 'invalidate' | 'forget' }
   | { readonly type: 'open-link'; readonly attempt: number; readonly membership: Membership }
   | { readonly type: 'close-link'; readonly farewell: Farewell }
   | { readonly type: 'probe-link' }
   | { readonly type: 'freshen-services' }
   | { readonly type: 'check-known'; readonly attempt: number }
   | { readonly type: 'restore'; readonly attempt: number; readonly arrival: Arrival }
-  | { readonly type: 'start-patience'; readonly attempt: number; readonly patienceMs: number }
+  | {
+      readonly type: 'start-attempt-timer';
+      readonly attempt: number;
+      readonly attemptTimeoutMs: number;
+    }
   | { readonly type: 'start-retry'; readonly delayMs: number }
-  | { readonly type: 'cancel-patience' | 'cancel-retry' }
+  | { readonly type: 'cancel-attempt-timer' | 'cancel-retry' }
   | { readonly type: 'start-sleep-watch' | 'stop-sleep-watch' }
   /** Resolves the promises of those who wait for the connection, or rejects them. */
   | { readonly type: 'settle'; readonly error: ConnectionError | undefined }
@@ -168,6 +172,6 @@ export const IDLE: MachineState = {
     slowAttempts: 0,
     wasSilent: false,
     outage: undefined,
-    isVisiting: false,
+    hasSwitched: false,
   },
 };

@@ -37,7 +37,7 @@ export interface ConnectionOptions {
   readonly transport: TopicDataTransport;
   readonly sendTimes: SendTimes;
   /** Follows the client to another master. */
-  readonly moves: Pick<Moves, 'visit' | 'leave' | 'keep'>;
+  readonly moves: Pick<Moves, 'switchTo' | 'switchBack' | 'confirmSwitch'>;
   /** Timeout for opening a socket, milliseconds. */
   readonly openTimeoutMs: number;
   /** The network is another one than before, and nothing said so. */
@@ -62,7 +62,7 @@ export class Connection {
   #connected: Deferred<void> | undefined;
   #link: Link | undefined;
   #registering = Promise.resolve();
-  #cancelPatience: Cancel | undefined;
+  #cancelAttemptTimer: Cancel | undefined;
   #cancelRetry: Cancel | undefined;
 
   constructor(options: ConnectionOptions) {
@@ -124,8 +124,8 @@ export class Connection {
   }
 
   /** Tries another master when waiting to try again. [CU-83] */
-  visit(url: string): void {
-    this.#handle({ type: 'visit', url });
+  switchTo(url: string): void {
+    this.#handle({ type: 'switch-master', url });
   }
 
   /** Ends the link of a connected client as failed, as if it had broken. */
@@ -170,14 +170,14 @@ export class Connection {
         return this.#register(effect.attempt);
       case 'cancel-registration':
         return registration.cancel(effect.error);
-      case 'visit-master':
-        return moves.visit(effect.url);
-      case 'leave-master':
-        return moves.leave();
-      case 'keep-master':
-        return moves.keep();
+      case 'switch-to-master':
+        return moves.switchTo(effect.url);
+      case 'switch-back':
+        return moves.switchBack();
+      case 'confirm-switch':
+        return moves.confirmSwitch();
       case 'trust':
-      case 'doubt':
+      case 'distrust':
       case 'invalidate':
       case 'forget':
         return registration[effect.type]();
@@ -193,10 +193,10 @@ export class Connection {
         return this.#checkKnown(effect.attempt);
       case 'restore':
         return this.#restore(effect.attempt, effect.arrival);
-      case 'start-patience':
-        return this.#startPatience(effect.attempt, effect.patienceMs);
-      case 'cancel-patience':
-        return this.#cancelPatience?.();
+      case 'start-attempt-timer':
+        return this.#startAttemptTimer(effect.attempt, effect.attemptTimeoutMs);
+      case 'cancel-attempt-timer':
+        return this.#cancelAttemptTimer?.();
       case 'start-retry':
         this.#cancelRetry = clock.after(effect.delayMs, () => this.#handle({ type: 'retry-due' }));
         return;
@@ -281,9 +281,9 @@ export class Connection {
     this.#handle(event);
   }
 
-  #startPatience(attempt: number, patienceMs: number): void {
-    this.#cancelPatience = atDeadline(this.#options.clock, patienceMs, () =>
-      this.#handle({ type: 'patience-over', attempt, patienceMs }),
+  #startAttemptTimer(attempt: number, attemptTimeoutMs: number): void {
+    this.#cancelAttemptTimer = atDeadline(this.#options.clock, attemptTimeoutMs, () =>
+      this.#handle({ type: 'attempt-timeout', attempt, attemptTimeoutMs }),
     );
   }
 

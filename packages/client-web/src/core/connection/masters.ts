@@ -99,17 +99,17 @@ export class Masters {
   }
 
   /** Requests and sockets go to another master from now on. */
-  visit(url: string): void {
+  switchTo(url: string): void {
     this.#current = this.at(url);
   }
 
   /** They go to the own one again. */
-  leave(): void {
+  switchBack(): void {
     this.#current = this.#own;
   }
 
   /** The other one is the own one from now on. */
-  keep(): void {
+  confirmSwitch(): void {
     this.#own = this.#current;
   }
 }

@@ -16,7 +16,7 @@ export interface MasterChange {
 /** Dependencies of moves. */
 export interface MovesOptions {
   readonly masters: Masters;
-  readonly registration: Pick<Registration, 'visit' | 'leave' | 'keep'>;
+  readonly registration: Pick<Registration, 'switchTo' | 'switchBack' | 'confirmSwitch'>;
   /** Calls of the program. */
   readonly calls: Pick<RegistrationCalls, 'rejectAll'>;
   readonly onError: ErrorHandler;
@@ -37,7 +37,7 @@ export class Moves {
     return this.#listeners.add(fn);
   }
 
-  visit(url: string): void {
+  switchTo(url: string): void {
     const { masters, registration, calls } = this.#options;
     this.#lostUrl = masters.url;
     calls.rejectAll(
@@ -46,20 +46,20 @@ export class Moves {
         'The master was lost before it answered; whether it did what was asked is not known',
       ),
     );
-    masters.visit(url);
-    registration.visit();
+    masters.switchTo(url);
+    registration.switchTo();
   }
 
-  leave(): void {
+  switchBack(): void {
     const { masters, registration } = this.#options;
-    masters.leave();
-    registration.leave();
+    masters.switchBack();
+    registration.switchBack();
   }
 
-  keep(): void {
+  confirmSwitch(): void {
     const { masters, registration } = this.#options;
-    masters.keep();
-    registration.keep();
+    masters.confirmSwitch();
+    registration.confirmSwitch();
     this.#listeners.emit({ url: masters.url!, previousUrl: this.#lostUrl });
   }
 }

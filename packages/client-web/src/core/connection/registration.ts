@@ -36,7 +36,7 @@ export interface RegistrationCalls {
 interface Parked {
   readonly identity: Identity | undefined;
   readonly membership: Membership | undefined;
-  readonly doubted: Membership | undefined;
+  readonly unverified: Membership | undefined;
 }
 
 /** Keeps the identity at the master: registers, resumes as the same client, deregisters. */
@@ -47,7 +47,7 @@ export class Registration {
   #identity: Identity | undefined;
   #membership: Membership | undefined;
   /** An earlier identity that the master has not confirmed yet. */
-  #doubted: Membership | undefined;
+  #unverified: Membership | undefined;
   /** Of the own master, while another one is asked; `undefined` at the own one. [CU-83] */
   #parked: Parked | undefined;
   #hasLoaded = false;
@@ -158,42 +158,42 @@ export class Registration {
     const mustTell = this.#isProfileNew && this.#membership?.isExtended === true;
     if (this.#membership !== undefined && !mustTell) return this.#membership;
     this.#serial += 1;
-    const doubted = this.#doubted;
-    this.#doubted = undefined;
+    const unverified = this.#unverified;
+    this.#unverified = undefined;
     try {
       return await this.#register();
     } catch (error) {
       // The master did not answer. A socket may work where services do not: it is a connection of its
       // own, and theirs are kept by browsers over the end of a network.
-      if (error instanceof ConnectionError) this.#membership ??= doubted;
+      if (error instanceof ConnectionError) this.#membership ??= unverified;
       throw error;
     }
   }
 
   /** Another master is asked from now on: it knows the client by id and token alone. [CU-83] */
-  visit(): void {
+  switchTo(): void {
     this.#parked = {
       identity: this.#identity,
       membership: this.#membership,
-      doubted: this.#doubted,
+      unverified: this.#unverified,
     };
     this.#membership = undefined;
-    this.#doubted = undefined;
+    this.#unverified = undefined;
   }
 
   /** The own master is asked again, as who the client is there: what the other one said of it is forgotten. */
-  leave(): void {
+  switchBack(): void {
     if (this.#parked === undefined) return;
     ({
       identity: this.#identity,
       membership: this.#membership,
-      doubted: this.#doubted,
+      unverified: this.#unverified,
     } = this.#parked);
     this.#parked = undefined;
   }
 
   /** The other master is the own one from now on, and what it said of the client stands. */
-  keep(): void {
+  confirmSwitch(): void {
     this.#parked = undefined;
     this.#storage.save(this.#identity);
   }
@@ -222,28 +222,28 @@ export class Registration {
   /** The master does not know us any more: register again, as the same client where possible. [EX-5] */
   invalidate(): void {
     this.#membership = undefined;
-    this.#doubted = undefined;
+    this.#unverified = undefined;
     if (this.#parked !== undefined) {
       const { identity } = this.#parked;
-      this.#parked = { identity, membership: undefined, doubted: undefined };
+      this.#parked = { identity, membership: undefined, unverified: undefined };
     }
   }
 
   /** The master may not know us any more: ask it by registering again, if it can be asked. */
-  doubt(): void {
-    this.#doubted = this.#membership ?? this.#doubted;
+  distrust(): void {
+    this.#unverified = this.#membership ?? this.#unverified;
     this.#membership = undefined;
   }
 
-  /** Something tells that the way is free again: what was doubted may have been the way. */
+  /** Something tells that the way is free again: what was unverified may have been the way. */
   trust(): void {
-    this.#membership ??= this.#doubted;
-    this.#doubted = undefined;
+    this.#membership ??= this.#unverified;
+    this.#unverified = undefined;
   }
 
   /** The identity is not valid any more: register as a new client. [EX-5] */
   forget(): void {
-    this.#parked &&= { identity: undefined, membership: undefined, doubted: undefined };
+    this.#parked &&= { identity: undefined, membership: undefined, unverified: undefined };
     this.invalidate();
     this.#identity = undefined;
     this.#storage.save(undefined);
@@ -270,7 +270,7 @@ export class Registration {
 
   /** Leaves the master, and forgets who we were. [CL-16] */
   async deregister(timeoutMs: number): Promise<void> {
-    const membership = this.#membership ?? this.#doubted ?? this.#parked?.membership;
+    const membership = this.#membership ?? this.#unverified ?? this.#parked?.membership;
     if (membership === undefined) return;
     const { credential } = this;
     const { clientId } = membership.identity;

@@ -24,7 +24,7 @@ function setup({ clients = 1, isProven = true, answerMs = 0 } = {}) {
   const clock = new FakeClock();
   const random = chances();
   const asked: { readonly url: string; readonly ms: number }[] = [];
-  const visits: { readonly url: string; readonly ms: number }[] = [];
+  const switches: { readonly url: string; readonly ms: number }[] = [];
   const startMs = clock.monotonicMs();
   const ask = (url: string) => {
     asked.push({ url, ms: clock.monotonicMs() - startMs });
@@ -54,35 +54,35 @@ function setup({ clients = 1, isProven = true, answerMs = 0 } = {}) {
         outage = { ...outage, failedStartMs: clock.monotonicMs() };
         scout.handleState(RECONNECTING);
       },
-      visit: (url) => visits.push({ url, ms: clock.monotonicMs() - startMs }),
+      switchTo: (url) => switches.push({ url, ms: clock.monotonicMs() - startMs }),
     });
     scout.handleState(RECONNECTING);
     return scout;
   });
-  return { clock, scouts, asked, visits };
+  return { clock, scouts, asked, switches };
 }
 
 describe('looking for another master', () => {
   it('[CU-84] spreads the clients over the others, and over a second', async () => {
-    const { clock, visits } = setup({ clients: 300 });
+    const { clock, switches } = setup({ clients: 300 });
     await clock.advance(1_900);
-    expect(visits).toEqual([]);
+    expect(switches).toEqual([]);
     await clock.advance(1_200);
-    expect(visits).toHaveLength(300);
+    expect(switches).toHaveLength(300);
     for (const url of ['http://b', 'http://c', 'http://d']) {
-      const share = visits.filter((visit) => visit.url === url).length;
+      const share = switches.filter((one) => one.url === url).length;
       expect(share).toBeGreaterThan(75);
     }
     const slots = Array.from({ length: 10 }, (_, i) => 2_000 + i * 100);
-    const inSlots = slots.map((from) => visits.filter(({ ms }) => ms >= from && ms < from + 100));
+    const inSlots = slots.map((from) => switches.filter(({ ms }) => ms >= from && ms < from + 100));
     for (const slot of inSlots) expect(slot.length).toBeGreaterThan(10);
   });
 
   it('[CU-85] does not go to a server that cannot prove to be of the cluster', async () => {
-    const { clock, asked, visits } = setup({ isProven: false });
+    const { clock, asked, switches } = setup({ isProven: false });
     await clock.advance(20_000);
     expect(asked.length).toBeGreaterThan(3);
-    expect(visits).toEqual([]);
+    expect(switches).toEqual([]);
   });
 
   it('[CU-84] asks all of them in each round, and later rounds more slowly', async () => {
@@ -99,9 +99,9 @@ describe('looking for another master', () => {
   });
 
   it('[CU-81] waits longer each time: masters to which many come answer late', async () => {
-    const { clock, asked, visits } = setup({ answerMs: 7_000 });
+    const { clock, asked, switches } = setup({ answerMs: 7_000 });
     await clock.advance(60_000);
-    expect(visits).toHaveLength(1);
+    expect(switches).toHaveLength(1);
     expect(asked).toHaveLength(3);
   });
 

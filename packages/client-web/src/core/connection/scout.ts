@@ -29,7 +29,7 @@ export interface ScoutOptions {
   readonly ask: (url: string) => ProofUnderWay;
   /** Another master is there: so the network is, and the own master is asked at once. */
   readonly recheck: () => void;
-  readonly visit: (url: string) => void;
+  readonly switchTo: (url: string) => void;
 }
 
 /**
@@ -60,7 +60,7 @@ export class Scout {
     } else if (outage.failedStartMs !== undefined && outage.failedStartMs >= answering.sinceMs) {
       this.#answering = undefined;
       this.#hasVisited = true;
-      this.#options.visit(answering.url);
+      this.#options.switchTo(answering.url);
     }
   }
 

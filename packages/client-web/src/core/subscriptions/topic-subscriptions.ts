@@ -61,12 +61,12 @@ export class TopicSubscriptions {
    * subscription of a pattern; a second one in this program gets it from here.
    */
   readonly #newest = new Map<string, ReceivedRecord>();
-  /** Topics whose newest record cannot be had from there, because its buffer was given away. */
-  readonly #handedOver = new Set<string>();
+  /** Topics whose newest record is not kept, because its buffer was transferred to a subscriber. */
+  readonly #transferredTopics = new Set<string>();
   #encodedCount = 0;
-  /** Topics that had a value when the link went, and that nothing was heard of since. */
-  #doubtful = new Set<string>();
-  /** Tell of devices that come and go, as long as there are component profiles. */
+  /** Topics with a value when the connection was lost, and without a record since. */
+  #unconfirmed = new Set<string>();
+  /** Subscriptions to devices, while component profiles exist. */
   #deviceNews: readonly Subscription<'device'>[] = [];
   /** Subscriptions by topic that replace profiles on masters that do not support them. */
   readonly #substitutes = new Map<string, Subscription>();
@@ -135,7 +135,7 @@ export class TopicSubscriptions {
   /** Hands a record to everyone who subscribed to it, to each once. */
   handleRecord(record: ReceivedRecord): void {
     const { topic } = record;
-    this.#doubtful.delete(topic);
+    this.#unconfirmed.delete(topic);
     const { receivers } = this.#routeOf(topic);
     if (!record.hasValue) {
       this.#forget(topic);
@@ -148,7 +148,7 @@ export class TopicSubscriptions {
     for (const receiver of receivers) receiver.handleRecord(record, isHandedOver);
     if (isHandedOver) {
       this.#newest.delete(topic);
-      if (this.#handedOver.size < MAX_REMEMBERED_TOPICS) this.#handedOver.add(topic);
+      if (this.#transferredTopics.size < MAX_REMEMBERED_TOPICS) this.#transferredTopics.add(topic);
     } else if (receivers.length > 0) this.#remember(record);
     if (isUnknown) this.#componentTopics.hold(record);
   }
@@ -178,14 +178,14 @@ export class TopicSubscriptions {
   pause(): void {
     this.#sync.pause();
     if (!this.hasEncoded) return;
-    for (const topic of [...this.#newest.keys(), ...this.#handedOver]) {
-      if (!isMasterTopic(topic)) this.#doubtful.add(topic);
+    for (const topic of [...this.#newest.keys(), ...this.#transferredTopics]) {
+      if (!isMasterTopic(topic)) this.#unconfirmed.add(topic);
     }
   }
 
   /** Handles values that were deleted while there was no link, which the master does not report. [TD-42] */
   async #endDoubtful(): Promise<void> {
-    if (this.#doubtful.size === 0) return;
+    if (this.#unconfirmed.size === 0) return;
     let existing: ReadonlySet<string>;
     try {
       existing = new Set(await this.#options.listTopics());
@@ -193,11 +193,11 @@ export class TopicSubscriptions {
       if (!(error instanceof ServiceError)) throw error;
       return; // asked again after the next reconnect
     }
-    for (const topic of [...this.#doubtful]) {
+    for (const topic of [...this.#unconfirmed]) {
       if (existing.has(topic)) continue;
       this.handleRecord(ReceivedRecord.fromDecoded(emptyRecord(topic)));
     }
-    this.#doubtful.clear();
+    this.#unconfirmed.clear();
   }
 
   /** Ends everything. */
@@ -206,8 +206,8 @@ export class TopicSubscriptions {
     this.#groups.clear();
     this.#routes.clear();
     this.#newest.clear();
-    this.#handedOver.clear();
-    this.#doubtful.clear();
+    this.#transferredTopics.clear();
+    this.#unconfirmed.clear();
     this.#encodedCount = 0;
     this.#substitutes.clear();
     this.#deviceNews = [];
@@ -242,7 +242,7 @@ export class TopicSubscriptions {
     for (const record of this.#newest.values()) {
       if (this.#selects(group, record.topic)) subscription.handleRecord(record, false);
     }
-    for (const topic of this.#handedOver) {
+    for (const topic of this.#transferredTopics) {
       if (!this.#selects(group, topic)) continue;
       this.#sync.renew(pattern.key);
       return;
@@ -283,8 +283,8 @@ export class TopicSubscriptions {
     for (const topic of this.#newest.keys()) {
       if (this.#routeOf(topic).receivers.length === 0) this.#newest.delete(topic);
     }
-    for (const topic of this.#handedOver) {
-      if (this.#routeOf(topic).receivers.length === 0) this.#handedOver.delete(topic);
+    for (const topic of this.#transferredTopics) {
+      if (this.#routeOf(topic).receivers.length === 0) this.#transferredTopics.delete(topic);
     }
     await this.#sync.unwant(pattern.key);
   }
@@ -340,11 +340,11 @@ export class TopicSubscriptions {
 
   #forget(topic: string): void {
     this.#newest.delete(topic);
-    this.#handedOver.delete(topic);
+    this.#transferredTopics.delete(topic);
   }
 
   #remember(record: ReceivedRecord): void {
-    this.#handedOver.delete(record.topic);
+    this.#transferredTopics.delete(record.topic);
     if (this.#newest.size >= MAX_REMEMBERED_TOPICS && !this.#newest.has(record.topic)) {
       const [oldest] = this.#newest.keys();
       if (oldest !== undefined) this.#newest.delete(oldest);

@@ -4,13 +4,13 @@ import { fillPath, matchPath } from '../mapping/address-path.ts';
 import type { Mapping } from '../mapping/mapping.ts';
 import type { Sent } from '../ports/foreign-system.ts';
 import type { MasterRecord } from '../ports/topic-master.ts';
-import type { LaneContext } from './in-lane.ts';
-import { LaneCounters } from './lane-report.ts';
-import type { LaneReport } from './lane-report.ts';
+import type { ForwarderContext } from './inbound-forwarder.ts';
+import { ForwarderCounters } from './forwarder-report.ts';
+import type { ForwarderReport } from './forwarder-report.ts';
 import { Sampler } from './sampler.ts';
 
-/** Dependencies of an `OutLane`. */
-export interface OutContext<P> extends LaneContext<P> {
+/** Dependencies of an `OutboundForwarder`. */
+export interface OutboundContext<P> extends ForwarderContext<P> {
   /** Tells whether a record came from the other system: its publisher is this bridge, or another one to it. [BR-20] */
   isFromForeignSystem(publisherId: string): boolean;
   /** Called when a client published a value: values that wait in the other direction are older. */
@@ -18,13 +18,13 @@ export interface OutContext<P> extends LaneContext<P> {
 }
 
 /** One mapping from the master into the other system. */
-export class OutLane<P> {
+export class OutboundForwarder<P> {
   readonly mapping: Mapping;
-  readonly #context: OutContext<P>;
-  readonly #counters: LaneCounters;
+  readonly #context: OutboundContext<P>;
+  readonly #counters: ForwarderCounters;
   readonly #sampler: Sampler;
 
-  constructor(mapping: Mapping, context: OutContext<P>, counters = new LaneCounters()) {
+  constructor(mapping: Mapping, context: OutboundContext<P>, counters = new ForwarderCounters()) {
     this.mapping = mapping;
     this.#context = context;
     this.#counters = counters;
@@ -36,7 +36,7 @@ export class OutLane<P> {
     });
   }
 
-  get counters(): LaneCounters {
+  get counters(): ForwarderCounters {
     return this.#counters;
   }
 
@@ -86,7 +86,7 @@ export class OutLane<P> {
     this.#counters.handleDropped('', reason, this.#context.clock.nowMs());
   }
 
-  report(): LaneReport {
+  report(): ForwarderReport {
     return this.#counters.report(this.#sampler.size);
   }
 

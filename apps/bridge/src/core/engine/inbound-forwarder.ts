@@ -8,14 +8,14 @@ import type { Mapping } from '../mapping/mapping.ts';
 import type { PayloadCodec, TypedValue } from '../payload/payload-codec.ts';
 import type { ForeignMessage } from '../ports/foreign-system.ts';
 import type { TopicMaster } from '../ports/topic-master.ts';
-import { LaneCounters } from './lane-report.ts';
-import type { LaneReport } from './lane-report.ts';
+import { ForwarderCounters } from './forwarder-report.ts';
+import type { ForwarderReport } from './forwarder-report.ts';
 import { Sampler } from './sampler.ts';
 import { hasTwoValues } from './send-gate.ts';
 import type { SendGate } from './send-gate.ts';
 
-/** Dependencies that the lanes of a bridge share. */
-export interface LaneContext<P> {
+/** Dependencies that the forwarders of a bridge share. */
+export interface ForwarderContext<P> {
   readonly clock: Clock;
   readonly codec: PayloadCodec<P>;
   readonly master: TopicMaster;
@@ -24,20 +24,20 @@ export interface LaneContext<P> {
   readonly gate: SendGate<P>;
 }
 
-/** Dependencies of an `InLane`. */
-export interface InContext<P> extends LaneContext<P> {
+/** Dependencies of an `InboundForwarder`. */
+export interface InboundContext<P> extends ForwarderContext<P> {
   /** Called after a value or an end was published: values that wait in the other direction are older. */
   onPublished(address: string): void;
 }
 
 /** One mapping from the other system into the master. */
-export class InLane<P> {
+export class InboundForwarder<P> {
   readonly mapping: Mapping;
-  readonly #context: InContext<P>;
-  readonly #counters: LaneCounters;
+  readonly #context: InboundContext<P>;
+  readonly #counters: ForwarderCounters;
   readonly #sampler: Sampler;
 
-  constructor(mapping: Mapping, context: InContext<P>, counters = new LaneCounters()) {
+  constructor(mapping: Mapping, context: InboundContext<P>, counters = new ForwarderCounters()) {
     this.mapping = mapping;
     this.#context = context;
     this.#counters = counters;
@@ -49,7 +49,7 @@ export class InLane<P> {
     });
   }
 
-  get counters(): LaneCounters {
+  get counters(): ForwarderCounters {
     return this.#counters;
   }
 
@@ -106,7 +106,7 @@ export class InLane<P> {
     this.#sampler.end(topic);
   }
 
-  report(): LaneReport {
+  report(): ForwarderReport {
     return this.#counters.report(this.#sampler.size);
   }
 

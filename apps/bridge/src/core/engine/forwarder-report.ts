@@ -5,7 +5,7 @@ import { shown } from '../payload/plain-values.ts';
 const KEPT_VALUE_BYTES = 4_096;
 
 /** How one direction of a mapping does. [BR-33] */
-export interface LaneReport {
+export interface ForwarderReport {
   readonly passed: number;
   /** Content that does not fit, or an address that may not be used. */
   readonly refused: number;
@@ -26,13 +26,13 @@ export interface LaneReport {
 }
 
 /** Counts for one direction of a mapping. */
-export class LaneCounters {
+export class ForwarderCounters {
   #passed = 0;
   #refused = 0;
   #dropped = 0;
   #returned = 0;
   #evicted = 0;
-  #lastError: LaneReport['lastError'];
+  #lastError: ForwarderReport['lastError'];
   #last: { readonly address: string; readonly value: unknown; readonly atMs: number } | undefined;
 
   handlePassed(address: string, value: unknown, sizeBytes: number, atMs: number): void {
@@ -64,7 +64,7 @@ export class LaneCounters {
     this.#evicted++;
   }
 
-  report(topics: number): LaneReport {
+  report(topics: number): ForwarderReport {
     const last = this.#last && {
       address: this.#last.address,
       text: shown(this.#last.value, BRIDGE_LIMITS.shownChars),
