@@ -36,7 +36,7 @@ async function collect(client: UbiiClient, glob: string) {
   return got;
 }
 
-/** The bridge listens as soon as it has said so. */
+/** The bridge listens as soon as it has logged that. */
 async function connected(bridge: ReturnType<typeof startBridge>): Promise<Printed> {
   await bridge.says(`Connected to ${broker.url}`);
   return bridge.ready<Printed>();

@@ -15,7 +15,7 @@ export async function connectOnce(
   let stop = (): void => undefined;
   const failed = new Promise<never>((_resolve, reject) => {
     stop = client.onState((state) => {
-      // An attempt that follows without delay is part of the first: the master said how to register.
+      // An attempt that follows without delay is part of the first: the reply of the master says how to register.
       if (state.status === 'reconnecting' && state.nextAttemptMs > clock.nowMs()) {
         reject(state.error);
       }

@@ -1,5 +1,5 @@
 const FIRST_MS = 500;
-const LONGEST_MS = 30_000;
+const MAX_MS = 30_000;
 
 /** Pauses before attempts to connect: each twice as long as the one before, up to 30 s, with a part by chance. [BR-40] */
 export class BackOff {
@@ -13,7 +13,7 @@ export class BackOff {
 
   /** Returns the next pause, milliseconds. */
   nextMs(): number {
-    const pauseMs = Math.min(LONGEST_MS, FIRST_MS * 2 ** this.#attempts++);
+    const pauseMs = Math.min(MAX_MS, FIRST_MS * 2 ** this.#attempts++);
     return Math.round(pauseMs * (0.75 + 0.5 * this.#random()));
   }
 

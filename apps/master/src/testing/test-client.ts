@@ -33,7 +33,7 @@ export class TestClient {
   connection: RecordingConnection = new RecordingConnection();
   #handle: ConnectionHandle | undefined = undefined;
 
-  /** @param caller who it is to the transport, before it joined */
+  /** @param caller as the transport identifies it before it joins */
   constructor(
     testMaster: TestMaster,
     name: string,

@@ -41,7 +41,7 @@ async function setup(count = 3) {
     await connected;
     return client;
   };
-  /** The machine of a master dies: neither clients nor masters hear of it again. */
+  /** The computer of a master fails: clients and masters receive nothing from it any more. */
   const kill = async (at: number): Promise<void> => {
     world.setReachable(world.masters[at]!, false);
     await doors.get(URLS[at]!)!.die();

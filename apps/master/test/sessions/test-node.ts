@@ -74,7 +74,7 @@ export class TestNode {
     return this.client.id;
   }
 
-  /** Sessions it was told of since it was asked last, as word and session. */
+  /** Announced sessions since the last call, as word and session. */
   takeNews(): [word: string, session: Session][] {
     return this.client.takeSent().flatMap((sent) => {
       const records =
@@ -86,7 +86,7 @@ export class TestNode {
     });
   }
 
-  /** The newest session it was told of with this word. */
+  /** The newest session announced with this word. */
   told(word: string): Session {
     const news = this.takeNews().findLast(([topic]) => topic === word);
     if (news === undefined) throw new Error(`it was not told to ${word}`);

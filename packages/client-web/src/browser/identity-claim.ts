@@ -2,7 +2,7 @@
  * Longest time to wait for an identity that is neither released nor confirmed by its page, milliseconds. A busy
  * computer takes seconds to end the page before a reload; a live page replies much earlier.
  */
-const LONGEST_WAIT_MS = 5_000;
+const MAX_WAIT_MS = 5_000;
 /**
  * Time for other pages to object where locks are not available, milliseconds. A message between pages takes one or two;
  * every reload waits this long.
@@ -32,7 +32,7 @@ export function claimIdentity(clientId: string): Promise<Release | undefined> {
 /** Waits for the lock until another page reports that it is taken, or until a timeout. */
 async function claimByLock(name: string, holder?: Question): Promise<Release | undefined> {
   const waiting = new AbortController();
-  const timer = setTimeout(() => waiting.abort(), LONGEST_WAIT_MS);
+  const timer = setTimeout(() => waiting.abort(), MAX_WAIT_MS);
   void holder?.isTaken.then(() => waiting.abort());
   let letGo: Release = () => undefined;
   const held = new Promise<void>((resolve) => {
@@ -76,9 +76,9 @@ async function claimByChannel(name: string): Promise<Release | undefined> {
 
 /** A question to the page that holds an identity. */
 interface Question {
-  /** Resolves when a page said twice that it has it. */
+  /** Resolves when a page has claimed it twice. */
   readonly isTaken: Promise<void>;
-  /** Whether one has said so once. */
+  /** A page has claimed it once. */
   isAnswered(): boolean;
   end(): void;
 }

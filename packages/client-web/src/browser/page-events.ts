@@ -1,6 +1,6 @@
 import type { UbiiClient } from '../core/client/ubii-client.ts';
 
-/** The network of a device, where the browser tells of it: another Wi-Fi ends no socket, it only falls silent. */
+/** The network of a device, where the browser reports it: after a change of Wi-Fi, a socket stays open without data. */
 interface NetworkConnection {
   readonly connection?: EventTarget;
 }
@@ -19,8 +19,8 @@ export function followPageEvents(client: UbiiClient): void {
   const handlePageHide = (event: Event): void => {
     // A page that is kept may come back, and the socket may even live on.
     if ((event as PageTransitionEvent).persisted) return;
-    // A page that was seen is hidden next, when everybody has heard that it ends and has said what is to
-    // be said. https://html.spec.whatwg.org/#unload-a-document
+    // A visible page is hidden after all listeners have handled its end and sent their last
+    // messages. https://html.spec.whatwg.org/#unload-a-document
     isEnding = shown.visibilityState === 'visible';
     if (!isEnding) client.leave();
   };

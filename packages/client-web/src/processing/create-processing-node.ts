@@ -107,7 +107,7 @@ class Node implements ProcessingNode {
 
   async #start(): Promise<void> {
     if (this.#started !== undefined) return;
-    // Before anything else is said: the master takes node messages only from nodes. [EX-20]
+    // First: the master accepts node messages only from nodes. [EX-20]
     await this.#tellProfile(true);
     const watch = new SessionWatch(this.#client, {
       handleSession: (session, activity) => this.#handleSession(session, activity),

@@ -39,7 +39,7 @@ export class ModuleReports {
 
   ended({ spec }: WantedInstance): void {
     const { id, name, nodeId, sessionId } = spec.module;
-    // One that ended before the start was told needs both: the session waits for either.
+    // An instance that ended before its start was reported needs both: the session waits for either.
     this.#ended.set(id, { id, name, nodeId, sessionId, status: ProcessingModuleStatus.DESTROYED });
     this.#started.delete(id);
     this.#tell();
@@ -67,7 +67,7 @@ export class ModuleReports {
     this.#tell();
   }
 
-  /** Resolves when everything was told, or cannot be. */
+  /** Resolves when all reports are sent, or cannot be. */
   async settled(): Promise<void> {
     while (this.#isTelling !== undefined) await this.#isTelling;
   }
@@ -97,7 +97,7 @@ export class ModuleReports {
           if (!isEnd) this.#options.handleUnknown();
           continue;
         }
-        // It did not get through. What was said since is newer, and an end makes a start void.
+        // The report was lost. Later reports are newer, and an end cancels a start.
         for (const [id, module] of told) {
           if (!waiting.has(id) && (isEnd || !this.#ended.has(id))) waiting.set(id, module);
         }

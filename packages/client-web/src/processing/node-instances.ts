@@ -25,7 +25,7 @@ export interface NodeInstancesOptions {
   handleChange(): void;
 }
 
-/** The instances of a node under one id of its client, and what people see of them. */
+/** The instances of a node under one id of its client, and their reports. */
 export class NodeInstances {
   readonly runtime: ModuleRuntime;
   readonly #keeper: InstanceKeeper;

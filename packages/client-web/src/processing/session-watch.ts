@@ -10,7 +10,7 @@ export type SessionClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 
 
 /** Callbacks of the watch. */
 export interface SessionWatchOptions {
-  /** A session is, or wants to be, as said here. */
+  /** Called with the current state of a session. */
   readonly handleSession: (session: Session, activity: SessionActivity) => void;
   /** A session starts, whether or not something of it runs already. */
   readonly handleStart: (session: Session) => void;

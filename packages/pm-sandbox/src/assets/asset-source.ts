@@ -5,7 +5,7 @@ export interface AssetSource {
   manifest(name: string, signal: AbortSignal): Promise<AssetManifest>;
   /**
    * The bytes of one file, not verified.
-   * @param onBytes is told of each part that came, bytes
+   * @param onBytes called with the size of each received part, bytes
    */
   read(
     name: string,

@@ -20,16 +20,16 @@ export interface InstanceKeeperContext {
   readonly patterns?: PatternSource;
   /** The instance is about to be made. */
   readonly onCreate?: (wanted: WantedInstance) => void;
-  /** It runs, or is ready to where its session is paused. Once for each instance that is made. */
+  /** It runs, or is ready if its session is paused. Once for each created instance. */
   readonly onStarted: (wanted: WantedInstance) => void;
   /**
-   * It is gone. Also told of one that was wanted and never made: who asked for it waits for one or the other.
+   * It has ended. Also called for a wanted instance that was never created: the session waits for either.
    * @param isWanted it is about to be made again
    */
   readonly onEnded: (wanted: WantedInstance, isWanted: boolean) => void;
-  /** It could not be made or brought in line. What the runtime gives up, the runtime tells. */
+  /** It could not be created or changed. Instances that the runtime gives up are reported by the runtime. */
   readonly onFailed: (wanted: WantedInstance, fault: ModuleFault) => void;
-  /** Nothing is left of it. */
+  /** It is removed. */
   readonly onGone?: (instanceId: string) => void;
 }
 
@@ -50,7 +50,7 @@ interface Entry {
 /**
  * Keeps the instances of a runtime as their sessions want them: takes the steps of `reconcile`, for each instance one
  * after the other. Every step may take its time, and what is wanted may change meanwhile: the steps that are left are
- * then worked out again. All that is said in one turn counts as one. [PM-62]
+ * then computed again. All calls of one turn count as one. [PM-62]
  */
 export class InstanceKeeper {
   readonly #context: InstanceKeeperContext;

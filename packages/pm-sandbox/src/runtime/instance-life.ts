@@ -105,7 +105,7 @@ export class InstanceLife {
     return this.#destroying;
   }
 
-  /** A callback failed. What was deadly ends the instance. [PM-13] [PM-53] */
+  /** A callback failed: a fatal fault ends the instance. [PM-13] [PM-53] */
   handleFault(fault: ModuleFault): void {
     if (isDeadly(fault)) this.#handleKilled(fault);
     else this.#reports.countError(fault);
@@ -195,7 +195,7 @@ export class InstanceLife {
     try {
       if (!(await within(clock, limits.haltTimeoutMs, work))) this.#handleLate(phase);
     } catch (reason) {
-      // Of a sandbox that is gone the end was told already.
+      // The end of a sandbox that is gone was reported already.
       if (this.#sandbox !== undefined) this.handleFault(toFault(reason, phase));
     }
   }

@@ -227,13 +227,13 @@ describe('WorkerHost', () => {
       worker.endTurn();
       return worker.batches.at(-1)?.messages.at(-1);
     };
-    expect(await ask('echo', 'say')).toMatchObject({ isGood: true, value: 'said x' });
+    expect(await ask('echo', 'say')).toMatchObject({ isFulfilled: true, value: 'said x' });
     for (const [library, method] of [
       ['echo', 'constructor'],
       ['__proto__', 'toString'],
       ['nothing', 'say'],
     ] as const) {
-      expect(await ask(library, method)).toMatchObject({ isGood: false });
+      expect(await ask(library, method)).toMatchObject({ isFulfilled: false });
     }
   });
 });

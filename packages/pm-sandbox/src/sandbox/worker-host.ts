@@ -200,9 +200,9 @@ export class WorkerHost {
 
   /** One copy for all instances of the worker. [PM-91] */
   #giveAssets(instance: number, assets: LoadedAssets): void {
-    const isThere = this.#hasAssets(assets.key);
+    const hasAlready = this.#hasAssets(assets.key);
     this.#assetsOf.get(instance)!.set(assets.key, assets);
-    if (isThere) return;
+    if (hasAlready) return;
     const files = Object.fromEntries(
       Object.entries(assets.files).map(([path, bytes]) => [path, bytes.slice()]),
     );
@@ -321,8 +321,8 @@ export class WorkerHost {
 
   #callLibrary(message: Extract<WorkerMessage, { kind: 'libraryCall' }>): void {
     const { request, library, method, args } = message;
-    const answer = (isGood: boolean, value: unknown): void =>
-      this.#send({ kind: 'libraryAnswer', request, isGood, value });
+    const answer = (isFulfilled: boolean, value: unknown): void =>
+      this.#send({ kind: 'libraryAnswer', request, isFulfilled, value });
     // The names come from the worker: only what was offered is called.
     const { hostLibraries } = this.#options;
     const isOffered =

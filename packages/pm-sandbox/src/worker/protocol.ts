@@ -53,7 +53,7 @@ export type HostMessage =
   | {
       readonly kind: 'libraryAnswer';
       readonly request: number;
-      readonly isGood: boolean;
+      readonly isFulfilled: boolean;
       /** JSON value; a sentence when it is invalid. */
       readonly value: unknown;
     };

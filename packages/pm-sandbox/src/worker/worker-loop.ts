@@ -234,8 +234,8 @@ export class WorkerLoop {
     return new Promise((resolve, reject) => {
       // Only data travels; throws for cycles.
       const data = JSON.parse(JSON.stringify(args)) as unknown[];
-      this.#answers.set(request, ({ isGood, value }) => {
-        if (isGood) resolve(value);
+      this.#answers.set(request, ({ isFulfilled, value }) => {
+        if (isFulfilled) resolve(value);
         else reject(new Error(String(value)));
       });
       this.#send({ kind: 'libraryCall', instance, request, library, method, args: data });

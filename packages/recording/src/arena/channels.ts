@@ -15,7 +15,7 @@ export interface Channel {
   isGone: boolean;
 }
 
-/** A channel as threads are told of it. */
+/** A channel in messages between threads. */
 export type NamedChannel = Pick<Channel, 'number' | 'topic' | 'clientId'>;
 
 /** A publisher on a topic; remembers the channel. */

@@ -35,7 +35,7 @@ export interface ReleasedEntry {
   offset: number;
 }
 
-/** Is told of entries that leave, before they are overwritten. */
+/** Called with entries before they are overwritten. */
 export interface ReleaseListener {
   release(entry: ReleasedEntry): void;
   /** The last of some has been told: now is the time to copy what should stay. @param bytes of the ring */

@@ -41,7 +41,7 @@ export interface SharedRecorderContext {
   readonly limits: MemoryLimits;
 }
 
-/** Memory that files were told of. */
+/** Memory that was announced to files. */
 interface OpenedMemory {
   readonly memory: RecordMemory;
   readonly generation: number;
@@ -70,7 +70,7 @@ export class SharedRecorder implements Recorder {
   readonly #context: SharedRecorderContext;
   readonly #flight: FlightRecorder;
   #memory: RecordMemory | undefined = undefined;
-  /** What the files were told of the memory. */
+  /** Memory as announced to the files. */
   #opened: OpenedMemory | undefined = undefined;
   /** What files have read, or read now. */
   #told = NO_SPANS;
@@ -132,7 +132,7 @@ export class SharedRecorder implements Recorder {
     this.#told = memory.spans;
     void this.#context.files
       .read(spans, names)
-      .catch(() => undefined) // The recording that failed said so.
+      .catch(() => undefined) // The recording that failed reported it.
       .then(() => memory.markRead(spans));
   }
 
@@ -306,7 +306,7 @@ export class SharedRecorder implements Recorder {
     }
   }
 
-  /** Files read what they were told of before it is overwritten. */
+  /** Files read announced memory before it is overwritten. */
   #retire(memory: RecordMemory): void {
     this.#opened = undefined;
     this.#context.files.erase(memory.shared);

@@ -60,7 +60,7 @@ interface Forwarders<P> {
 
 /**
  * Passes values between a master and another system, as mappings say. [BR-2] Knows no protocol: it gets messages of the other
- * system and records of the master, and counts what becomes of each.
+ * system and records of the master, and counts the result of each.
  */
 export class BridgeEngine<P> {
   readonly #context: EngineContext<P>;

@@ -10,7 +10,7 @@ interface Address {
   cancel: Cancel | undefined;
 }
 
-/** What becomes of a value. `replaced`: it is sent later, in place of one that waited. */
+/** Result of an offer. `replaced`: it is sent later, in place of a waiting value. */
 export type Offered = 'now' | 'later' | 'replaced' | 'full';
 
 export interface SamplerContext {

@@ -7,7 +7,7 @@ import type { Mapping, PayloadKind } from '../mapping/mapping.ts';
 import type { HomeAssistantSettings } from '../mapping/read-mapping-file.ts';
 import { BUTTON_EVENTS, BUTTON_FORMATS } from '../payload/button-events.ts';
 
-/** What Home Assistant is told of a component of a device. */
+/** Announcement of a component of a device for Home Assistant. */
 export interface Entity {
   /** Where its discovery message goes. */
   readonly configTopic: string;
@@ -72,7 +72,7 @@ function kindOf(format: DataFormat | undefined, isSubscriber: boolean): Kind | u
   return undefined;
 }
 
-/** Returns what Home Assistant is told of the devices of a master. */
+/** Returns the announcements of the devices of a master for Home Assistant. */
 export function entitiesOf(devices: readonly Device[], context: EntityContext): Entities {
   const entities: Entity[] = [];
   let skipped = 0;

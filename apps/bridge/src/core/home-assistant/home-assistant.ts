@@ -66,7 +66,7 @@ export class Discovery {
     for (const [topic, text] of this.#sent) this.#tell(topic, text);
   }
 
-  /** Another bridge announces the devices from now on. What it says of them takes the place of what this one has said. */
+  /** Another bridge announces the devices from now on. Its announcements replace those of this bridge. */
   handOver(): void {
     this.#sent.clear();
     this.#states.clear();

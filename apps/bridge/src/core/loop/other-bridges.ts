@@ -112,7 +112,7 @@ export class OtherBridges {
 
   /**
    * Resolves when all that are there are known: the bridge itself was announced, with the others, what each may do is known,
-   * and each has said what it passes.
+   * and each has announced its mappings.
    */
   untilKnown(ownId: string): Promise<void> {
     return new Promise((resolve) => {

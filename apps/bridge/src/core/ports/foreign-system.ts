@@ -26,7 +26,7 @@ export interface OutgoingMessage<P> {
   readonly timestampMs?: number | undefined;
 }
 
-/** What becomes of a message: it left, it waits for the connection, or it was dropped or refused, with the reason. */
+/** Result of sending: sent, waiting for the connection, or dropped or refused with a reason. */
 export type Sent =
   | { readonly kind: 'sent' | 'waiting' }
   | { readonly kind: 'dropped' | 'refused'; readonly reason: string };

@@ -4,7 +4,7 @@ import type { DataFormat } from '@ubii/proto';
 export interface MasterRecord {
   readonly topic: string;
   readonly bytes: Uint8Array;
-  /** Client that published it, as far as it says; else empty. */
+  /** Client that published it; empty if the record does not name it. */
   readonly publisherId: string;
 }
 

@@ -1,4 +1,4 @@
-/** Nothing of ours is longer; what is, is good for nothing and not looked at. */
+/** Valid tokens are shorter: ignore longer texts. */
 const MAX_LENGTH = 1_024;
 /** Tokens and credentials are longer than any typed code. */
 const MIN_TOKEN_LENGTH = 40;

@@ -43,7 +43,7 @@ type Whereabouts = Pick<CallerFacts, 'standing' | 'isHere'> & {
   readonly isUnknown?: boolean;
 };
 
-/** Reads from a request who calls, the same for services and sockets on every port. [AC-6] */
+/** Identifies the caller of a request, the same for services and sockets on every port. [AC-6] */
 export class CallerReader {
   readonly #context: CallerReaderContext;
 

@@ -4,7 +4,7 @@ import type { NetworkInterfaceInfo } from 'node:os';
 /** Asking the system takes longer than a request: what it said counts for so long, milliseconds. */
 const FRESH_MS = 1_000;
 
-/** The addresses of this machine, of late: networks come and go, and requests ask by the thousand. */
+/** The addresses of this computer, cached for a short time: networks change, and there are thousands of requests. */
 export class OwnAddresses {
   readonly #nowMs: () => number;
   readonly #interfaces: () => NodeJS.Dict<NetworkInterfaceInfo[]>;

@@ -21,7 +21,7 @@ export interface ServicesContext extends AnswerContext {
 /** Services over HTTP: always status 200 with a reply, errors included. [SV-1] */
 export function addServices(app: FastifyInstance, context: ServicesContext): void {
   // Whatever a client calls its content, the path says what it is. Bodies are read by the handler,
-  // which knows first who calls.
+  // which knows the caller first.
   app.removeAllContentTypeParsers();
   app.addContentTypeParser('*', (_request, _payload, done) => done(null));
 

@@ -189,7 +189,7 @@ export async function removeLeftovers(folder: string, name: string): Promise<voi
 /** Puts one folder into the place of another one, which comes back when that fails. */
 async function replaceFolder(from: string, to: string): Promise<void> {
   const old = `${from}.old`;
-  const isThere = await rename(to, old).then(
+  const hasFolder = await rename(to, old).then(
     () => true,
     (error: NodeJS.ErrnoException) => {
       if (error.code === 'ENOENT') return false;
@@ -199,7 +199,7 @@ async function replaceFolder(from: string, to: string): Promise<void> {
   try {
     await rename(from, to);
   } catch (error) {
-    if (isThere) await rename(old, to);
+    if (hasFolder) await rename(old, to);
     throw error;
   }
   await rm(old, { recursive: true, force: true }).catch(() => undefined);

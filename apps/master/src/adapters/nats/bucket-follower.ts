@@ -41,7 +41,7 @@ export class BucketFollower {
     });
   }
 
-  /** Begins. Resolves when all that is in the bucket was told. @throws the last error when that takes too long */
+  /** Starts. Resolves after all entries of the bucket were delivered. @throws the last error after a timeout */
   async start(): Promise<void> {
     const first = new Promise<void>((resolve) => (this.#resolveFirst = resolve));
     this.#begin();

@@ -5,7 +5,7 @@ import { explainStores } from './explain-nats-error.ts';
 import type { WatchedEntry } from './kv-watch.ts';
 import type { NatsLink } from './nats-link.ts';
 
-/** Every master has heard of a removal by then, milliseconds. */
+/** By then every master has received a removal, milliseconds. */
 const KEPT_MS = 10 * 60_000;
 /** How often it is checked, milliseconds. */
 const CHECK_MS = 60_000;

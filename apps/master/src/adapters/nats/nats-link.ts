@@ -52,7 +52,7 @@ function connectOptions(
 
 /** Delays before a connection is tried again, milliseconds: each twice the one before. */
 const FIRST_MS = 50;
-const LONGEST_MS = 2_000;
+const MAX_MS = 2_000;
 
 /** How long to wait before a lost connection is tried again: longer each time, and never all masters at once. */
 export class ReconnectPace {
@@ -73,7 +73,7 @@ export class ReconnectPace {
   }
 
   delayMs(): number {
-    const longest = Math.min(LONGEST_MS, FIRST_MS * 2 ** Math.min(this.#attempts, 16));
+    const longest = Math.min(MAX_MS, FIRST_MS * 2 ** Math.min(this.#attempts, 16));
     return Math.round(longest * (0.5 + this.#random() / 2));
   }
 }

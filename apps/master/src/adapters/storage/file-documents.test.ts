@@ -11,7 +11,7 @@ function newFolder(): string {
   return join(temporaryFolder(), 'sessions');
 }
 
-/** Until the store has heard of what happened. */
+/** Resolves when the store has noticed the change. */
 async function heard(isThere: () => boolean): Promise<void> {
   await vi.waitFor(() => {
     if (!isThere()) throw new Error('not yet');

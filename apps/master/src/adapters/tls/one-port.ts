@@ -20,7 +20,7 @@ type Serve = (socket: Socket) => void;
 export class OnePort {
   #shown: Issued;
   readonly #tlsServers: TlsServer[] = [];
-  /** Connections that have said nothing yet. */
+  /** Connections that have sent nothing yet. */
   readonly #silent = new Set<Socket>();
 
   constructor(shown: Issued) {

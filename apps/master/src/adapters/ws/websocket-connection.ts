@@ -154,7 +154,7 @@ export class WebSocketConnection implements ClientConnection {
 
   #write(parts: FrameParts): void {
     // Nothing may follow the close frame. What is written to a socket that broke a moment ago, before
-    // the library heard of it, is lost silently.
+    // the library noticed that, is lost silently.
     if (this.#webSocket.readyState !== OPEN) return;
     if (parts.length === 1) {
       this.#socket.write(parts[0]);

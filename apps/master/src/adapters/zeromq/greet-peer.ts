@@ -25,7 +25,7 @@ const MAX_PROPERTIES_BYTES = 1_024;
 /** Most bytes of an identity. */
 const MAX_IDENTITY_BYTES = 255;
 
-/** A peer that has said what it is, and waits to be taken or refused. */
+/** A peer that has sent its greeting, and waits to be accepted or refused. */
 export class ZmtpPeer {
   /** Identity that the peer asks for; empty for any. */
   readonly identity: Buffer;

@@ -69,7 +69,7 @@ describe('frames of ZMTP', () => {
   });
 });
 
-/** What the master is told of these frames, and what the protocol answers. */
+/** Calls of the master for these frames, and replies of the protocol. */
 async function heard(...frames: Uint8Array[]) {
   const host = new SuiteHost();
   const claim = { clientId: 'ada', token: undefined };

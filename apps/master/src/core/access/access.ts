@@ -39,7 +39,7 @@ const TRUSTED: Caller = { kind: 'local', role: 'admin' };
 const LOCAL: Caller = { kind: 'local', role: 'participant' };
 const NETWORK: Caller = { kind: 'network', role: 'participant' };
 
-/** Decides who is admitted, and to what. */
+/** Decides which callers are admitted, and their rights. */
 export class Access {
   readonly grants: Grants;
   readonly #context: AccessContext;

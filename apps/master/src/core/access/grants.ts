@@ -127,7 +127,7 @@ export class Grants {
   }
 
   /**
-   * Gives a grant new secrets in place of its own, and a new end; who has joined with it stays [AC-42].
+   * Replaces the secrets and the end of a grant; clients that joined with it stay [AC-42].
    *
    * @param expiresMs end of token and code, epoch milliseconds
    */
@@ -288,7 +288,7 @@ export class Grants {
       isHandedOver: known.isHandedOver || told.isHandedOver,
       joins: Math.max(known.joins, told.joins),
       credentialsEndMs: Math.max(known.credentialsEndMs, told.credentialsEndMs),
-      // Each master ends those who joined with it there.
+      // Each master ends the clients that joined at it.
       isOver: known.isOver,
     };
   }

@@ -15,7 +15,7 @@ const BURST_S = 2;
 /** Addresses of one network that have a pace of their own; further ones have that of the network. */
 const MAX_ADDRESSES = 64;
 
-/** A place that sent wrong codes of late. */
+/** A place that sent wrong codes recently. */
 interface Guesser {
   wrong: number;
   lastMs: number;

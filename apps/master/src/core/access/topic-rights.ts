@@ -154,7 +154,7 @@ class Rights implements PublishRights, ReadRights {
   }
 }
 
-/** Globs, with what was found for the topics of late [AC-28]. */
+/** Globs, with cached results for recent topics [AC-28]. */
 class Globs {
   readonly #patterns: readonly CompiledPattern[];
   /** Undefined before the first: most invitations give no further topics, and clients stay while they are away. */

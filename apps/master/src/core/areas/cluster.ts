@@ -27,7 +27,7 @@ export type ClusterAreaContext = Pick<MasterPorts, 'clock' | 'log' | 'cluster'> 
     readonly answer: Answer;
   };
 
-/** Without a cluster, nothing is told and asked. */
+/** Without a cluster, no message is sent. */
 export function createCluster(context: ClusterAreaContext): ClusterArea {
   const { cluster, settings, access, sessionNews } = context;
   if (cluster === undefined) return { masters: undefined };

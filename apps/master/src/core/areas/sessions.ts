@@ -179,8 +179,8 @@ function listen(
     const { isLive, description } = session;
     if (session.isGivenUp) return;
     const isKnown = sessionTable.get(session.id) === session;
-    const isToStart = isLive && description.startWithMaster;
-    sessionLibrary.remember(session, isKnown && (sessionLibrary.remembersAll || isToStart)); // [SE-24] [CU-33]
+    const shouldStart = isLive && description.startWithMaster;
+    sessionLibrary.remember(session, isKnown && (sessionLibrary.remembersAll || shouldStart)); // [SE-24] [CU-33]
   });
   const { masterId } = nodes;
   localNode.onStarted.add((moduleId) => void reports.handleRuntime(masterId, moduleId, true));

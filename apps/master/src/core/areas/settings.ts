@@ -78,9 +78,9 @@ export interface MasterEndpoints {
   readonly ipEthernet: string;
   /** IPv4 address on Wi-Fi; empty when there is none, or when the master listens on loopback only. */
   readonly ipWlan: string;
-  /** Port for services over HTTP that existing clients are told. */
+  /** Port for services over HTTP, for existing clients. */
   readonly portServices: number;
-  /** Port for topic data over WebSocket that existing clients are told. */
+  /** Port for topic data over WebSocket, for existing clients. */
   readonly portTopicData: number;
   /** Ports for services and topic data over ZeroMQ; 0 when there are none. */
   readonly portServicesZmq: number;

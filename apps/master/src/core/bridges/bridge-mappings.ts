@@ -52,7 +52,7 @@ export class BridgeMappingsOfClients {
     return this.#ask(targetId, { get: { targetId } });
   }
 
-  /** Checks mappings, and tries one of them on what there is. [BR-81] */
+  /** Checks mappings, and previews one with current values. [BR-81] */
   check(change: BridgeMappingsChange): Promise<BridgeMappings> {
     return this.#ask(change.targetId, { check: change });
   }

@@ -21,7 +21,7 @@ interface Finding {
   lastMs: number;
 }
 
-/** Makes problems of what look after look finds: not of the first sight of it, and some time beyond the last. */
+/** Turns repeated findings into problems: from the second look on, and for some time after the last. */
 export class Findings {
   readonly #clock: Clock;
   readonly #events: EventLog;

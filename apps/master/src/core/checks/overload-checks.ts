@@ -11,7 +11,7 @@ import type { Load } from '../counters/load.ts';
 import type { Problem } from './problem.ts';
 import type { CheckSettings } from './check-settings.ts';
 
-/** From here on everybody notices that the master is busy, percent [EX-46]. */
+/** From here on users notice that the master is busy, percent [EX-46]. */
 const FULL_PERCENT = 95;
 /** Share of the work from which one client is named as the cause [EX-46]. */
 const CAUSE_SHARE = 1 / 3;

@@ -59,9 +59,9 @@ export interface ForeignClientInit {
   readonly hereSinceMs: number;
 }
 
-/** Every registered client, and what becomes of it. */
+/** Registered clients. */
 export class ClientRegistry {
-  /** Called when a client can be reached, or no longer: it may be a node [SE-31]. */
+  /** Called when a client becomes reachable or unreachable: it may be a node [SE-31]. */
   readonly onPresence = new Hook<[client: Client]>();
   /** Called with each frame for a client of another master. [CU-24] */
   readonly onForeignFrame = new Hook<[client: Client, frame: Uint8Array]>();
@@ -125,7 +125,7 @@ export class ClientRegistry {
   }
 
   /**
-   * Registers a client, or takes back an earlier one that proves who it is [CL-1] [CL-3] [CL-4].
+   * Registers a client, or resumes an earlier one that proves its identity [CL-1] [CL-3] [CL-4].
    * @param access how it came in
    * @returns the client; whether it has the id it asked for; whether it was still known under it.
    * @throws ServiceError when there would be too many, or too much.

@@ -7,10 +7,10 @@ export interface ClientSocket {
   readonly connection: ClientConnection;
   /** Sends a frame of topic data as it is. */
   sendFrame(frame: Uint8Array): void;
-  /** Tells the client what went wrong, unless it was told too much lately [TD-17]. */
+  /** Sends the client an error, within a rate limit [TD-17]. */
   sendError(code: ServiceErrorCode, message: string): void;
   sendPing(): void;
-  /** Looks after the queue: sends what can be sent, and gives up a socket that takes nothing [TD-32]. */
+  /** Serves the queue: sends what can be sent, and closes a socket that takes nothing [TD-32]. */
   handleSweep(): void;
   /** Whether the client takes lists of records [TD-3] [TD-4]. */
   setRecordLists(takes: boolean): void;

@@ -2,7 +2,7 @@ import type { Clock } from '@ubii/timing';
 
 /** Frames of one client that are read in slices. */
 export interface SlicedFrames {
-  /** Reads some of them. @returns whether all were read */
+  /** Reads some slices. @returns whether all were read */
   readSlice(): boolean;
 }
 

@@ -102,7 +102,7 @@ export class IncomingFrames implements SlicedFrames, TopicDataSink {
     this.#context.slices.remove(this);
   }
 
-  /** Drops what was not read: there is no connection any more. */
+  /** Drops unread slices: the connection has ended. */
   discard(): void {
     this.#context.slices.remove(this);
     this.#cancelPause?.();

@@ -18,7 +18,7 @@ export const SILENT_AFTER_MS = 5_000;
 /** Silence that makes a client unavailable [CL-13], milliseconds. */
 export const LOST_AFTER_MS = 10_000;
 
-/** Looks after every client in turn: asks the silent ones, gives up the lost ones. */
+/** Checks every client in turn: pings silent clients, and removes lost ones. */
 export class Liveness {
   readonly #clock: Clock;
   readonly #clients: ClientRegistry;

@@ -26,7 +26,7 @@ const NOT_THIS_CLIENT: Dismissal = { reason: 'not this client' };
 const OUTDATED: Dismissal = { reason: 'superseded' };
 const UNKNOWN_CLIENT: Dismissal = { reason: 'unknown client' };
 
-/** Decides which socket is whose, and keeps count of them. */
+/** Assigns sockets to clients, and counts them. */
 export class SocketAdmission {
   readonly #context: AdmissionContext;
   readonly #socketContext: SocketContext;

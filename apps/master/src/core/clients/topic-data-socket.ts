@@ -185,7 +185,7 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, FrameOwn
     this.#frames.discard();
   }
 
-  /** Tells the client what went wrong, unless it was told too much lately [TD-17]. */
+  /** Sends the client an error, within a rate limit [TD-17]. */
   sendError(code: ServiceErrorCode, message: string): void {
     if (this.#isOpen && this.#mayTellError()) {
       this.#connection.sendError(new ServiceError(code, message).toWire());
@@ -198,7 +198,7 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, FrameOwn
     this.#connection.sendPing();
   }
 
-  /** Looks after the queue: sends what can be sent, and gives up a socket that takes nothing [TD-32]. */
+  /** Serves the queue: sends what can be sent, and closes a socket that takes nothing [TD-32]. */
   handleSweep(): void {
     const { clock, limits, limitWatch, log } = this.#context;
     const { outbox } = this.client.subscriber;

@@ -233,7 +233,7 @@ export class Cluster implements BusListener {
     this.#calls.handleCall(member, call);
   }
 
-  /** @returns undefined for one that has not said who it is */
+  /** @returns undefined for a master that has not identified itself */
   #handleSign(from: string): Peer | undefined {
     if (!this.members.handleSign(from)) return undefined;
     return this.peers.get(from) ?? this.#join(from);

@@ -8,7 +8,7 @@ const MAX_LOST = 32;
 /** A master that was there. */
 export interface LostMaster {
   readonly member: Member;
-  /** It said that it ends. */
+  /** It announced its end. */
   readonly hasEnded: boolean;
   /** Since when it is not there, epoch milliseconds. */
   readonly sinceMs: number;

@@ -45,7 +45,7 @@ interface Entry {
 export class Members {
   /** A master is there that was not, or says something else of itself. */
   readonly onJoined = new Hook<[member: Member]>();
-  /** A master said that it ends, or is not entry any more. */
+  /** A master announced its end, or is silent for too long. */
   readonly onLost = new Hook<[member: Member, hasEnded: boolean]>();
   readonly #context: MembersContext;
   readonly #members = new Map<string, Entry>();
@@ -97,7 +97,7 @@ export class Members {
     if (before === undefined || !isSame(before.member, member)) this.onJoined.emit(member);
   }
 
-  /** A master sent something. @returns whether it has said who it is */
+  /** A master sent a message. @returns whether it has identified itself */
   handleSign(id: string): boolean {
     const entry = this.#members.get(id);
     if (entry !== undefined) entry.lastSeenMs = this.#context.clock.monotonicMs();

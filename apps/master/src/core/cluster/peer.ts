@@ -32,7 +32,7 @@ const CLIENT_BYTES = 512;
 /** Looks in which parts of an earlier stream may still come. */
 const OLD_PARTS_LOOKS = 20;
 /** The longest wait before a stream is asked for that was asked for without effect, looks. */
-const LONGEST_WAIT_LOOKS = 60;
+const MAX_WAIT_LOOKS = 60;
 /** Looks at a stream without a part, after which it is asked for again. */
 const SILENT_LOOKS = 5;
 /** Subscriptions in one message. */
@@ -64,10 +64,10 @@ export class Peer {
   #resync: Resync | undefined = undefined;
   #silentLooks = 0;
   #looksSinceListen = 0;
-  /** Streams that ended before they had said all, one after the other. */
+  /** Consecutive streams that ended before they were complete. */
   #failures = 0;
   #waitLooks = 0;
-  #isToListen = false;
+  #shouldListen = false;
   readonly #roundTrip = new PeerRoundTrip();
   readonly #rates: PeerRates;
   #recordsFrom = 0;
@@ -92,7 +92,7 @@ export class Peer {
 
   /** All that it has was received. */
   get isComplete(): boolean {
-    return this.#resync?.isComplete !== false && !this.#isToListen;
+    return this.#resync?.isComplete !== false && !this.#shouldListen;
   }
 
   /** What crosses between it and this master. [CU-73] [CU-74] */
@@ -191,7 +191,7 @@ export class Peer {
     this.#resync?.sweep();
     if (this.#waitLooks > 0) this.#waitLooks--;
     if (++this.#silentLooks >= SILENT_LOOKS) this.#listenAgain();
-    else if (this.#isToListen && this.#waitLooks === 0) this.#listenNow();
+    else if (this.#shouldListen && this.#waitLooks === 0) this.#listenNow();
   }
 
   close(): void {
@@ -243,16 +243,16 @@ export class Peer {
 
   /** Asks for the stream again after a gap, not more often than the limit. [CU-7] */
   #listenAgain(): void {
-    if (this.#isToListen) return;
+    if (this.#shouldListen) return;
     // A first request that gets lost while both start costs nothing that was known.
     if (this.#hasReceived) this.gaps++;
-    this.#isToListen = true;
+    this.#shouldListen = true;
     if (this.#waitLooks === 0) this.#listenNow();
   }
 
   #listenNow(): void {
-    this.#isToListen = false;
-    this.#waitLooks = Math.min(LONGEST_WAIT_LOOKS, 2 ** this.#failures - 1);
+    this.#shouldListen = false;
+    this.#waitLooks = Math.min(MAX_WAIT_LOOKS, 2 ** this.#failures - 1);
     this.#failures = Math.min(this.#failures + 1, 10);
     this.listen();
   }

@@ -7,7 +7,7 @@ import { OpenConnection, type ConnectionKind, type TransportPeer } from './open-
 
 /** Part of `connections` that is kept for this machine: one in so many. */
 const KEPT_FOR_THIS_MACHINE = 8;
-/** A connection as young as this is not closed for another of the same address: it may be about to say who it is. */
+/** A younger connection is not closed for another one of the same address: its first request may still come. */
 const GRACE_MS = 3_000;
 /** Interval of checks for connections without a request, milliseconds. */
 const SWEEP_INTERVAL_MS = 1_000;
@@ -107,7 +107,7 @@ export class Connections {
     this.#silent.delete(connection);
   }
 
-  /** A request on it said who calls. For `OpenConnection`. */
+  /** A request on it identified its caller. For `OpenConnection`. */
   handleCaller(connection: OpenConnection, caller: Caller['kind']): void {
     const { kind, peer } = connection;
     if (kind === 'local' ? caller === 'local' : caller === 'stranger') return;
@@ -223,7 +223,7 @@ export class Connections {
     return this.#clock.monotonicMs() - openedMs < GRACE_MS;
   }
 
-  /** Cuts who has said nothing for too long. [AC-63] */
+  /** Closes connections without a request for too long. [AC-63] */
   #sweep(): void {
     const endMs = this.#clock.monotonicMs() - this.#limits.headersTimeoutMs;
     for (const connection of this.#silent) {

@@ -1,7 +1,7 @@
 import type { Clock } from '@ubii/timing';
 
 /** Addresses remembered; those of the longest ago go first. */
-const MOST = 4_096;
+const MAX_ADDRESSES = 4_096;
 
 /** Addresses with recent requests of joined callers. */
 export class KnownAddresses {
@@ -23,7 +23,7 @@ export class KnownAddresses {
   add(address: string): void {
     this.#seenMs.delete(address);
     this.#seenMs.set(address, this.#clock.monotonicMs());
-    if (this.#seenMs.size <= MOST) return;
+    if (this.#seenMs.size <= MAX_ADDRESSES) return;
     const [first] = this.#seenMs.keys();
     if (first !== undefined) this.#seenMs.delete(first);
   }

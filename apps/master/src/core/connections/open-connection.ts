@@ -51,7 +51,7 @@ export class OpenConnection {
     this.#keeper.handleRequest(this);
   }
 
-  /** A request said who calls. */
+  /** A request identified its caller. */
   handleCaller(caller: Caller['kind']): void {
     this.#keeper.handleCaller(this, caller);
   }
@@ -61,7 +61,7 @@ export class OpenConnection {
     this.#keeper.handleClient(this);
   }
 
-  /** The transport says that it is closed. May be said more than once. */
+  /** The transport closed it. May be called more than once. */
   handleClose(): void {
     this.#keeper.handleClose(this);
   }

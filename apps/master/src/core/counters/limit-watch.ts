@@ -13,7 +13,7 @@ export interface LimitHits {
   clientId: string | undefined;
 }
 
-/** Counts who meets which limit, and says so once for each row of hits. */
+/** Counts hits of limits, and logs each series of hits once. */
 export class LimitWatch {
   readonly limits: Limits;
   readonly #clock: Clock;

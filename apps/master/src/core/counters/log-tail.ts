@@ -36,7 +36,7 @@ interface KeptLine {
 /** State that all children of one log share. */
 interface Ring {
   readonly lines: KeptLine[];
-  /** Characters of all of them. */
+  /** Characters of all lines. */
   length: number;
   readonly budget: LogBudget;
   readonly firstNumber: number;

@@ -3,11 +3,11 @@ import { TokenBucket, type Cancel, type Clock } from '@ubii/timing';
 /** Announcement budget of a subject, bytes. */
 export interface NewsPace {
   readonly bytesPerSecond: number;
-  /** At once. What is larger is told alone, and the rest of its time is waited for afterwards. */
+  /** Bytes at once. A larger announcement is sent alone, and delays the next one. */
   readonly burstBytes: number;
 }
 
-/** Subjects that are looked at each time something is told, to forget those that are at rest. */
+/** Subjects checked with each announcement, to drop idle ones. */
 const LOOKED_AT = 2;
 
 interface Subject {
@@ -42,12 +42,12 @@ export class PacedNews {
     this.#tellOrWait(subject, tell);
   }
 
-  /** Counts what was told of a subject in another way, which comes in any case. */
+  /** Counts an announcement that was sent in another way, without a delay. */
   spend(id: string, bytes: number): void {
     this.#subjectOf(id).bucket.spend(bytes, this.#clock.monotonicMs());
   }
 
-  /** The subject is gone: nothing more is told of it. */
+  /** Drops a subject, with its pending announcement. */
   forget(id: string): void {
     this.#subjects.get(id)?.cancel?.();
     this.#subjects.delete(id);
@@ -69,7 +69,7 @@ export class PacedNews {
     return subject;
   }
 
-  /** A subject whose budget is full again is as one of which nothing was told. */
+  /** A subject with a full budget equals an unknown one. */
   #forgetRested(): void {
     const nowMs = this.#clock.monotonicMs();
     let looked = 0;

@@ -15,7 +15,7 @@ export class FileNews {
   readonly #context: FileNewsContext;
   readonly #stores: readonly Pick<StoredMessages<never>, 'store' | 'broken'>[];
   readonly #cancels: readonly Cancel[];
-  /** Documents that are known to be broken, with the reason that was told. */
+  /** Broken documents, with the reported reason. */
   #told = new Map<string, string>();
 
   constructor(

@@ -44,7 +44,7 @@ export interface Master extends ConnectionHost {
   /** The reply to a request the edge refused itself: undecodable (pass the `DecodeError`), or with a `ServiceError` of its choice. Counts it (SV-7). */
   refuseServiceRequest(cause: unknown): ServiceAnswer;
   readonly metrics: () => MasterMetrics;
-  /** Web addresses of the other masters of the cluster that were heard in this run, for adapters that know pages. [CU-90] */
+  /** Web addresses of the other masters of the cluster since the start, for adapters with pages. [CU-90] */
   otherMasterAddresses(): readonly string[];
   /** Returns the rights of a caller, for adapters that check access themselves. */
   roleOf(caller: CallerFacts): Role;

@@ -17,7 +17,7 @@ export type ProblemContext = Pick<Core, 'clock' | 'limits' | 'limitWatch' | 'sta
 /** Problems told at most: what a page can show. */
 const MAX_PROBLEMS = 100;
 
-/** Limits of the whole master: everybody suffers when one is met. */
+/** Limits of the whole master: all clients are affected when one is reached. */
 const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
   'topics',
   'retainedBytes',

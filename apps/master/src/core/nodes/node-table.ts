@@ -114,7 +114,7 @@ export function masterExtension(
 }
 
 function isNode({ node, spec }: Client): boolean {
-  // A bridge hears and answers as nodes do, and runs no modules. [BR-40]
+  // A bridge receives and replies like a node, and runs no modules. [BR-40]
   if (node?.isBridge === true) return false;
   return node !== undefined || spec.isDedicatedProcessingNode || spec.processingModules.length > 0;
 }

@@ -24,7 +24,7 @@ export interface ClientConnection {
    * Ends the connection after all that was sent, and tells the client why, as far as the transport can.
    * `handleClose` follows, now or later.
    *
-   * @param explanation what people are told besides; cut to what the transport can carry
+   * @param explanation text for users; cut to what the transport can carry
    */
   close(reason: CloseReason, explanation?: string): void;
   /** Whether a batch may leave as one message. Set before the first batch, may change later. */

@@ -19,6 +19,6 @@ export interface ClusterBus {
   broadcast(message: Uint8Array): void;
   /** Bytes that were sent and that the system has not taken yet. */
   readonly queuedBytes: number;
-  /** Fulfilled when what was sent before has reached the bus, and it is left; at once when it cannot be reached. */
+  /** Resolves after all messages have reached the bus and it is closed; at once when it is not reachable. */
   close(): Promise<void>;
 }

@@ -5,7 +5,7 @@ export type LogFields = Readonly<Record<string, string | number | boolean | unde
 export interface Log {
   /** An unexpected error that an operator has to check. */
   error(message: string, fields?: LogFields): void;
-  /** Something was refused or is going wrong; the master goes on. */
+  /** Something was refused or fails; the master continues. */
   warn(message: string, fields?: LogFields): void;
   /** Something a person running the master wants to know. */
   info(message: string, fields?: LogFields): void;

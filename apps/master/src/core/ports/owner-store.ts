@@ -1,6 +1,6 @@
 import type { Cancel } from '@ubii/timing';
 
-/** Which master owns what, decided in one place for all masters of a cluster. Kept when all of them end. */
+/** Owners of sessions, decided in one place for all masters of a cluster. Kept when all masters end. */
 export interface OwnerStore {
   /** Master ids by key, as far as this master knows by now. */
   owners(): ReadonlyMap<string, string>;

@@ -20,12 +20,12 @@ export interface PlayedPart {
   readonly readAheadBytes: number;
 }
 
-/** What a player is told to do. */
+/** Commands for a player. */
 export type PlayerCommand =
   | { readonly kind: 'rate'; readonly rate: number }
   | { readonly kind: 'span'; readonly span: Span; readonly isLooping: boolean }
   | { readonly kind: 'seek'; readonly positionNs: bigint }
-  /** Pauses, and goes on by moments with records; negative: back. */
+  /** Pauses, and steps by moments with records; negative: back. */
   | { readonly kind: 'step'; readonly moments: number }
   | { readonly kind: 'play' }
   | { readonly kind: 'pause' };
@@ -51,7 +51,7 @@ export interface PlayerState {
 
 /** Where a player puts what it plays. */
 export interface PlayerSink {
-  /** Publishes a batch. While several of them are not published yet, the player waits. */
+  /** Publishes a batch. The player waits while several batches are not published yet. */
   onBatch(batch: PlayedBatch): Promise<void>;
   /** Called when the status or the problem changes, and about five times a second while it plays. */
   onState(state: PlayerState): void;

@@ -50,7 +50,7 @@ export class FlightOrders {
     return recorder.setFlight({ ...settings, present: present() });
   }
 
-  /** Drops what it holds; it goes on. [RC-34] */
+  /** Drops its records, and continues. [RC-34] */
   async empty(): Promise<void> {
     const { settings } = this;
     if (!settings.isOn) return;

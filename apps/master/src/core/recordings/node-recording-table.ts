@@ -93,7 +93,7 @@ export function isRunning({ state }: Recording): boolean {
   return state === RecordingState.RECORDING_STATE_RECORDING;
 }
 
-/** Its node has not said yet that it records. */
+/** Its node has not confirmed the recording yet. */
 export function isBeingStarted({ state }: Recording): boolean {
   return state === RecordingState.RECORDING_STATE_UNSPECIFIED;
 }

@@ -24,10 +24,10 @@ export interface NodeReportsContext extends NodeSourcesContext {
 /** Recordings that are deleted while their node is away, until it returns. */
 const MAX_DELETED = 1_000;
 
-/** What nodes say of their recordings, and what they are told of publishers while they record. [RC-61] [RC-62] */
+/** Reports of nodes on their recordings, and facts about publishers for nodes that record. [RC-61] [RC-62] */
 export class NodeReports {
   readonly #context: NodeReportsContext;
-  /** Their nodes are told when they return. */
+  /** Deletions for nodes that are not connected. */
   readonly #deleted = new Set<string>();
 
   constructor(context: NodeReportsContext) {

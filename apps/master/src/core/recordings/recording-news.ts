@@ -17,7 +17,7 @@ export function publishStatus(
   });
 }
 
-/** What everybody may know of a recording: that it runs, and whose it is, but nothing of a participant. [RC-8] [ST-54] */
+/** Public facts of a recording: that it runs, and its owner, but nothing of a participant. [RC-8] [ST-54] */
 function publicPart(recording: Recording): Recording {
   const name = publicName(recording);
   return { ...recording, name, notes: '', study: undefined, selection: undefined };

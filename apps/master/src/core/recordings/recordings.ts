@@ -107,7 +107,7 @@ export class Recordings {
   readonly onDelete = new Hook<[id: string]>();
   /** Called when recordings were added, changed or deleted. */
   readonly onListChanged = new Hook<[]>();
-  /** What the recorder said last; undefined before it has said anything. */
+  /** Last report of the recorder; undefined before the first. */
   #state: RecorderState | undefined = undefined;
   #nodeRevision = 0;
 
@@ -229,7 +229,7 @@ export class Recordings {
     return this.#reads.read(clientId, search);
   }
 
-  /** Drops what the flight recorder holds; it goes on. [RC-34] */
+  /** Drops the records of the flight recorder, which continues. [RC-34] */
   emptyFlight(): Promise<void> {
     return this.#flight.empty();
   }

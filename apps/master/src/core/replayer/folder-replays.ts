@@ -19,7 +19,7 @@ import type {
 import type { OpenFile, RecordingFolder } from '@ubii/recording/recorder';
 import { RecordingPlayer } from './recording-player.ts';
 
-/** Devices of a span that replays are told of: as many as a master may have. */
+/** Maximum devices of a span for replays: as many as a master may have. */
 const MAX_DEVICES = 20_000;
 
 /** Where recordings are, and the time. */

@@ -73,7 +73,7 @@ export class LiveMuting {
     this.#context.replayed.add(topic, this.#rule);
   }
 
-  /** Whether live records may be moved to this topic: the starter has the rights, and it is nobody's. [RP-45] */
+  /** Live records may be moved to this topic: the starter has the rights, and no client owns it. [RP-45] */
   mayMoveTo(topic: string): boolean {
     const { clients, replayed } = this.#context;
     if (isMasterTopic(topic) || replayed.has(topic)) return false;
@@ -104,8 +104,8 @@ export class LiveMuting {
   restore(values: readonly LiveValue[]): void {
     const { clients, topics, clock } = this.#context;
     for (const { topic, client, record, valueField } of values) {
-      const isThere = clients.get(client.id) === client || topics.get(topic)?.owner === client;
-      if (!isThere) continue;
+      const isPresent = clients.get(client.id) === client || topics.get(topic)?.owner === client;
+      if (!isPresent) continue;
       const publication = new Publication();
       publication.client = client;
       publication.topic = topic;

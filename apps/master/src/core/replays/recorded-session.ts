@@ -4,7 +4,7 @@ import type { LimitWatch } from '../counters/limit-watch.ts';
 import { boundTexts } from '../texts/bound-texts.ts';
 
 /**
- * The session of a file as a request could hold it: files may be of other masters, or of nobody.
+ * The session of a file as a request could hold it: files may be from other masters, or from unknown programs.
  *
  * @throws ServiceError when it is no session, or has a text that is too long [RC-54] [RC-55]
  */

@@ -116,7 +116,7 @@ export class ReplayClient {
   }
 }
 
-/** The device as a request could hold it: files may be of other masters, or of nobody. */
+/** The device as a request could hold it: files may be from other masters, or from unknown programs. */
 function boundDevice(device: Device, watch: LimitWatch): Device {
   const type = 'ubii.services.ServiceRequest';
   const request = decode(type, encode(type, { device }));

@@ -36,7 +36,7 @@ const define = definer<keyof Context>();
 
 const HOUR_MS = 3_600_000;
 const DEFAULT_LIFETIME_MS = 12 * HOUR_MS;
-const LONGEST_LIFETIME_MS = 30 * 24 * HOUR_MS;
+const MAX_LIFETIME_MS = 30 * 24 * HOUR_MS;
 /** A code can be guessed in the long run [AC-11]. */
 const CODE_LIFETIME_MS = 12 * HOUR_MS;
 const MAX_JOINS = 100_000;
@@ -191,11 +191,11 @@ function specOf(core: Context, wanted: AccessGrantCreateRequest, caller: Caller)
   if (target !== '' && !TARGET.test(target)) {
     throw invalid('target', 'is a path on this master, such as /devices, or empty');
   }
-  if (!(lifetimeMs >= 0 && lifetimeMs <= LONGEST_LIFETIME_MS)) {
-    throw invalid('lifetime_ms', `is from 0 to ${LONGEST_LIFETIME_MS}`);
+  if (!(lifetimeMs >= 0 && lifetimeMs <= MAX_LIFETIME_MS)) {
+    throw invalid('lifetime_ms', `is from 0 to ${MAX_LIFETIME_MS}`);
   }
-  if (!(stayMs >= 0 && stayMs <= LONGEST_LIFETIME_MS)) {
-    throw invalid('stay_ms', `is from 0 to ${LONGEST_LIFETIME_MS}`);
+  if (!(stayMs >= 0 && stayMs <= MAX_LIFETIME_MS)) {
+    throw invalid('stay_ms', `is from 0 to ${MAX_LIFETIME_MS}`);
   }
   if (maxJoins < 0 || maxJoins > MAX_JOINS) throw invalid('max_joins', `is from 0 to ${MAX_JOINS}`);
   requireGlobs(core, 'read_topics', role, readTopics);

@@ -6,7 +6,7 @@ import { clientRegistration } from './registration.ts';
 
 const define = definer<'clients' | 'info' | 'limitWatch'>();
 
-/** Services on clients: registration, and who is there. */
+/** Services on clients: registration and lists. */
 export const CLIENT_SERVICES = [
   clientRegistration,
   // [CL-16]

@@ -45,7 +45,7 @@ export function withDescendants({ access }: GrantWorkContext, grant: Grant): Gra
 }
 
 /**
- * Ends who joined with a grant, and what was made with it: sessions stop, or it is the operator's from
+ * Ends the clients of a grant, and their work: sessions stop, or the work is the operator's from
  * now on [AC-92]. All but what is written down has happened when this returns.
  */
 export async function endGrant(

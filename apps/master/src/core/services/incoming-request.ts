@@ -16,7 +16,7 @@ export interface IncomingContext {
   readonly bodies: BodyAccounts;
 }
 
-/** A request whose headers have come: who calls, and what its body may be [SV-40]. */
+/** A request after its headers: its caller, and the limits of its body [SV-40]. */
 export class IncomingRequest {
   /** Found once: a wrong code counts once. */
   readonly caller: Caller;
@@ -114,7 +114,7 @@ export class IncomingRequest {
     return bytes < service.bytes ? { ...service, bytes, bytesLimit } : service;
   }
 
-  /** Callers that have not joined are told that first, and why: it is what they can correct. */
+  /** Callers that have not joined get that error first, with the reason: they can correct it. */
   #refusal(limit: LimitName, message: string): ServiceError {
     this.#count(limit);
     const details = { limit, max: this.#context.limits[limit] };

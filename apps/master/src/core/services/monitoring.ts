@@ -37,7 +37,7 @@ const limitList = definer<keyof LimitUseContext | 'limits' | 'limitWatch'>()('li
 
 const define = definer<keyof StatusContext | keyof ClientReportContext | 'logTail' | 'audit'>();
 
-/** Services that say how the master is, and what was done to it. */
+/** Services on status, limits, log and audit of the master. */
 export const MONITORING_SERVICES = [
   // [EX-16]
   define('masterStatus', {

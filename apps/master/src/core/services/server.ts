@@ -71,7 +71,7 @@ export const SERVER_SERVICES = [
     handle({ id, settings }, _payload, { caller }) {
       const endpoints = settings.endpoints();
       const { portServices, portTopicData, portServicesZmq, portTopicDataZmq } = endpoints;
-      // A stranger knows the address it has come to, and is told of no other network. [AC-5]
+      // A stranger knows the address that it used, and learns no other network. [AC-5]
       const isStranger = caller.role === 'none';
       const { ipEthernet, ipWlan } = isStranger ? { ipEthernet: '', ipWlan: '' } : endpoints;
       const host = ipEthernet || ipWlan;

@@ -73,9 +73,9 @@ function subscribersOf(core: Context, topic: string): Init<TopicSubscribers> & {
   const entry = core.topics.get(topic);
   if (entry === undefined) return { topic, count: 0 };
   // The master and its modules are no client.
-  const isThere = (id: string): boolean =>
+  const isRegistered = (id: string): boolean =>
     core.clients.get(id)?.socket !== undefined || id === core.id;
-  const clientIds = [...core.topics.subscriberIds(entry)].filter(isThere);
+  const clientIds = [...core.topics.subscriberIds(entry)].filter(isRegistered);
   return { topic, count: clientIds.length, clientIds, modules: [...modulesOf(core, entry)] };
 }
 

@@ -144,7 +144,7 @@ function mergeModules(
   };
 }
 
-/** Default, description and choices are told by who offers the module [PM-5] [PM-6] [PM-7]. */
+/** Default, description and choices come from the offer of the module [PM-5] [PM-6] [PM-7]. */
 function withOffered(given: readonly ModuleIO[], base: readonly ModuleIO[]): ModuleIO[] {
   return given.map((io) => {
     const offered = base.find(({ internalName }) => internalName === io.internalName);

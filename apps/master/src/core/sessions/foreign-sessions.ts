@@ -5,7 +5,7 @@ interface ForeignSession {
   readonly message: SessionMessage;
 }
 
-/** Sessions that other masters run, as those told them last. [CU-30] */
+/** Sessions of other masters, as last announced. [CU-30] */
 export class ForeignSessions {
   readonly #sessions = new Map<string, ForeignSession>();
 
@@ -22,7 +22,7 @@ export class ForeignSessions {
     return [...this.#sessions].map(([id, { masterId }]) => [id, masterId]);
   }
 
-  /** It is this master's now, or has no owner. */
+  /** Removes a session that this master owns now, or that has no owner. */
   forget(sessionId: string): void {
     this.#sessions.delete(sessionId);
   }
@@ -61,7 +61,7 @@ export class ForeignSessions {
     this.#sessions.set(message.id, { masterId, message });
   }
 
-  /** It is gone from this master; of one that another master runs meanwhile nothing is known to be gone. */
+  /** Removes a session of a master, unless another master runs it meanwhile. */
   delete(masterId: string, id: string): void {
     if (this.masterOf(id) === masterId) this.#sessions.delete(id);
   }

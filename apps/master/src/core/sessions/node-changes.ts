@@ -53,7 +53,7 @@ export function placeAgain(
 
 /**
  * Nodes of ours see in a changed session what is theirs now; those of the original start modules only
- * when a session starts, so each of them is told of one that consists of its new modules.
+ * when a session starts, so each gets one that consists of its new modules.
  */
 export function tellNodes(
   { clients, nodes, news }: LifeContext,

@@ -25,7 +25,7 @@ export interface RunTroublesContext {
   readonly onChange: (session: Session) => void;
 }
 
-/** Names modules whose runs fail, as long as they do. [SE-12] */
+/** Problems of modules whose runs fail. [SE-12] */
 export class RunTroubles {
   readonly #context: RunTroublesContext;
   readonly #failing = new WeakMap<SessionModule, Failing>();
@@ -34,7 +34,7 @@ export class RunTroubles {
     this.#context = context;
   }
 
-  /** A module has told something. The first cause stays until its runs succeed. */
+  /** Handles an event of a module. The first cause stays until its runs succeed. */
   handleEvent(session: Session, module: SessionModule, event: ModuleEvent): void {
     if (!session.isLive || !isFailure(event)) return;
     const { message, line, column } = event;
@@ -76,7 +76,7 @@ export class RunTroubles {
 
   #isMended(module: SessionModule): boolean {
     const failing = this.#failing.get(module);
-    // Updated: what fails in it now is told again.
+    // Updated: a failure is reported again.
     if (failing === undefined) return true;
     const sinceMs = this.#context.monotonicMs() - failing.failedMs;
     const runs = runsOf(module);

@@ -10,23 +10,23 @@ export interface ClaimsContext {
   readonly log: Log;
 }
 
-/** Which sessions this master runs, as all masters of a cluster agree. Without others, all are its own. [CU-31] */
+/** Sessions of this master, as agreed in the cluster; without a cluster, all. [CU-31] */
 export class SessionClaims {
   readonly #context: ClaimsContext;
-  /** Removed sessions whose owner is not told yet. */
+  /** Removed sessions that are still owned in the cluster. */
   readonly #releasing = new Set<string>();
 
   constructor(context: ClaimsContext) {
     this.#context = context;
   }
 
-  /** Whether what is known of open sessions outlives this master. */
+  /** Open sessions are known to other masters. */
   get isShared(): boolean {
     return this.#context.owners !== undefined;
   }
 
   /**
-   * Makes a session this master's own before it is opened.
+   * Claims a session before it is opened.
    *
    * @throws ServiceError when another master was faster
    */
@@ -37,7 +37,7 @@ export class SessionClaims {
     try {
       isClaimed = await owners.claim(sessionId, masterId, undefined);
     } catch (error) {
-      // Each side of a cluster that is apart goes on. [CU-34]
+      // Each side of a divided cluster continues. [CU-34]
       log.warn('a session could not be claimed', { session: sessionId, reason: String(error) });
       return;
     }
@@ -61,7 +61,7 @@ export class SessionClaims {
     );
   }
 
-  /** Whether a session was removed whose owner this master still is, as far as others know. */
+  /** The session is removed here, and this master is still its owner in the cluster. */
   isReleasing(sessionId: string): boolean {
     return this.#releasing.has(sessionId);
   }

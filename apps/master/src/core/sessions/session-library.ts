@@ -31,8 +31,11 @@ export class SessionLibrary {
   };
   /** The newest write of each session that is under way, by id. */
   readonly #remembering = new Map<string, Promise<void>>();
-  /** What could not be stored, by id. */
-  readonly #unsaved = new Map<string, { readonly session: Session; readonly isToStart: boolean }>();
+  /** Failed writes, by id. */
+  readonly #unsaved = new Map<
+    string,
+    { readonly session: Session; readonly shouldStart: boolean }
+  >();
   #isClosed = false;
 
   constructor(parts: {
@@ -126,16 +129,16 @@ export class SessionLibrary {
     return this.#running.entries().map(({ key, message }) => ({ ...message, id: key }));
   }
 
-  /** The master ends, and its sessions with it: what is remembered stays. */
+  /** The master ends: remembered sessions stay stored. */
   close(): void {
     this.#isClosed = true;
   }
 
-  /** Remembers, or forgets, that a session is to be started with the next master [SE-24], or by another one. */
-  remember(session: Session, isToStart: boolean): void {
+  /** Stores, or removes, that a session starts with the next master [SE-24], or at another one. */
+  remember(session: Session, shouldStart: boolean): void {
     if (this.#isClosed) return;
     const { store } = this.#running;
-    const done = isToStart
+    const done = shouldStart
       ? store.write(
           session.id,
           this.#toJson(session, this.remembersAll && session.isLive && !session.isPaused),
@@ -147,7 +150,7 @@ export class SessionLibrary {
     done
       .then(() => this.#unsaved.delete(session.id))
       .catch((error: unknown) => {
-        this.#unsaved.set(session.id, { session, isToStart });
+        this.#unsaved.set(session.id, { session, shouldStart });
         this.#log.error('the list of running sessions could not be saved', {
           session: session.label,
           reason: String(error),
@@ -158,11 +161,11 @@ export class SessionLibrary {
       });
   }
 
-  /** Tries again what could not be stored. [CU-33] */
+  /** Repeats failed writes. [CU-33] */
   rememberUnsaved(): void {
     const unsaved = [...this.#unsaved.values()];
     this.#unsaved.clear();
-    for (const { session, isToStart } of unsaved) this.remember(session, isToStart);
+    for (const { session, shouldStart } of unsaved) this.remember(session, shouldStart);
   }
 
   /** Resolves when the last state passed to `remember` is on disk. @throws ServiceError when it could not be written */
@@ -177,7 +180,7 @@ export class SessionLibrary {
     }
   }
 
-  /** The specification alone: nothing of how the session is now. */
+  /** The specification alone, without the state. */
   #toJson(session: Session, isRunning = false): ReturnType<typeof toJson> {
     const message = session.toMessage();
     const { startWithMaster, lockstepHertz, editorJson } = session.description;

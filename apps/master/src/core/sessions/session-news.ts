@@ -30,9 +30,9 @@ export interface NewsContext {
 /** Seconds of news of one session that may come at once. */
 const BURST_SECONDS = 4;
 
-/** Tells everybody what becomes of sessions, each time with the whole session [SE-8]. */
+/** Announces changes of sessions, each time with the whole session [SE-8]. */
 export class SessionNews {
-  /** The same is told to other masters, for their clients. [CU-30] */
+  /** Called with each announcement, which other masters pass on to their clients. [CU-30] */
   readonly onNews = new Hook<[topic: string, session: SessionMessage]>();
   readonly #context: NewsContext;
   readonly #changes: PacedNews;

@@ -42,7 +42,7 @@ export interface SessionsContext {
   readonly topics: Pick<LocalTopics, 'keepOnly' | 'endSession'>;
 }
 
-/** Everything that can be done with sessions. Requests are checked before anything is changed. */
+/** Operations on sessions. Requests are checked before anything changes. */
 export class Sessions {
   readonly #context: SessionsContext;
   readonly #startLimits: StartLimits;

@@ -23,7 +23,7 @@ export interface TopicTroublesContext {
   readonly onChange: (session: Session) => void;
 }
 
-/** Names modules whose demuxers make more topics than they may, as long as they do. [SE-61] */
+/** Problems of modules whose demuxers exceed their number of topics. [SE-61] */
 export class TopicTroubles {
   readonly #context: TopicTroublesContext;
   readonly #looks = new WeakMap<SessionModule, Look>();

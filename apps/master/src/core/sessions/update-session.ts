@@ -34,7 +34,7 @@ export function updateSession(
     const old = before.find(({ id }) => id === module.id);
     if (!session.isLive) {
       assignNode(context, module);
-      // Still wait for a node that was told to end the module.
+      // Still wait for a node that was asked to end the module.
       if (old?.phase === 'ending') module.end(true);
     } else if (old !== undefined && staysOnNode(module, old))
       continueModule(context, session, module, old, unaware);

@@ -15,7 +15,7 @@ interface Sample {
   readonly records: ReadonlyMap<TopicEntry, number>;
 }
 
-/** Rates of topics, from counts that are taken about once a second while somebody needs them. */
+/** Rates of topics, from counts once a second while they are needed. */
 export class RateMeter {
   readonly #clock: Clock;
   readonly #topics: TopicTable;

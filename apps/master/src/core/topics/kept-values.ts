@@ -23,7 +23,7 @@ interface AbsentOwner extends TopicOwner {
 export class KeptValues {
   readonly #context: KeptValuesContext;
   readonly #owners = new Map<string, AbsentOwner>();
-  /** When each of them ends, monotonic milliseconds. */
+  /** End of each kept value, monotonic milliseconds. */
   readonly #endMs = new Map<TopicEntry, number>();
 
   constructor(context: KeptValuesContext) {
@@ -70,13 +70,13 @@ export class KeptValues {
     if (owner !== undefined) this.#forgetIfEmpty(owner);
   }
 
-  /** Deletes what was kept for a client [TD-46]. */
+  /** Deletes the kept values of a client [TD-46]. */
   deleteOf(clientId: string): void {
     const owner = this.#owners.get(clientId);
     for (const entry of [...(owner?.ownedTopics ?? [])]) this.#delete(entry);
   }
 
-  /** Deletes what was kept for all clients of an invitation [TD-46]. */
+  /** Deletes the kept values of all clients of an invitation [TD-46]. */
   deleteOfInvitation(invitationId: string): void {
     for (const { id, invitationId: of } of [...this.#owners.values()]) {
       if (of === invitationId) this.deleteOf(id);

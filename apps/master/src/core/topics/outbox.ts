@@ -43,7 +43,7 @@ export class Outbox implements TurnTask {
   #replays: Set<TopicEntry> | undefined = undefined;
   readonly #account: Account;
   #openedSequence = 0;
-  /** Whether it is told of values that were deleted, which only nodes understand [TD-42]. */
+  /** It gets deletions of values, which only nodes understand [TD-42]. */
   hearsOfGone = false;
   /** Records that were dropped because the client was too slow [TD-34]. */
   readonly drops = new Streak();
@@ -63,7 +63,7 @@ export class Outbox implements TurnTask {
     return this.#waiting?.count ?? 0;
   }
 
-  /** Bytes of them. */
+  /** Bytes queued for the socket. */
   get waitingBytes(): number {
     return this.#waiting?.byteLength ?? 0;
   }

@@ -91,7 +91,7 @@ const CHARGED_MS = 1;
  * the limits takes for a topic. More time means that the computer was busy otherwise, for which no client may lose its
  * patterns.
  */
-const LONGEST_MS = 30;
+const MAX_MS = 30;
 
 /** Dependencies of a pattern table. */
 interface PatternContext {
@@ -137,7 +137,7 @@ export class PatternTable implements TopicMatching {
       if (pattern.test(entry)) pattern.entries.add(entry);
       const nowMs = clock.monotonicMs();
       if (nowMs - chargedMs < CHARGED_MS) continue;
-      const spentMs = Math.min(nowMs - chargedMs, LONGEST_MS);
+      const spentMs = Math.min(nowMs - chargedMs, MAX_MS);
       if (!payer.patternBudget.spend(spentMs, nowMs)) return undefined;
       chargedMs = nowMs;
     }
@@ -178,7 +178,7 @@ export class PatternTable implements TopicMatching {
     const startedMs = clock.monotonicMs();
     const matches = pattern.test(entry);
     const nowMs = clock.monotonicMs();
-    pattern.unchargedMs += Math.min(nowMs - startedMs, LONGEST_MS);
+    pattern.unchargedMs += Math.min(nowMs - startedMs, MAX_MS);
     if (pattern.unchargedMs < CHARGED_MS) return matches;
     for (const subscriber of [...pattern.subscribers.keys()]) {
       if (!subscriber.patternBudget.spend(pattern.unchargedMs, nowMs)) {

@@ -28,7 +28,7 @@ export interface PublishingClient extends TopicOwner {
 
 /** The most memory a kept record may take, as a multiple of its length. */
 const MAX_MEMORY = 2;
-/** Small records share pieces of memory of this size, bytes: at worst, one of them keeps all of it. */
+/** Small records share buffers of this size, bytes: at worst, one record keeps a whole buffer. */
 const SHARED_BYTES = 2048;
 /** Records up to this length are small, bytes. */
 const SMALL_BYTES = 512;

@@ -35,7 +35,7 @@ interface ReplayedTopic {
 /** Bytes of live values that are remembered while their topics are replayed. */
 const MAX_LIVE_BYTES = 64 * 1024 * 1024;
 
-/** Topics that replays play, and what becomes of live records there. */
+/** Topics of replays, and muting of live records there. */
 export class ReplayedTopics {
   readonly #topics = new Map<string, ReplayedTopic>();
   #liveBytes = 0;

@@ -3,7 +3,7 @@ import type { Outbox } from './outbox.ts';
 import { isEventField, type Sample, type TopicEntry, type TopicSampler } from './topic-entry.ts';
 
 /** No timer sleeps longer; it looks again. Timers of JavaScript do not go beyond 24 days. */
-const LONGEST_SLEEP_MS = 60_000;
+const MAX_SLEEP_MS = 60_000;
 
 /** A topic of a sampler. */
 export class SampledTopic implements Sample {
@@ -33,7 +33,7 @@ export interface SamplerContext {
   readonly refreshTargets: (entry: TopicEntry) => void;
 }
 
-/** The sampled topics of one client: which of them hold back a record, and one timer for all. */
+/** The sampled topics of one client: their held-back records, and one timer for all. */
 export class Sampler implements TopicSampler {
   readonly #outbox: Outbox;
   readonly #context: SamplerContext;
@@ -114,7 +114,7 @@ export class Sampler implements TopicSampler {
     if (dueMs >= this.#timerDueMs) return;
     this.#cancelTimer?.();
     this.#timerDueMs = dueMs;
-    const delayMs = Math.min(Math.max(Math.ceil(dueMs - nowMs), 0), LONGEST_SLEEP_MS);
+    const delayMs = Math.min(Math.max(Math.ceil(dueMs - nowMs), 0), MAX_SLEEP_MS);
     this.#cancelTimer = this.#context.clock.after(delayMs, () => this.#wake());
   }
 

@@ -32,7 +32,7 @@ export function ratesBySubscriber(
   return rates;
 }
 
-/** Computes who gets the records of this topic. */
+/** Computes the subscribers of this topic. */
 export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>): Targets {
   const direct: Receiver[] = [];
   const sampled: Sample[] = [];

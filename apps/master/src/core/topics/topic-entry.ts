@@ -115,7 +115,7 @@ export interface SharedSelection extends SharedSubscription {
 /** A subscriber: a client, a module on the master, or another master for its own subscribers. */
 export interface Subscriber {
   readonly clientId: string;
-  /** Another master: gets what was published here, and nothing that came from masters. [CU-11] */
+  /** Another master: gets records published here, and none that came from masters. [CU-11] */
   readonly isPeer: boolean;
   /** Gets topics under /ubii/, and retained records for patterns and profiles [TD-24] [TD-26]. */
   readonly isExtension: boolean;

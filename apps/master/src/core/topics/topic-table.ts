@@ -165,7 +165,7 @@ export class TopicTable {
     entry.owner = undefined;
     this.settlePayer(entry);
     entry.changedEpoch = this.#epoch;
-    // Modules that use it are told, here and on nodes, and masters whose subscribers have it. [TD-42] [CU-14]
+    // Notify modules that use it, here and on nodes, and masters with subscribers. [TD-42] [CU-14]
     const { direct, sampled, ownDirect, ownSampled } = this.targetsOf(entry);
     const isOwn = entry.originId === undefined;
     const count = isOwn ? direct.length : ownDirect;

@@ -13,7 +13,7 @@ export interface TakenRecord extends WaitingRecord {
   readonly entry: TopicEntry;
 }
 
-/** Bounds of a queue, and who is told what falls out of it. */
+/** Limits of a queue, and a callback for dropped records. */
 export interface WaitingBounds {
   /** Pays for what waits, and bounds it [AC-80]. */
   readonly account: Account;

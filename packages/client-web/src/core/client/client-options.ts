@@ -30,7 +30,7 @@ export interface ClientOptions {
   readonly mark?: Init<Mark>;
   /**
    * Token or code to join with, if the master requires one. Used for the first registration;
-   * then the credential shows who it is, which is kept with the identity. [AC-13]
+   * then the credential, which is kept with the identity, identifies it. [AC-13]
    */
   readonly joinToken?: string;
   /** Storage of the identity between runs. @default in memory */

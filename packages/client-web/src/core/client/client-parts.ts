@@ -236,7 +236,7 @@ export class ClientParts {
   #learnMasters(): void {
     const { membership } = this.registration;
     if (membership === undefined) return;
-    // A master that has just started has not heard of the others yet: the earlier list stays.
+    // A master that has just started does not know the others yet: keep the earlier list.
     if (membership.masters.length > 0) this.#learn(membership.masters);
     // Clients of a master without a cluster do without the subscription.
     if (!membership.isInCluster || this.#hearsOfMasters) return;

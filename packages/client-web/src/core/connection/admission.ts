@@ -11,7 +11,7 @@ export interface Applicant {
   dropCredential(credential: string): void;
 }
 
-/** Registers, given a secret that shows who calls; empty for none. */
+/** Registers with a secret that identifies the caller; empty for none. */
 type Register = (bearer: string) => Promise<Client>;
 
 /** Chooses the secret with which a client is admitted. */
@@ -19,7 +19,7 @@ export class Admission {
   readonly #applicant: Applicant;
   /** Token or code to join with, until the client has joined. */
   #joinToken: string | undefined;
-  /** A person gave it just now, and is to hear when it is good for nothing. */
+  /** Entered by the user just now: report when it is not valid. */
   #isTokenAsked = false;
   #hasTriedToken = false;
 

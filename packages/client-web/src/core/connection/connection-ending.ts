@@ -42,7 +42,7 @@ export function fail(
     ...closeLink(state, {}),
     ...toRegistration(state, failure, remedy, context),
   ];
-  // The master is there and said what to do: once in an outage that is done without delay.
+  // The master replied with what to do: do that without a delay once in an outage.
   const hurries = mustHurry || (isTold(failure) && !state.memory.hasHurried);
   const failedAttempts = hurries ? state.memory.failedAttempts : countFailure(state, context);
   const memory = {

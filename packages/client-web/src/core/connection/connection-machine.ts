@@ -70,7 +70,7 @@ function advance(state: LiveState, event: AttemptEvent, context: MachineContext)
     return {
       state: { ...state, phase: 'opening', membership },
       effects: [
-        // It is there, and busy: who asks again loses the place that it has. [CL-43]
+        // The master is busy: another request would lose the place of this one. [CL-43]
         ...(isAnswered ? [{ type: 'cancel-attempt-timer' } as const] : []),
         { type: 'open-link', attempt, membership },
       ],

@@ -40,7 +40,7 @@ export interface ConnectionOptions {
   readonly moves: Pick<Moves, 'switchTo' | 'switchBack' | 'confirmSwitch'>;
   /** Timeout for opening a socket, milliseconds. */
   readonly openTimeoutMs: number;
-  /** The network is another one than before, and nothing said so. */
+  /** The network has changed without an event. */
   readonly freshenServices: () => void;
   readonly handleBinary: (bytes: Uint8Array) => void;
   readonly handleUnknownText: (text: string) => void;
@@ -134,7 +134,7 @@ export class Connection {
   }
 
   /**
-   * Stops permanently. The state changes at once; the link is handed over for what is left to be said.
+   * Stops permanently. The state changes at once; the link is passed on for the last messages.
    * @param farewell what a link is closed with that is not up yet
    * @returns the link, if it is up, and the end of the registration under way
    */

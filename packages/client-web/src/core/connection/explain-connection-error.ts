@@ -23,7 +23,7 @@ export function explainConnectionError(error: ConnectionError): string {
     case 'refused':
     case 'timeout':
     case 'closed':
-      // What the master itself said has the remedy.
+      // The reply of the master names the remedy.
       if (error.cause instanceof ServiceError) return `${message}.`;
       return `${message}. ${isOfFile() ? 'A page that was opened from a file needs a token as joinToken. ' : ''}${CHECK}`;
     case 'protocol':

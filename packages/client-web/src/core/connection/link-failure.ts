@@ -70,7 +70,7 @@ export function remedyFor({ code, error, wasUp }: LinkFailure): Remedy {
   return 'retry';
 }
 
-/** Whether the master is there and said itself what to do, so that there is nothing to wait for. */
+/** The master itself replied with what to do, so that there is nothing to wait for. */
 export function isTold({ code, error }: LinkFailure): boolean {
   return REMEDIES.has(code) || isUnknownClient(error.cause);
 }

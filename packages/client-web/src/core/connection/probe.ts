@@ -4,7 +4,7 @@ import { Deferred } from '../callbacks/deferred.ts';
 /** The answer may take so many usual round trips, within these bounds, milliseconds. [CL-42] */
 const TRIPS = 4;
 const SHORTEST_MS = 1_000;
-const LONGEST_MS = 2_000;
+const MAX_MS = 2_000;
 /** A frame that arrives within this time after the probe may have been sent before the link broke, milliseconds. */
 const EARLIER_FRAMES_MS = 250;
 /** A deadline that comes so much too late was slept through, milliseconds. */
@@ -52,7 +52,7 @@ export class Probe {
 
   #ask(): void {
     const { clock, ask, usualTripMs } = this.#options;
-    const waitMs = Math.min(LONGEST_MS, Math.max(SHORTEST_MS, TRIPS * (usualTripMs() ?? 0)));
+    const waitMs = Math.min(MAX_MS, Math.max(SHORTEST_MS, TRIPS * (usualTripMs() ?? 0)));
     const askedMs = clock.monotonicMs();
     const answered = new Deferred<void>();
     const cancelDeadline = clock.after(waitMs, () => this.#handleDeadline(askedMs, waitMs));

@@ -3,7 +3,7 @@ import type { Identity } from './identity.ts';
 import type { askForProof, ProofUnderWay } from './master-proof.ts';
 
 /**
- * Asks masters for proofs, with code that is loaded when the client is told of other masters: most pages never are, and
+ * Asks masters for proofs, with code that is loaded when the client learns of other masters: most pages never do, and
  * when the master is lost, it is too late. [CU-85]
  */
 export class Proofs {

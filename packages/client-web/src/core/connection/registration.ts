@@ -19,7 +19,7 @@ import type { IdentityStorage } from '../ports/identity-storage.ts';
 export interface RegistrationCalls {
   /**
    * Calls a service.
-   * @param bearer what shows who calls; empty for none
+   * @param bearer secret that identifies the caller; empty for none
    * @throws {ServiceError | ConnectionError} if the master refuses, or could not be asked
    */
   call<S extends ServiceName>(
@@ -81,7 +81,7 @@ export class Registration {
     );
   }
 
-  /** Who the client is, as far as a master said so. */
+  /** Identity of the client, as a master confirmed it. */
   get identity(): Identity | undefined {
     return this.#identity;
   }
@@ -170,7 +170,7 @@ export class Registration {
     }
   }
 
-  /** Another master is asked from now on: it knows the client by id and token alone. [CU-83] */
+  /** Sends requests to another master, which knows the client by id and token only. [CU-83] */
   switchTo(): void {
     this.#parked = {
       identity: this.#identity,
@@ -181,7 +181,7 @@ export class Registration {
     this.#unverified = undefined;
   }
 
-  /** The own master is asked again, as who the client is there: what the other one said of it is forgotten. */
+  /** Returns to the own master with the identity there, and drops what the other one replied. */
   switchBack(): void {
     if (this.#parked === undefined) return;
     ({
@@ -192,7 +192,7 @@ export class Registration {
     this.#parked = undefined;
   }
 
-  /** The other master is the own one from now on, and what it said of the client stands. */
+  /** Makes the other master the own one, with what it replied. */
   confirmSwitch(): void {
     this.#parked = undefined;
     this.#storage.save(this.#identity);
@@ -235,7 +235,7 @@ export class Registration {
     this.#membership = undefined;
   }
 
-  /** Something tells that the way is free again: what was unverified may have been the way. */
+  /** The network may work again: trust the unverified membership. */
   trust(): void {
     this.#membership ??= this.#unverified;
     this.#unverified = undefined;

@@ -16,7 +16,7 @@ const SPREAD_MS = 1_000;
  * once is slow, and those who ask again before it answered make it slower. [CU-81]
  */
 const FIRST_ANSWER_MS = 2_000;
-const LONGEST_ANSWER_MS = 16_000;
+const MAX_ANSWER_MS = 16_000;
 
 /** Dependencies of a scout. */
 export interface ScoutOptions {
@@ -101,7 +101,7 @@ export class Scout {
       else this.#askAfter(this.#pauseMs());
     };
     const cancelTimer = atDeadline(clock, this.#answerMs, () => {
-      this.#answerMs = Math.min(2 * this.#answerMs, LONGEST_ANSWER_MS);
+      this.#answerMs = Math.min(2 * this.#answerMs, MAX_ANSWER_MS);
       asked.cancel();
       finish(false);
     });

@@ -19,7 +19,7 @@ export interface ServiceExchange {
 export interface ServiceTransport {
   /**
    * Sends one request. Never throws; failures reject `reply`.
-   * @param bearer what shows who calls: a token, code or credential [AC-13]
+   * @param bearer secret that identifies the caller: a token, code or credential [AC-13]
    */
   send(request: Init<ServiceRequest>, bearer?: string): ServiceExchange;
 }

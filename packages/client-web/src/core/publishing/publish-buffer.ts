@@ -184,7 +184,7 @@ export class PublishBuffer {
     this.#waiting = sent === this.#waiting.length ? [] : this.#waiting.slice(sent);
   }
 
-  /** Keeps the newest records: of states one a topic, of events as many as said; then the limits. */
+  /** Keeps the newest records: one state a topic, the given number of events; then applies the limits. */
   #thinOut(eventsPerTopic: number, maxRecords: number): void {
     const counts = new Map<string, number>();
     const kept: WaitingRecord[] = [];

@@ -77,7 +77,7 @@ export class Publisher {
     this.#buffer.add(endingRecord({ topic, timestampMs: this.#nowMs(), clientId }), true);
   }
 
-  /** Sends a frame that has no records, after what was published before. Returns false without a connection. */
+  /** Sends a frame without records, after all published records. Returns false without a connection. */
   sendFrame(frame: Uint8Array): boolean {
     const link = this.#context.link();
     if (link === undefined) return false;

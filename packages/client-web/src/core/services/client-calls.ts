@@ -29,7 +29,7 @@ export interface ClientCallsOptions {
   readonly registration: Pick<Registration, 'clientId' | 'membership' | 'isKnown'>;
 }
 
-/** Services called by this client: with its id where a request says who asks. */
+/** Services called by this client, with its id in requests that name their sender. */
 export class ClientCalls {
   readonly #options: ClientCallsOptions;
 

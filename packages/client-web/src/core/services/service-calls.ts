@@ -26,7 +26,7 @@ export class ServiceCalls {
   readonly #bearer: () => string | undefined;
   readonly #open = new Set<(error: ConnectionError) => void>();
 
-  /** @param bearer what shows who calls, of this moment [AC-13] */
+  /** @param bearer returns the current secret that identifies the caller [AC-13] */
   constructor(
     transport: ServiceTransport,
     clock: Clock,
@@ -41,7 +41,7 @@ export class ServiceCalls {
 
   /**
    * Sends one request and gives the payload of the reply.
-   * @param bearer in place of what shows who calls of this moment; empty for none
+   * @param bearer in place of the current secret; empty for none
    * @throws {ServiceError} what the master answered
    * @throws {ConnectionError} `timeout`, `refused`, `protocol`, or the error of `rejectAll`
    */

@@ -8,7 +8,7 @@ export interface ComponentProfile {
   /** Data format of its records, or the message format as it was registered. */
   readonly format?: DataFormat | (string & {});
   readonly deviceId?: string;
-  /** Tags it has, all of them. */
+  /** Required tags: all of these. */
   readonly tags?: readonly string[];
 }
 

@@ -5,7 +5,7 @@ export interface EncodedRecord {
   readonly bytes: Uint8Array;
   /** Number of the value member. */
   readonly valueField: number;
-  /** Id of the client that published it, as far as the publisher said; else empty. */
+  /** Id of the client that published it; empty if the record does not name it. */
   readonly publisherId: string;
   /** True: the buffer of `bytes` is not shared, so that it may be transferred to a worker. */
   readonly isOwned: boolean;

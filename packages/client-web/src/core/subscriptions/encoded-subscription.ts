@@ -42,7 +42,7 @@ export class EncodedSubscription implements Receiver {
 
   handleAccepted(): void {}
 
-  /** A refusal is told as a problem of the client. */
+  /** A refusal is reported as a problem of the client. */
   end(): void {
     this.#hasEnded = true;
   }

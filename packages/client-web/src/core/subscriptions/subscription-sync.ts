@@ -77,7 +77,7 @@ export class SubscriptionSync {
   /** @param maxRateHz 0 for every record */
   want(pattern: ServerPattern, maxRateHz: number): void {
     const held = this.#held.get(pattern.key);
-    // Given up, and wanted again before the master was told: made again for its retained records. [TD-24]
+    // Cancelled, and requested again before the master knew: subscribe again, for the retained records. [TD-24]
     if (held !== undefined && !this.#wanted.has(pattern.key)) held.certainty = 'stale';
     this.#wanted.set(pattern.key, { pattern, maxRateHz });
     this.#schedule();
@@ -209,7 +209,7 @@ export class SubscriptionSync {
 
   async #handleRefusal(step: Step, error: ServiceError): Promise<void> {
     if (step.subscribe.length + step.unsubscribe.length > 1) {
-      // One of them is to blame; each for itself shows which.
+      // One entry is refused: send each alone to find out which.
       for (const one of step.subscribe) await this.#perform(toSubscribe([one]));
       for (const one of step.unsubscribe) await this.#perform(toUnsubscribe([one]));
       return;

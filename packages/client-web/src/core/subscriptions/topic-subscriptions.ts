@@ -48,7 +48,7 @@ interface Group {
 
 /**
  * All subscriptions of the program. Those with the same pattern are one subscription at the master,
- * from the first of them to the last. The receivers of a topic are worked out once, not per record.
+ * from the first to the last. The receivers of a topic are computed once, not per record.
  */
 export class TopicSubscriptions {
   readonly #options: TopicSubscriptionsOptions;

@@ -4,7 +4,7 @@ import type { Clock } from '@ubii/timing';
 export interface ClockReading {
   /** Since an arbitrary moment; stands still while most machines sleep. */
   readonly monotonicMs: number;
-  /** Since the Unix epoch; goes on while the machine sleeps, and jumps when it is set. */
+  /** Since the Unix epoch; continues while the computer sleeps, and jumps when the clock is set. */
   readonly wallMs: number;
 }
 

@@ -13,7 +13,7 @@ const FINEST_MS = 0.005;
 /** Fractions of a number this large are rounded. */
 const ROUNDING = 1e-3;
 
-/** Finds out in which steps a clock goes on, from what it said so far: pages get coarse clocks. */
+/** Finds the resolution of a clock from its readings: browsers give pages coarse clocks. */
 class ClockGrain {
   #index = 0;
 
@@ -55,7 +55,7 @@ export class MasterClock implements MasterTime {
   };
   #isNewLink = false;
 
-  /** @param measureAgain asks for measurements; called when what was measured holds no longer */
+  /** @param measureAgain requests measurements; called when the estimate is no longer valid */
   constructor(clock: Clock, measureAgain: () => void, onError: ErrorHandler) {
     this.#clock = clock;
     this.#measureAgain = measureAgain;

@@ -21,6 +21,6 @@ export interface MasterTime {
   nowMs(): number;
   /** As of now; `undefined` before the first measurement, after a sleep until the next one, and with masters that do not tell their time. */
   readonly estimate: MasterTimeEstimate | undefined;
-  /** Calls `fn` after every measurement, and with `undefined` when what was measured holds no longer. */
+  /** Calls `fn` after every measurement, and with `undefined` when the estimate is no longer valid. */
   onEstimate(fn: (estimate: MasterTimeEstimate | undefined) => void): Unsubscribe;
 }

@@ -96,7 +96,7 @@ interface TimeGuess {
 const FRESH_MS = 60_000;
 /** Of older samples the best of each such time is kept, for the drift, milliseconds. */
 const PERIOD_MS = 10_000;
-/** For how many of them: ten minutes. */
+/** Number of kept samples: ten minutes. */
 const PERIODS = 60;
 
 /**

@@ -32,7 +32,7 @@ function percentile(sorted: Float64Array, share: number): number {
 /** So many runs make a rate; fewer would jump between 0 and 1 for a module that runs less than once a second. */
 const ENOUGH_RUNS = 5;
 /** Longest window, milliseconds. */
-const LONGEST_MS = 5000;
+const MAX_MS = 5000;
 
 interface Taken {
   readonly runs: number;
@@ -57,7 +57,7 @@ export class RunRate {
     const last = this.#taken.at(-1)!;
     const expected = (this.#rateHz * (nowMs - last.atMs)) / 1000;
     const isEnough = (one: Taken): boolean =>
-      runs - one.runs >= ENOUGH_RUNS || nowMs - one.atMs >= LONGEST_MS;
+      runs - one.runs >= ENOUGH_RUNS || nowMs - one.atMs >= MAX_MS;
     const since =
       expected >= ENOUGH_RUNS ? last : (this.#taken.findLast(isEnough) ?? this.#taken[0]!);
     this.#taken = [...this.#taken.slice(this.#taken.indexOf(since)), { runs, atMs: nowMs }];

@@ -16,7 +16,7 @@ export interface PreludeApi {
   /** The result of the call under way, once there is one. */
   poll(): string | undefined;
   /** Settles a call of a host's library. */
-  settle(id: number, isGood: boolean, json: string): void;
+  settle(id: number, isFulfilled: boolean, json: string): void;
   /** Bytes of the result by their number in it. */
   blob(index: number): ArrayBuffer;
   /** The thrown error as JSON: name, message, stack. */
@@ -63,10 +63,13 @@ export function prelude(
 
   const callbacks = new Map<string, (...args: unknown[]) => unknown>();
   const getCallback = callbacks.get.bind(callbacks);
-  const pendingCalls = new Map<number, { settle: (isGood: boolean, value: unknown) => void }>();
+  const pendingCalls = new Map<
+    number,
+    { settle: (isFulfilled: boolean, value: unknown) => void }
+  >();
   const takePending = (id: number) => {
     const pending = apply(Map.prototype.get, pendingCalls, [id]) as
-      | { settle: (isGood: boolean, value: unknown) => void }
+      | { settle: (isFulfilled: boolean, value: unknown) => void }
       | undefined;
     pendingCalls.delete(id);
     return pending;
@@ -169,7 +172,8 @@ export function prelude(
           const id = ++lastCallId;
           const json = stringify(args, replace);
           pendingCalls.set(id, {
-            settle: (isGood, value) => (isGood ? good(value) : bad(new AnyError(toText(value)))),
+            settle: (isFulfilled, value) =>
+              isFulfilled ? good(value) : bad(new AnyError(toText(value))),
           });
           callHost(id, library, method, json);
         });
@@ -318,8 +322,8 @@ export function prelude(
       return invoke(getCallback('onProcessing')!, [deltaTimeMs, values, state], takeResult);
     },
     poll: () => done,
-    settle(id, isGood, json) {
-      takePending(id)?.settle(isGood, parse(json));
+    settle(id, isFulfilled, json) {
+      takePending(id)?.settle(isFulfilled, parse(json));
     },
     blob: (index) => blobs[index]!,
     describe,

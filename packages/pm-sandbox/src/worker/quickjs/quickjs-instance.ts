@@ -198,9 +198,9 @@ export class QuickJsInstance implements EngineInstance {
           )
         : this.#hooks.callHost(library, method, args);
     this.#hostCalls++;
-    const settle = (isGood: boolean, value: unknown): void => {
+    const settle = (isFulfilled: boolean, value: unknown): void => {
       this.#hostCalls--;
-      if (!this.#isFree) this.#settle(id, isGood, value);
+      if (!this.#isFree) this.#settle(id, isFulfilled, value);
     };
     answer.then(
       (value) => settle(true, value),
@@ -209,7 +209,7 @@ export class QuickJsInstance implements EngineInstance {
   }
 
   /** An answer arrives: what waits for it goes on. */
-  #settle(id: number, isGood: boolean, value: unknown): void {
+  #settle(id: number, isFulfilled: boolean, value: unknown): void {
     const context = this.#context;
     const waiting = this.#waiting;
     // Work that no call waits for has the time budget of one call.
@@ -218,7 +218,7 @@ export class QuickJsInstance implements EngineInstance {
       this.#hooks.onResume();
       this.#callApi('settle', [
         context.newNumber(id),
-        isGood ? context.true : context.false,
+        isFulfilled ? context.true : context.false,
         context.newString(JSON.stringify(value ?? null)),
       ]).dispose();
       this.#runJobs();

@@ -59,7 +59,7 @@ export function checkSurroundings(
   ].map((problem) => ({ ...problem, isError: false }));
 }
 
-/** Everything that is wrong or doubtful with these modules, as far as it can be said without running code [SE-3]. */
+/** Problems of these modules that show without running code [SE-3]. */
 export function checkSession(
   modules: readonly DraftModule[],
   context: CheckContext,

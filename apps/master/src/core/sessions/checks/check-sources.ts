@@ -59,7 +59,7 @@ function sourceOf({ spec }: DraftModule): ModuleSource {
   };
 }
 
-/** Whether the text is to blame, and not the worker that was to read it. */
+/** The fault is in the text, not in the worker that checked it. */
 function isOfSource({ kind }: ModuleFault): boolean {
   return kind === 'syntax' || kind === 'missing';
 }

@@ -1,5 +1,5 @@
 /** Durations kept for percentiles: more than a report sees at 240 Hz. */
-const MOST = 512;
+const MAX_SAMPLES = 512;
 
 /** Collects durations between two reports. */
 export class Durations {
@@ -11,7 +11,7 @@ export class Durations {
   }
 
   add(durationMs: number): void {
-    if (this.#values.length < MOST) this.#values.push(durationMs);
+    if (this.#values.length < MAX_SAMPLES) this.#values.push(durationMs);
   }
 
   /** Returns the statistics since the last call. Times are monotonic milliseconds. */
