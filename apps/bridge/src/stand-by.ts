@@ -2,7 +2,7 @@ import { createHash } from 'node:crypto';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { within } from '@ubii/timing';
 import type { Clock } from '@ubii/timing';
-import { tellMappings, watchBridges } from './adapters/master/watch-bridges.ts';
+import { announceMappings, watchBridges } from './adapters/master/watch-bridges.ts';
 import type { OtherBridges } from './core/loop/other-bridges.ts';
 import type { MappingFile } from './core/mapping/read-mapping-file.ts';
 
@@ -48,7 +48,7 @@ export function createStandBy({ client, bridges, clock, file, onChange }: StandB
       return isActive === true;
     },
     async handleConnected() {
-      tellMappings(client, fingerprintOf(file()));
+      announceMappings(client, fingerprintOf(file()));
       watching ??= watchBridges(client, bridges);
       await watching;
       await within(clock, BRIDGES_TIMEOUT_MS, bridges.untilKnown(client.id));
@@ -60,7 +60,7 @@ export function createStandBy({ client, bridges, clock, file, onChange }: StandB
       bridges.handleLost();
     },
     update() {
-      if (client.state.status === 'connected') tellMappings(client, fingerprintOf(file()));
+      if (client.state.status === 'connected') announceMappings(client, fingerprintOf(file()));
       decide();
     },
   };

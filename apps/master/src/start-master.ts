@@ -25,7 +25,7 @@ import { createHttpApp } from './adapters/http/http-app.ts';
 import { randomIds } from './adapters/ids/random-ids.ts';
 import { announce } from './adapters/discovery/announce.ts';
 import { descriptorLimit } from './adapters/network/descriptor-limit.ts';
-import { Doorkeeper } from './adapters/network/doorkeeper.ts';
+import { ConnectionGuard } from './adapters/network/connection-guard.ts';
 import { LanSwitch } from './adapters/network/lan-switch.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import { OwnAddresses } from './adapters/addresses/own-addresses.ts';
@@ -196,14 +196,17 @@ export async function startMaster({
       endpoints: () => reachability().endpoints,
     },
   );
-  const doorkeeper = new Doorkeeper({ master, isOwnAddress: (each) => ownAddresses.has(each) });
+  const connectionGuard = new ConnectionGuard({
+    master,
+    isOwnAddress: (each) => ownAddresses.has(each),
+  });
   const sockets = new TopicDataSockets({
     master,
     policy,
     callers,
     log,
     clock,
-    doorkeeper,
+    connectionGuard,
     preflights: new PreflightSockets(clock),
   });
   const decoder = new BodyDecoder({ workerFile: decodeWorkerFile, clock, log });
@@ -218,14 +221,14 @@ export async function startMaster({
     clock,
     limits,
     decoder,
-    doorkeeper,
+    connectionGuard,
     frontendFolder,
     sdkFolder,
     assets,
     recordingsFolder: recordings,
     authority: () => lan.https?.authority,
   });
-  const zeromq = new ZeroMqEnds({ master, callers, log, clock, doorkeeper, decoder, limits });
+  const zeromq = new ZeroMqEnds({ master, callers, log, clock, connectionGuard, decoder, limits });
   const loopbackFacts = { role: loopback, tellsOwners: owners.canTell };
   if (loopback === 'admin' && !owners.canTell) {
     log.warn(
@@ -247,7 +250,7 @@ export async function startMaster({
     host: lan.host,
     log,
     onePort: lan.https?.onePort,
-    doorkeeper,
+    connectionGuard,
     timeouts: {
       headersMs: limits.headersTimeoutMs,
       stillMs: limits.slowSocketTimeoutMs,

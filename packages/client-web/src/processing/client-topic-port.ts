@@ -26,14 +26,14 @@ export class ClientTopicPort implements TopicPort {
     if (selector.kind === 'topic') return this.#client.subscribeEncoded(selector.topic, listener);
     this.#devices.watch();
     const pattern = patternOf(selector);
-    const told = new WithDevices(listener, this.#devices);
-    const cancel = this.#client.subscribeEncoded(pattern, told);
+    const withDevices = new WithDevices(listener, this.#devices);
+    const cancel = this.#client.subscribeEncoded(pattern, withDevices);
     let isCancelled = false;
     return () => {
       if (isCancelled) return;
       isCancelled = true;
       cancel();
-      told.close();
+      withDevices.close();
       this.#devices.unwatch();
     };
   }

@@ -108,7 +108,7 @@ class Node implements ProcessingNode {
   async #start(): Promise<void> {
     if (this.#started !== undefined) return;
     // First: the master accepts node messages only from nodes. [EX-20]
-    await this.#tellProfile(true);
+    await this.#sendProfile(true);
     const watch = new SessionWatch(this.#client, {
       handleSession: (session, activity) => this.#handleSession(session, activity),
       handleStart: (session) => {
@@ -148,21 +148,21 @@ class Node implements ProcessingNode {
     started.end();
     await this.#endAll();
     await this.#reports.settled();
-    await this.#tellProfile(false);
+    await this.#sendProfile(false);
   }
 
   async setModules(modules: readonly Init<ProcessingModule>[]): Promise<void> {
     this.#catalog = new ModuleCatalog(modules);
-    if (this.isStarted) await this.#tellProfile(true);
+    if (this.isStarted) await this.#sendProfile(true);
   }
 
   async setAcceptsWork(acceptsWork: boolean): Promise<void> {
     this.#acceptsWork = acceptsWork;
-    if (this.isStarted) await this.#tellProfile(true);
+    if (this.isStarted) await this.#sendProfile(true);
   }
 
   /** [PM-60] */
-  #tellProfile(isNode: boolean): Promise<void> {
+  #sendProfile(isNode: boolean): Promise<void> {
     const { kind, libraries = [], capacity = 0, isDedicated = false } = this.#options;
     const { assets, sandboxes, records = false } = this.#options;
     return this.#client.updateProfile({

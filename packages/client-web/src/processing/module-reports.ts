@@ -23,7 +23,7 @@ export class ModuleReports {
   readonly #started = new Map<string, Init<ProcessingModule>>();
   readonly #ended = new Map<string, Init<ProcessingModule>>();
   #events: ModuleEvent[] = [];
-  #isTelling: Promise<void> | undefined;
+  #sending: Promise<void> | undefined;
 
   constructor(client: ReportClient, options: ModuleReportsOptions) {
     this.#client = client;
@@ -62,35 +62,35 @@ export class ModuleReports {
     });
   }
 
-  /** Tells what could not be told before. */
+  /** Sends reports that could not be sent before. */
   resume(): void {
     this.#tell();
   }
 
   /** Resolves when all reports are sent, or cannot be. */
   async settled(): Promise<void> {
-    while (this.#isTelling !== undefined) await this.#isTelling;
+    while (this.#sending !== undefined) await this.#sending;
   }
 
   #tell(): void {
-    this.#isTelling ??= this.#tellAll().finally(() => {
-      this.#isTelling = undefined;
+    this.#sending ??= this.#sendAll().finally(() => {
+      this.#sending = undefined;
     });
   }
 
-  async #tellAll(): Promise<void> {
+  async #sendAll(): Promise<void> {
     await Promise.resolve(); // everything of one turn is one request
     while (this.#client.state.status === 'connected') {
       // Report ended modules first: they may have started again since.
       const isEnd = this.#ended.size > 0;
       const waiting = isEnd ? this.#ended : this.#started;
       if (waiting.size === 0) return;
-      const told = new Map(waiting);
+      const sent = new Map(waiting);
       waiting.clear();
       try {
         await this.#client.call(
           isEnd ? 'processingModuleRuntimeRemove' : 'processingModuleRuntimeAdd',
-          { elements: [...told.values()] },
+          { elements: [...sent.values()] },
         );
       } catch (error) {
         if (error instanceof ServiceError) {
@@ -98,7 +98,7 @@ export class ModuleReports {
           continue;
         }
         // The report was lost. Later reports are newer, and an end cancels a start.
-        for (const [id, module] of told) {
+        for (const [id, module] of sent) {
           if (!waiting.has(id) && (isEnd || !this.#ended.has(id))) waiting.set(id, module);
         }
         return;

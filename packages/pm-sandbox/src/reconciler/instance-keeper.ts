@@ -39,7 +39,7 @@ interface Entry {
   sessionId: string;
   wanted: WantedInstance | undefined;
   /** It was wanted as this, and its end was not told since. */
-  untold: WantedInstance | undefined;
+  unreported: WantedInstance | undefined;
   present: PresentInstance | undefined;
   wasStopped: boolean;
   isReported: boolean;
@@ -72,7 +72,7 @@ export class InstanceKeeper {
       const entry = this.#entryOf(instanceId(one), sessionId);
       entry.sessionId = sessionId;
       entry.wanted = one;
-      entry.untold = one;
+      entry.unreported = one;
       this.#touch(entry);
     }
   }
@@ -132,7 +132,7 @@ export class InstanceKeeper {
       id,
       sessionId,
       wanted: undefined,
-      untold: undefined,
+      unreported: undefined,
       present: undefined,
       wasStopped: false,
       isReported: false,
@@ -183,7 +183,7 @@ export class InstanceKeeper {
     const { present, wanted } = entry;
     if (wanted === undefined || present === undefined) {
       this.#entries.delete(entry.id);
-      if (entry.untold !== undefined) this.#context.onEnded(entry.untold, false);
+      if (entry.unreported !== undefined) this.#context.onEnded(entry.unreported, false);
       this.#context.onGone?.(entry.id);
     } else if (present.state !== 'failed') {
       entry.present = { ...present, as: wanted };
@@ -230,7 +230,7 @@ export class InstanceKeeper {
     entry.present = undefined;
     entry.wasStopped = false;
     entry.isReported = false;
-    entry.untold = entry.wanted;
+    entry.unreported = entry.wanted;
     this.#context.onEnded(as, entry.wanted !== undefined);
   }
 }

@@ -37,7 +37,7 @@ export class InstanceLife {
   readonly #events: LifeEvents;
   readonly #restarts: RestartPolicy;
   #status: InstanceStatus = 'creating';
-  #toldStatus: ProcessingModuleStatus = ProcessingModuleStatus.INITIALIZED;
+  #reportedStatus: ProcessingModuleStatus = ProcessingModuleStatus.INITIALIZED;
   #sandbox: Sandbox | undefined;
   /** It is to process as soon as it can. */
   #wantsRuns = false;
@@ -69,7 +69,7 @@ export class InstanceLife {
   }
 
   get wireStatus(): ProcessingModuleStatus {
-    return wireStatus(this.#status) ?? this.#toldStatus;
+    return wireStatus(this.#status) ?? this.#reportedStatus;
   }
 
   /** Resolves with why it cannot start, or with nothing. [PM-13] */
@@ -221,7 +221,7 @@ export class InstanceLife {
     const { clock } = this.#context;
     const delayMs = this.#restarts.next(clock.monotonicMs());
     if (delayMs === undefined) {
-      this.#reports.tellFailed(fault);
+      this.#reports.reportFailed(fault);
       this.#end(fault);
       return;
     }
@@ -261,8 +261,8 @@ export class InstanceLife {
     if (next === undefined) return false;
     this.#status = next;
     const status = this.wireStatus;
-    if (status !== this.#toldStatus) {
-      this.#toldStatus = status;
+    if (status !== this.#reportedStatus) {
+      this.#reportedStatus = status;
       this.#context.onStatus(this.#spec.module.id, status, fault);
     }
     return true;

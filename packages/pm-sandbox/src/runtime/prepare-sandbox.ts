@@ -84,7 +84,7 @@ export async function loadOptionalAssets(
     throw new AssetError('missing', 'This node does not load asset sets.');
   }
   const [set] = await context.assets
-    .load([name], signal, tellProgress(context, reports))
+    .load([name], signal, reportProgress(context, reports))
     .finally(() => reports.noteLoading(undefined));
   if (set!.library === undefined) return set!;
   throw new AssetError(
@@ -94,7 +94,7 @@ export async function loadOptionalAssets(
 }
 
 /** Tells how far loading is, in statistics and as log lines of the module. [PM-94] */
-function tellProgress(
+function reportProgress(
   { clock }: AssetContext,
   reports: LoadingReports,
 ): (progress: AssetProgress) => void {
@@ -129,7 +129,7 @@ export async function loadAssets(
   if (names.length === 0) return { sets: [] };
   if (context.assets === undefined) return failed('This node does not load asset sets.');
   try {
-    return { sets: await context.assets.load(names, signal, tellProgress(context, reports)) };
+    return { sets: await context.assets.load(names, signal, reportProgress(context, reports)) };
   } catch (cause) {
     if (signal.aborted) return failed('The module was stopped while its asset sets were loaded.');
     if (cause instanceof AssetError) return failed(cause.message);

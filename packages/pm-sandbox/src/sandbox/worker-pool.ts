@@ -46,15 +46,15 @@ export function createPooledSandboxes(
 }
 
 /**
- * Decides which modules share workers. Modules with asset sets compute for tens of milliseconds at a time, in which every other module of
+ * Modules of one group share workers. Modules with asset sets compute for tens of milliseconds at a time, in which every other module of
  * their worker waits: they share theirs among themselves.
  */
-type Lane = WorkerKind | 'assets';
+type WorkerGroup = WorkerKind | 'assets';
 
 class WorkerPool {
   readonly #platform: PoolPlatform;
   readonly #options: PoolOptions;
-  readonly #hosts = new Map<WorkerHost, Lane>();
+  readonly #hosts = new Map<WorkerHost, WorkerGroup>();
   readonly #culprits = new Set<string>();
 
   readonly #memory: PoolMemory;
@@ -66,26 +66,26 @@ class WorkerPool {
   }
 
   place(request: SandboxRequest): WorkerHost {
-    const lane = laneOf(request);
-    return this.#culprits.has(request.instanceId) ? this.#start(lane, true) : this.shared(lane);
+    const group = groupOf(request);
+    return this.#culprits.has(request.instanceId) ? this.#start(group, true) : this.shared(group);
   }
 
   /** The worker with the fewest instances; a new one as long as there may be more. */
-  shared(lane: Lane): WorkerHost {
-    const hosts = this.#sharedOf(lane);
+  shared(group: WorkerGroup): WorkerHost {
+    const hosts = this.#sharedOf(group);
     const least = hosts.reduce<WorkerHost | undefined>(
       (best, host) => (best === undefined || host.load < best.load ? host : best),
       undefined,
     );
     const isEnough = least?.load === 0 || hosts.length >= this.#options.maxWorkers;
-    return least !== undefined && isEnough ? least : this.#start(lane, false);
+    return least !== undefined && isEnough ? least : this.#start(group, false);
   }
 
-  /** Ends an unused worker; the last of its lane is kept for the next instance. */
+  /** Ends an unused worker; the last of its group is kept for the next instance. */
   release(host: WorkerHost): void {
-    const lane = this.#hosts.get(host);
-    if (!host.isIdle || lane === undefined) return;
-    if (host.isSolo || this.#sharedOf(lane).length > 1) {
+    const group = this.#hosts.get(host);
+    if (!host.isIdle || group === undefined) return;
+    if (host.isSolo || this.#sharedOf(group).length > 1) {
       host.end(moduleFault('crashed', '', 'The worker is not needed any more.'));
     }
   }
@@ -96,9 +96,9 @@ class WorkerPool {
     }
   }
 
-  #start(lane: Lane, isSolo: boolean): WorkerHost {
+  #start(group: WorkerGroup, isSolo: boolean): WorkerHost {
     const host = new WorkerHost(
-      lane === 'assets' ? 'trusted' : lane,
+      group === 'assets' ? 'trusted' : group,
       isSolo,
       this.#platform,
       this.#options,
@@ -108,7 +108,7 @@ class WorkerPool {
         if (culprit !== undefined) this.#remember(culprit.instanceId);
       },
     );
-    this.#hosts.set(host, lane);
+    this.#hosts.set(host, group);
     return host;
   }
 
@@ -118,12 +118,12 @@ class WorkerPool {
     this.#culprits.add(instanceId);
   }
 
-  #sharedOf(lane: Lane): WorkerHost[] {
-    return [...this.#hosts].flatMap(([host, own]) => (own === lane && !host.isSolo ? [host] : []));
+  #sharedOf(group: WorkerGroup): WorkerHost[] {
+    return [...this.#hosts].flatMap(([host, own]) => (own === group && !host.isSolo ? [host] : []));
   }
 }
 
-function laneOf({ isTrusted, assets }: SandboxRequest): Lane {
+function groupOf({ isTrusted, assets }: SandboxRequest): WorkerGroup {
   if (!isTrusted) return 'sandboxed';
   return assets.length > 0 ? 'assets' : 'trusted';
 }

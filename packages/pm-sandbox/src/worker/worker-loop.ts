@@ -307,29 +307,29 @@ export class WorkerLoop {
     this.#outgoing.push(message);
   }
 
-  #tellMemory(): void {
+  #sendMemory(): void {
     const sharedBytes = this.#platform.sharedBytes;
     const nowMs = this.#platform.nowMs();
     const isDue = sharedBytes !== undefined && nowMs - this.#lookedMs >= SHARED_MEMORY_MS;
     if (isDue && this.#instances.size > 0) {
       this.#lookedMs = nowMs;
       const share = Math.round(sharedBytes() / this.#instances.size);
-      for (const number of this.#instances.keys()) this.#tellBytes(number, share);
+      for (const number of this.#instances.keys()) this.#sendBytes(number, share);
     }
     for (const number of this.#touched) {
-      this.#tellBytes(number, this.#instances.get(number)?.memoryBytes());
+      this.#sendBytes(number, this.#instances.get(number)?.memoryBytes());
     }
     this.#touched.clear();
   }
 
-  #tellBytes(number: number, bytes: number | undefined): void {
+  #sendBytes(number: number, bytes: number | undefined): void {
     if (bytes === undefined || bytes === this.#toldBytes.get(number)) return;
     this.#toldBytes.set(number, bytes);
     this.#send({ kind: 'memory', instance: number, bytes });
   }
 
   #flush(): void {
-    this.#tellMemory();
+    this.#sendMemory();
     const messages = this.#outgoing;
     this.#outgoing = [];
     this.#platform.post({ messages }, this.#packer.pack());

@@ -10,7 +10,7 @@ function mappingsTopic(clientId: string): string {
 }
 
 /** Says which mappings the bridge has. */
-export function tellMappings(client: UbiiClient, mappings: string): void {
+export function announceMappings(client: UbiiClient, mappings: string): void {
   client.publish(mappingsTopic(client.id), 'string', mappings);
 }
 

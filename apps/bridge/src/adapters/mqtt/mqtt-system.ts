@@ -114,7 +114,7 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
   setAvailable(isAvailable: boolean): void {
     this.#isAvailable = isAvailable;
     const client = this.#client;
-    if (client?.connected === true) this.#tellAvailability(client);
+    if (client?.connected === true) this.#publishAvailability(client);
   }
 
   async close(): Promise<void> {
@@ -124,8 +124,11 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     if (client === undefined) return;
     if (client.connected) {
       this.#isAvailable = false;
-      const told = new Promise((resolve) => this.#tellAvailability(client, resolve));
-      await Promise.race([told, new Promise((resolve) => setTimeout(resolve, CLOSE_TIMEOUT_MS))]);
+      const published = new Promise((resolve) => this.#publishAvailability(client, resolve));
+      await Promise.race([
+        published,
+        new Promise((resolve) => setTimeout(resolve, CLOSE_TIMEOUT_MS)),
+      ]);
     }
     // The session ends with the program: its next run asks for what it needs then. [BR-42]
     await client
@@ -162,7 +165,7 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     const hasForgotten = this.#connection > 1 && !sessionPresent;
     this.#backOff.handleConnected();
     this.#failure = '';
-    this.#tellAvailability(client);
+    this.#publishAvailability(client);
     // Connected only with the subscriptions acknowledged.
     this.#subscribe(client, [...this.#wanted], () => {
       if (!client.connected) return;
@@ -254,7 +257,7 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     return { kind: 'sent' };
   }
 
-  #tellAvailability(client: MqttClient, done?: (value: unknown) => void): void {
+  #publishAvailability(client: MqttClient, done?: (value: unknown) => void): void {
     client.publish(
       this.#settings.availability,
       this.#isAvailable ? 'online' : 'offline',

@@ -8,7 +8,7 @@ import type { Master } from '../../core/master/master.ts';
 import type { Limits } from '../../core/limits/index.ts';
 import type { Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
-import type { Doorkeeper } from '../network/doorkeeper.ts';
+import type { ConnectionGuard } from '../network/connection-guard.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { addAssets } from './asset-routes.ts';
 import { addAuthority, addAuthorityFacts } from './authority-routes.ts';
@@ -36,7 +36,7 @@ export interface HttpAppContext {
   readonly clock: Clock;
   readonly limits: Limits;
   readonly decoder: BodyDecoder;
-  readonly doorkeeper: Doorkeeper;
+  readonly connectionGuard: ConnectionGuard;
   /** The built frontend. */
   readonly frontendFolder: string;
   /** The built client library. */

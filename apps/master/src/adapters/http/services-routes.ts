@@ -5,7 +5,7 @@ import { ServiceError } from '@ubii/proto';
 
 import type { ServiceAnswer } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
-import type { Doorkeeper } from '../network/doorkeeper.ts';
+import type { ConnectionGuard } from '../network/connection-guard.ts';
 import { answerRequest, type AnswerContext } from '../services/answer-request.ts';
 import { drain } from '../services/bodies/drain.ts';
 import { binaryFormat, formatOf, jsonFormat } from '../services/service-format.ts';
@@ -15,7 +15,7 @@ import { isRefusal } from './error-replies.ts';
 export interface ServicesContext extends AnswerContext {
   readonly callers: Pick<CallerReader, 'read'>;
   /** Is told whose connections are. */
-  readonly doorkeeper: Pick<Doorkeeper, 'of'>;
+  readonly connectionGuard: Pick<ConnectionGuard, 'of'>;
 }
 
 /** Services over HTTP: always status 200 with a reply, errors included. [SV-1] */
@@ -76,7 +76,7 @@ function answerTo(
   format: ServiceFormat,
   context: ServicesContext,
 ): Promise<ServiceAnswer> {
-  const { callers, doorkeeper } = context;
+  const { callers, connectionGuard } = context;
   return answerRequest(
     {
       caller: callers.read(raw),
@@ -86,7 +86,7 @@ function answerTo(
       declaredBytes: declaredLength(raw),
       encoding: raw.headers['content-encoding'],
       isAwaited: () => !raw.socket.readableEnded && !raw.socket.destroyed,
-      onIdentified: (kind) => doorkeeper.of(raw.socket)?.handleCaller(kind),
+      onIdentified: (kind) => connectionGuard.of(raw.socket)?.handleCaller(kind),
     },
     context,
   );

@@ -8,7 +8,7 @@ import type { OnePort } from '../tls/one-port.ts';
 import type { LegacyPorts } from '../config/legacy-ports.ts';
 import type { Log } from '../../core/ports/index.ts';
 import { oneAtATime } from './one-at-a-time.ts';
-import type { Doorkeeper } from './doorkeeper.ts';
+import type { ConnectionGuard } from './connection-guard.ts';
 import { explainListenError } from './explain-listen-error.ts';
 import { openPort } from './open-port.ts';
 
@@ -22,7 +22,7 @@ export interface ListenersContext {
   /** Answers HTTPS on the same ports at first; undefined: they are for HTTP only. */
   readonly onePort: OnePort | undefined;
   /** Says who may connect; undefined: everybody. */
-  readonly doorkeeper?: Doorkeeper;
+  readonly connectionGuard?: ConnectionGuard;
   /** Milliseconds. @default Node's own limits */
   readonly timeouts?: ConnectionTimeouts;
   readonly log: Log;
@@ -220,12 +220,12 @@ export class Listeners {
 
   #createPlainServer(take: (socket: Socket) => void): Server {
     const server = createPlainServer(take);
-    this.#context.doorkeeper?.guard(server);
+    this.#context.connectionGuard?.guard(server);
     return server;
   }
 
   #createServer(): Server {
-    const { handleRequest, handleUpgrade, doorkeeper, timeouts } = this.#context;
+    const { handleRequest, handleUpgrade, connectionGuard, timeouts } = this.#context;
     const { onePort } = this.#reach;
     const context = {
       requestTimeout: REQUEST_TIMEOUT_MS,
@@ -236,17 +236,17 @@ export class Listeners {
     const server = createServer(
       context,
       oneAtATime((request, response) => {
-        doorkeeper?.of(request.socket)?.handleRequest();
+        connectionGuard?.of(request.socket)?.handleRequest();
         handleRequest(request, response);
       }),
     );
     if (timeouts) server.timeout = timeouts.stillMs;
     server.on('upgrade', (request, socket, head) => {
-      doorkeeper?.of(socket)?.handleRequest();
+      connectionGuard?.of(socket)?.handleRequest();
       handleUpgrade(request, socket, head);
     });
     onePort?.attach(server);
-    doorkeeper?.guard(server);
+    connectionGuard?.guard(server);
     return server;
   }
 }

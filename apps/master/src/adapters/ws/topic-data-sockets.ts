@@ -8,7 +8,7 @@ import type { WebSocket } from 'ws';
 import type { CallerFacts, ClientClaim, ConnectionHost, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../addresses/address-kinds.ts';
-import type { Doorkeeper } from '../network/doorkeeper.ts';
+import type { ConnectionGuard } from '../network/connection-guard.ts';
 import { handleText } from '../heartbeat/handle-text.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { endingOf } from './close-codes.ts';
@@ -29,7 +29,7 @@ export interface TopicDataSocketsContext {
   readonly log: Log;
   readonly clock: Pick<Clock, 'after'>;
   /** Knows the connections of sockets. */
-  readonly doorkeeper?: Pick<Doorkeeper, 'of'>;
+  readonly connectionGuard?: Pick<ConnectionGuard, 'of'>;
   readonly preflights?: PreflightSockets;
 }
 
@@ -142,7 +142,7 @@ export class TopicDataSockets {
       }
     });
     if (opened === undefined) return;
-    this.#context.doorkeeper?.of(socket)?.handleClient();
+    this.#context.connectionGuard?.of(socket)?.handleClient();
 
     // The library reads the socket between these two.
     socket.prependListener('data', () => opened.handleReadStart());

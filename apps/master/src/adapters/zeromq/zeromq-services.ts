@@ -8,7 +8,7 @@ import { takeFrameHeader } from './read-frame.ts';
 import { DELIMITER, MORE, ZmtpError, encodeFrame } from './zmtp-frames.ts';
 import type { CallerFacts, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
-import type { Doorkeeper } from '../network/doorkeeper.ts';
+import type { ConnectionGuard } from '../network/connection-guard.ts';
 import { answerRequest, type AnswerContext } from '../services/answer-request.ts';
 import { drain } from '../services/bodies/drain.ts';
 import { binaryFormat, jsonFormat } from '../services/service-format.ts';
@@ -106,7 +106,7 @@ export interface ZeroMqServicesContext extends AnswerContext {
   readonly callers: Pick<CallerReader, 'prepare' | 'read'>;
   readonly log: Log;
   readonly clock: Clock;
-  readonly doorkeeper: Pick<Doorkeeper, 'of'>;
+  readonly connectionGuard: Pick<ConnectionGuard, 'of'>;
   /** Time for the handshake of a caller, milliseconds. */
   readonly greetingMs: number;
   /** By then a reply was taken, milliseconds. */
@@ -189,8 +189,8 @@ export class ZeroMqServices {
     caller: CallerFacts,
     message: ServiceMessage,
   ): Promise<boolean> {
-    const { doorkeeper, master } = this.#context;
-    doorkeeper.of(socket)?.handleRequest();
+    const { connectionGuard, master } = this.#context;
+    connectionGuard.of(socket)?.handleRequest();
     const isJson = message.size > 0 && (await source.peek(1))[0] === OPENING_BRACE;
     const format = isJson ? jsonFormat : binaryFormat;
     const body = message.openBody();
@@ -205,7 +205,7 @@ export class ZeroMqServices {
             format,
             body: body.stream,
             declaredBytes: message.size,
-            onIdentified: (kind) => doorkeeper.of(socket)?.handleCaller(kind),
+            onIdentified: (kind) => connectionGuard.of(socket)?.handleCaller(kind),
           },
           this.#context,
         );

@@ -4,7 +4,7 @@ import type { Clock } from '@ubii/timing';
 import type { ClientClaim, ConnectionHandle, ConnectionHost, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../addresses/address-kinds.ts';
-import type { Doorkeeper } from '../network/doorkeeper.ts';
+import type { ConnectionGuard } from '../network/connection-guard.ts';
 import { answersOn } from './answer-command.ts';
 import { ByteSource } from './byte-source.ts';
 import { greetPeer } from './greet-peer.ts';
@@ -26,7 +26,7 @@ export interface ZeroMqTopicDataContext {
   readonly log: Log;
   readonly clock: Pick<Clock, 'after'>;
   /** Knows the connections of sockets. */
-  readonly doorkeeper?: Pick<Doorkeeper, 'of'>;
+  readonly connectionGuard?: Pick<ConnectionGuard, 'of'>;
   /** Largest message a client may send. */
   readonly maxMessageBytes: number;
   /** Time for the handshake of a client, milliseconds. */
@@ -66,7 +66,7 @@ export class ZeroMqTopicData {
   }
 
   async #open(socket: Socket): Promise<void> {
-    const { master, callers, clock, greetingMs, doorkeeper } = this.#context;
+    const { master, callers, clock, greetingMs, connectionGuard } = this.#context;
     // First of all: the address of a closed socket is unknown.
     const prepared = callers.prepare({ headers: {}, socket });
     const addressKind = kindOfPeer(socket.remoteAddress);
@@ -94,7 +94,7 @@ export class ZeroMqTopicData {
     const handle = master.openConnection(claim, connection, caller, { addressKind });
     if (handle === undefined) return;
     connection.open();
-    doorkeeper?.of(socket)?.handleClient();
+    connectionGuard?.of(socket)?.handleClient();
     this.#listen(socket, connection, handle, rest);
   }
 

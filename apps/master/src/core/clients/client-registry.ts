@@ -353,7 +353,7 @@ export class ClientRegistry {
     client.ownName = described.name;
     client.library = message.extension?.library ?? ''; // [EX-25]
     client.node = client.isExtension ? message.extension?.node : undefined; // [PM-60]
-    client.subscriber.outbox.hearsOfGone = client.node !== undefined; // [TD-42]
+    client.subscriber.outbox.sendsDeletions = client.node !== undefined; // [TD-42]
     client.takesRecordLists = message.extension?.recordLists ?? false; // [EX-2]
     client.socket?.setRecordLists(client.takesRecordLists);
   }

@@ -20,7 +20,7 @@ import type { ClusterContext } from './cluster-context.ts';
 import { Directory } from './directory.ts';
 import { ForeignTopics } from './foreign-topics.ts';
 import { ForeignValues } from './foreign-values.ts';
-import { KnownAddresses } from './known-addresses.ts';
+import { ClusterAddresses } from './cluster-addresses.ts';
 import { LostMasters } from './lost-masters.ts';
 import { HELLO_MS, Members, type Member } from './members.ts';
 import { MeteredBus } from './metered-bus.ts';
@@ -40,7 +40,7 @@ export class Cluster implements BusListener {
   readonly name: string;
   readonly members: Members;
   readonly lost = new LostMasters();
-  readonly knownAddresses = new KnownAddresses();
+  readonly clusterAddresses = new ClusterAddresses();
   readonly #context: Omit<ClusterContext, 'bus'> & { readonly bus: ProvenBus };
   readonly #bus: MeteredBus;
   readonly #texts = new TextCache();
@@ -100,7 +100,7 @@ export class Cluster implements BusListener {
       if (unwanted.length > 0) this.#values.endUnwanted();
     });
     this.members.onJoined.add(({ addresses }) => {
-      this.knownAddresses.add(addresses);
+      this.clusterAddresses.add(addresses);
       this.#publishAddresses();
     });
     this.members.onLost.add((member, hasEnded) => {

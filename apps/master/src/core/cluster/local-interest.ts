@@ -1,7 +1,7 @@
 import type { ClusterInterest, Init } from '@ubii/proto';
 import type { EndOfTurn, TurnTask } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
-import { crosses } from '../topics/crossing.ts';
+import { isSharedTopic } from '../topics/shared-topics.ts';
 import type { SubscriptionChange, SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Subscriber } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -64,7 +64,7 @@ export class LocalInterest implements TurnTask {
   }
 
   #handleChange(changed: SubscriptionChange): void {
-    if (changed !== 'everything' && 'topic' in changed && !crosses(changed.topic)) return; // [CU-16]
+    if (changed !== 'everything' && 'topic' in changed && !isSharedTopic(changed.topic)) return; // [CU-16]
     const key = interestKey(interestOf(changed));
     if (this.#changed.size === 0) this.#context.endOfTurn.add(this);
     this.#changed.set(key, changed);

@@ -17,7 +17,7 @@ export interface RatesOfPeer {
 /** Time between two measurements, milliseconds. */
 const MEASURE_MS = 2_000;
 
-/** Measures how much crosses per second. [CU-73] */
+/** Measures bytes per second between masters. [CU-73] */
 export class PeerRates {
   #before: PeerTotals;
   #beforeMs: number;

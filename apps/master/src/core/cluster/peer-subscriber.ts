@@ -5,7 +5,7 @@ import type { Counters } from '../counters/counters.ts';
 import type { BatchEncoder, RecordBatch } from '../ports/record-batch.ts';
 import type { Log } from '../ports/log.ts';
 import type { Accounts } from '../shares/accounts.ts';
-import { crosses } from '../topics/crossing.ts';
+import { isSharedTopic } from '../topics/shared-topics.ts';
 import type { BatchNode } from '../topics/batch-node.ts';
 import type { BatchSink } from '../topics/outbox.ts';
 import type { ReadRights } from '../topics/rights.ts';
@@ -58,7 +58,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
     const account = context.accounts.createForeign(peerId);
     this.#subscriber = context.createSubscriber(peerId, true, account, true);
     this.#received = { ...this.#subscriber, outbox: this, readRights: OTHERS_TOPICS };
-    this.#subscriber.outbox.hearsOfGone = true; // [CU-14]
+    this.#subscriber.outbox.sendsDeletions = true; // [CU-14]
     this.#subscriber.outbox.open(this, context.topics.sequence);
   }
 
@@ -208,7 +208,7 @@ export class PeerSubscriber implements Receiver, BatchSink, TurnTask {
 }
 
 /** [CU-16] */
-const OTHERS_TOPICS: ReadRights = { mayRead: crosses };
+const OTHERS_TOPICS: ReadRights = { mayRead: isSharedTopic };
 
 /** The records of a batch, prepared once for all masters that get them. */
 const PREPARED: BatchEncoder<RecordsForMasters> = {

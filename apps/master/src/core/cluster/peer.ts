@@ -95,7 +95,7 @@ export class Peer {
     return this.#resync?.isComplete !== false && !this.#shouldListen;
   }
 
-  /** What crosses between it and this master. [CU-73] [CU-74] */
+  /** Traffic between it and this master. [CU-73] [CU-74] */
   describe(): Init<ClusterMaster> {
     const { recordsTo, recordsFrom } = this.#totals();
     return {

@@ -74,7 +74,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
       return openTerminal(core, isReachable);
     },
     otherMasterAddresses(): readonly string[] {
-      return core.masters?.knownAddresses.list() ?? [];
+      return core.masters?.clusterAddresses.list() ?? [];
     },
     metrics(): MasterMetrics {
       return readMetrics(core);

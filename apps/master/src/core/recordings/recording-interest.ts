@@ -47,7 +47,7 @@ export function recordingInterest(context: InterestContext): RecordingInterest {
       }
     } catch (cause) {
       if (!(cause instanceof ServiceError)) throw cause;
-      // A limit was met: more crosses than has to, and nothing is missing.
+      // A limit was met: more records than necessary are sent, and none is missing.
       subscriptions.unsubscribeAll(subscriber);
       subscriptions.watch(subscriber, EVERY_RECORD);
     }

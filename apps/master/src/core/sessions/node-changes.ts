@@ -47,7 +47,7 @@ export function placeAgain(
   if (!isChanged) return;
   evaluate(context, session);
   context.news.announceChange(session);
-  tellNodes(context, session, modules);
+  announceToNodes(context, session, modules);
   syncLocal(context, session);
 }
 
@@ -55,7 +55,7 @@ export function placeAgain(
  * Nodes of ours see in a changed session what is theirs now; those of the original start modules only
  * when a session starts, so each gets one that consists of its new modules.
  */
-export function tellNodes(
+export function announceToNodes(
   { clients, nodes, news }: LifeContext,
   session: Session,
   modules: readonly SessionModule[],
@@ -68,7 +68,7 @@ export function tellNodes(
     const client = clients.get(nodeId);
     if (client === undefined || nodes.get(nodeId)?.extension !== undefined) continue;
     const ids = new Set(modules.filter((one) => one.nodeId === nodeId).map(({ id }) => id));
-    news.tellNode(client, 'startSession', {
+    news.sendToNode(client, 'startSession', {
       ...message,
       processingModules: message.processingModules.filter(({ id }) => ids.has(id)),
       ioMappings: message.ioMappings.filter((mapping) => ids.has(mapping.processingModuleId)),

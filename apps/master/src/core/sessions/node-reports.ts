@@ -105,7 +105,7 @@ function fail(
 /** Sends the stop of a session to a node that still runs its modules [SE-33]. */
 function sendStop({ clients, news }: LifeContext, session: Session, nodeId: string): void {
   const client = clients.get(nodeId);
-  if (client !== undefined) news.tellNode(client, 'stopSession', session.toMessage());
+  if (client !== undefined) news.sendToNode(client, 'stopSession', session.toMessage());
 }
 
 /** Dependencies for handling the reports of nodes. */
@@ -179,14 +179,14 @@ export class NodeReports {
     // Ignore reports about modules of other nodes.
     if (found === undefined || found.module.nodeId !== nodeId) return;
     const { session, module } = found;
-    const told = {
+    const report = {
       ...cutTexts('ubii.extension.ModuleEvent', event, life.limits),
       sessionId: session.id,
       moduleName: module.name,
       nodeId,
     };
-    life.news.publishEvent(told);
-    runTroubles.handleEvent(session, module, told);
+    life.news.publishEvent(report);
+    runTroubles.handleEvent(session, module, report);
   }
 
   /** A module on the master did not get memory [SE-65]. */
@@ -227,10 +227,10 @@ export class NodeReports {
         );
       }
     }
-    for (const told of events) {
+    for (const report of events) {
       // Reports of a node count against its record budget like published records.
       if (!client.recordBudget.take(1, clock.monotonicMs())) return;
-      const event = cutTexts('ubii.extension.ModuleEvent', told, limits);
+      const event = cutTexts('ubii.extension.ModuleEvent', report, limits);
       this.handleEvent(client.id, event);
       if (event.kind === ModuleEventKind.FAILED) {
         this.handleFailed(client.id, event.moduleId, event.message, event);

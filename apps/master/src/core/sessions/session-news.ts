@@ -50,7 +50,7 @@ export class SessionNews {
 
   /** [EX-75] */
   announceChange(session: Session): void {
-    this.#changes.tell(session.id, () => this.#tell(INFO_TOPICS.changeSession, session));
+    this.#changes.tell(session.id, () => this.#announce(INFO_TOPICS.changeSession, session));
   }
 
   /** Tells nodes to run their modules [SE-11]. */
@@ -97,7 +97,7 @@ export class SessionNews {
    * news [SE-33].
    * @param session The session, with the modules the node is to know of.
    */
-  tellNode(
+  sendToNode(
     client: Client,
     what: 'startSession' | 'stopSession',
     session: ReturnType<Session['toMessage']>,
@@ -111,14 +111,14 @@ export class SessionNews {
     client.subscriber.outbox.deliver(entry, record, true);
   }
 
-  #tell(topic: string, session: Session): number {
+  #announce(topic: string, session: Session): number {
     const message = session.toMessage();
     this.onNews.emit(topic, message);
     return this.#context.publisher.publish(topic, { session: message });
   }
 
   #publish(topic: string, session: Session): void {
-    const bytes = this.#tell(topic, session);
+    const bytes = this.#announce(topic, session);
     // Commands to start and stop are never delayed; they use up the budget of change announcements.
     if (topic !== INFO_TOPICS.deleteSession) this.#changes.spend(session.id, bytes);
   }

@@ -2,7 +2,7 @@ import { identityChanges, moduleIdentity, type InstanceSpec } from '@ubii/pm-san
 import { encode, ServiceError } from '@ubii/proto';
 import { quote } from '../texts/quote.ts';
 import type { LifeContext } from './life-context.ts';
-import { tellNodes } from './node-changes.ts';
+import { announceToNodes } from './node-changes.ts';
 import { assignNode, placeModule } from './place-module.ts';
 import { warningProblem } from './problems.ts';
 import type { Session, SessionContent } from './session.ts';
@@ -58,7 +58,7 @@ export function updateSession(
   }
   if (session.isLive || session.life === 'stopping') evaluate(context, session);
   if (!session.isLive) return;
-  tellNodes(context, session, started);
+  announceToNodes(context, session, started);
   syncLocal(context, session);
 }
 

@@ -1,6 +1,6 @@
 import type { Counters } from '../counters/counters.ts';
 import type { Limits } from '../limits/index.ts';
-import { crosses } from './crossing.ts';
+import { isSharedTopic } from './shared-topics.ts';
 import { isNewer } from './stamps.ts';
 import type { KeptValues } from './kept-values.ts';
 import type { Publication } from './publication.ts';
@@ -45,7 +45,7 @@ export function publishForeign(
 ): void {
   const { topics, replayed } = context;
   const { topic, valueField } = publication;
-  if (!crosses(topic)) return;
+  if (!isSharedTopic(topic)) return;
   // Existing topics were checked when they were created.
   const isNew = topics.get(topic) === undefined;
   if (isNew && topicFault(topic, context.limits.topicBytes) !== undefined) return;

@@ -44,7 +44,7 @@ export class Outbox implements TurnTask {
   readonly #account: Account;
   #openedSequence = 0;
   /** It gets deletions of values, which only nodes understand [TD-42]. */
-  hearsOfGone = false;
+  sendsDeletions = false;
   /** Records that were dropped because the client was too slow [TD-34]. */
   readonly drops = new Streak();
 
@@ -142,7 +142,7 @@ export class Outbox implements TurnTask {
   }
 
   handleGone(entry: TopicEntry): void {
-    if (this.hearsOfGone) this.deliver(entry, encodeRecord({ topic: entry.topic }), false);
+    if (this.sendsDeletions) this.deliver(entry, encodeRecord({ topic: entry.topic }), false);
   }
 
   /** Removes an expired value from the queue of the socket. [TD-47] */

@@ -199,7 +199,7 @@ export class ClientParts {
       handleUnknownText: (text) => this.inbox.handleUnknownText(text),
       handleRoundTrip: (roundTripMs) => {
         this.roundTripListeners.emit(this.roundTrips.add(roundTripMs));
-        if (this.connection.state.status === 'connected') this.profile.tellInPassing();
+        if (this.connection.state.status === 'connected') this.profile.sendInBackground();
       },
       time: {
         handleLink: () => this.masterClock.handleLink(),

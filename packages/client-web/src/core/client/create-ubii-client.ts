@@ -257,7 +257,7 @@ class Client implements UbiiClient {
     switch (state.status) {
       case 'connected':
         this.#parts.publisher.flush();
-        this.#parts.profile.tellInPassing(); // renamed while it was connecting
+        this.#parts.profile.sendInBackground(); // renamed while it was connecting
         return;
       case 'reconnecting':
         this.#pause();

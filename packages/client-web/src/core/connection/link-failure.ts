@@ -58,8 +58,8 @@ const FINAL_CODES: ReadonlySet<string> = new Set([
 
 /** Reaction to a failure. */
 export function remedyFor({ code, error, wasUp }: LinkFailure): Remedy {
-  const told = REMEDIES.get(code);
-  if (told !== undefined) return told;
+  const remedy = REMEDIES.get(code);
+  if (remedy !== undefined) return remedy;
   if (error.reason === 'join') return 'stop'; // a person has to do something
   if (error.cause instanceof ServiceError) {
     if (FINAL_CODES.has(error.cause.code)) return 'stop';

@@ -7,18 +7,18 @@ const MAX_ADDRESSES = 64;
 const MAX_CHARACTERS = 200;
 
 /**
- * Which of the addresses that a master told a client can use. [CU-80]
- * @param ownUrl of the master that told them
+ * Returns the announced addresses of masters that a client can use. [CU-80]
+ * @param ownUrl of the master that announced them
  * @returns each once, without a slash at the end
  */
 export function usableMasters(
-  told: readonly string[],
+  announced: readonly string[],
   ownUrl: string | undefined,
 ): readonly string[] {
   const own = parse(ownUrl ?? '');
   if (own === undefined) return [];
   const usable = new Set<string>();
-  for (const text of told.slice(0, MAX_ADDRESSES).flatMap(waysTo)) {
+  for (const text of announced.slice(0, MAX_ADDRESSES).flatMap(waysTo)) {
     const url = parse(text);
     // What shows who the client is never goes unencrypted when it came encrypted.
     if (url === undefined || (own.protocol === 'https:' && url.protocol !== 'https:')) continue;
@@ -56,7 +56,7 @@ function isOfThisMachine({ hostname }: URL): boolean {
   );
 }
 
-/** The own master of a client, those that it told of, and the one that requests and sockets go to now. [CU-80] */
+/** The own master of a client, those that it announced, and the one that requests and sockets go to now. [CU-80] */
 export class Masters {
   /** Leads to the master of this moment. */
   readonly services: ServiceTransport = {
@@ -69,7 +69,7 @@ export class Masters {
   readonly #waysTo: WaysTo | undefined;
   #own: MasterAt;
   #current: MasterAt;
-  #told: readonly string[] = [];
+  #announced: readonly string[] = [];
 
   /** @param waysTo without it, the client stays where it is */
   constructor(own: MasterAt, waysTo: WaysTo | undefined) {
@@ -85,12 +85,12 @@ export class Masters {
 
   /** Where the client can go when its own master is gone; of each master the best first. */
   get others(): readonly string[] {
-    return this.#waysTo === undefined ? [] : usableMasters(this.#told, this.#own.url);
+    return this.#waysTo === undefined ? [] : usableMasters(this.#announced, this.#own.url);
   }
 
   /** The own master tells of others: of these alone from now on. [CU-80] */
   learn(addresses: readonly string[]): void {
-    this.#told = addresses;
+    this.#announced = addresses;
   }
 
   /** Ways to one of the others, to ask it something. */

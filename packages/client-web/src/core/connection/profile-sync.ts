@@ -36,7 +36,7 @@ export class ProfileSync {
   }
 
   /** Ignores a failure: it is retried with every PING. */
-  tellInPassing(): void {
+  sendInBackground(): void {
     const { clock, registration } = this.#context;
     const nowMs = clock.monotonicMs();
     if (nowMs - this.#credentialMs > CREDENTIAL_RENEWAL_MS) {

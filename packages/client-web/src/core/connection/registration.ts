@@ -308,8 +308,8 @@ export class Registration {
   }
 
   /** After a restart of the master, the client asks for the mark that it has. [EX-100] */
-  #keepMark(told: ClientProfile, mark: Mark | undefined): void {
-    if (mark !== undefined && this.#profile.mark === told.mark)
+  #keepMark(sent: ClientProfile, mark: Mark | undefined): void {
+    if (mark !== undefined && this.#profile.mark === sent.mark)
       this.#profile = { ...this.#profile, mark };
   }
 

@@ -66,7 +66,7 @@ export class InstanceReports {
   /** A run ended by itself, well or not. */
   countEnd(durationMs: number): void {
     this.#durations.add(durationMs);
-    this.#tellOverrun(durationMs);
+    this.#reportOverrun(durationMs);
   }
 
   countError(fault: ModuleFault): void {
@@ -77,7 +77,7 @@ export class InstanceReports {
   /** A run ended with its sandbox. */
   countLostRun(): void {
     this.#errors++;
-    this.#tellOverrun(Infinity);
+    this.#reportOverrun(Infinity);
   }
 
   countOutputs(count: number): void {
@@ -127,7 +127,7 @@ export class InstanceReports {
   }
 
   /** The module stays ended: the cause first. Flushes what is held back. [PM-54] */
-  tellFailed(fault: ModuleFault): void {
+  reportFailed(fault: ModuleFault): void {
     this.#throttle.flush();
     const message = `${fault.message} The module stopped after too many restarts.`;
     this.fault(ModuleEventKind.FAILED, { ...fault, message });
@@ -191,7 +191,7 @@ export class InstanceReports {
   }
 
   /** The module was slow, or its node, which started the run or took its result late. [PM-22] */
-  #tellOverrun(durationMs: number): void {
+  #reportOverrun(durationMs: number): void {
     if (this.#exceededMs === undefined) return;
     const message =
       durationMs >= this.#exceededMs

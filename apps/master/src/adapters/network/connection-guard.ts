@@ -5,19 +5,19 @@ import type { OpenConnection } from '../../core/connections/open-connection.ts';
 import type { Master } from '../../core/master/master.ts';
 import { isLoopbackHost, placeOf, plainAddress } from '../addresses/address-kinds.ts';
 
-export interface DoorkeeperContext {
+export interface ConnectionGuardContext {
   readonly master: Pick<Master, 'admitConnection'>;
   /** Whether an address is one of this machine. */
   readonly isOwnAddress: (address: string) => boolean;
 }
 
 /** Asks the master about every connection before a byte of it is read, on every port. [AC-60] */
-export class Doorkeeper {
-  readonly #context: DoorkeeperContext;
+export class ConnectionGuard {
+  readonly #context: ConnectionGuardContext;
   /** By both ends: TLS puts a socket of its own around that which was accepted. */
   readonly #byEnds = new Map<string, OpenConnection>();
 
-  constructor(context: DoorkeeperContext) {
+  constructor(context: ConnectionGuardContext) {
     this.#context = context;
   }
 

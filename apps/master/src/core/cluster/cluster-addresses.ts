@@ -2,7 +2,7 @@
 const MAX_ADDRESSES = 256;
 
 /** Addresses of all masters that this one has received a hello from since it started, also of lost ones. [CU-90] */
-export class KnownAddresses {
+export class ClusterAddresses {
   readonly #addresses = new Set<string>();
 
   add(addresses: readonly string[]): void {

@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
-import { KnownAddresses } from './known-addresses.ts';
+import { ClusterAddresses } from './cluster-addresses.ts';
 
 it('[CU-90] remembers the newest addresses, and not too many', () => {
-  const addresses = new KnownAddresses();
+  const addresses = new ClusterAddresses();
   addresses.add(['http://first']);
   addresses.add(Array.from({ length: 255 }, (_, i) => `http://m${i}`));
   addresses.add(['http://first', 'http://last']);

@@ -4,9 +4,9 @@ import { isMasterTopic } from '@ubii/proto';
 const SESSION_PREFIX = '/ubii/session/';
 
 /**
- * Whether records of this topic go to other masters, if subscribers there want them. What every master says itself,
- * such as who came, each says to its own clients. [CU-16]
+ * Records of this topic go to other masters with subscribers. What every master publishes itself,
+ * such as announcements, each sends to its own clients. [CU-16]
  */
-export function crosses(topic: string): boolean {
+export function isSharedTopic(topic: string): boolean {
   return topic.startsWith(SESSION_PREFIX) || !isMasterTopic(topic);
 }
