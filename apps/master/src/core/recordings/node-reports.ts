@@ -71,7 +71,7 @@ export class NodeReports {
   /** @returns whether there were any */
   #dropUntold(client: Client, told: ReadonlySet<string>): boolean {
     const { table } = this.#context;
-    // One that is being started is not told of yet.
+    // A recording that is starting is not reported yet.
     const gone = table
       .ofNode(client.id)
       .filter(([id, { recording }]) => !told.has(id) && !isBeingStarted(recording));
