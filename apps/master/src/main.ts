@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { findBuilt, readVersion, runProgram, shutDownOnRequest } from '@ubii/program';
 
 import { createConfig, MASTER_PROGRAM } from './adapters/config/config.ts';
-import { LinesAfter } from './adapters/log/lines-after.ts';
+import { LinesAfter } from './adapters/log/stream-log.ts';
 import { StreamLog } from './adapters/log/stream-log.ts';
 import { FaultGuard } from './adapters/process/fault-guard.ts';
 import { allowHeapGrowth } from './adapters/process/heap-growth.ts';

@@ -2,8 +2,8 @@ import type { Clock } from '@ubii/timing';
 
 import type { Config } from './adapters/config/config.ts';
 import { openStorage, openStudies } from './adapters/storage/open-storage.ts';
-import { deriveKey } from './adapters/tokens/derive-key.ts';
-import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
+import { deriveKey } from './adapters/tokens/token-key.ts';
+import { readOrCreateTokenKey } from './adapters/tokens/token-key.ts';
 import type { ClusterPorts } from './core/areas/settings.ts';
 import type { Log } from './index.ts';
 

@@ -1,7 +1,7 @@
 import { createHmac, randomBytes, randomInt, timingSafeEqual } from 'node:crypto';
 
 import type { AccessSecrets } from '../../core/ports/index.ts';
-import { deriveKey } from '../tokens/derive-key.ts';
+import { deriveKey } from '../tokens/token-key.ts';
 
 /** Random bytes of a token: 256 bits. */
 const TOKEN_BYTES = 32;

@@ -3,8 +3,7 @@ import fastify from 'fastify';
 import type { FastifyInstance } from 'fastify';
 import type { AssetFolders } from '@ubii/pm-sandbox/node';
 import type { Clock } from '@ubii/timing';
-
-import type { Master } from '../../core/master/master.ts';
+import type { MasterMetrics, Master } from '../../core/master/master.ts';
 import type { Limits } from '../../core/limits/index.ts';
 import type { Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
@@ -14,17 +13,43 @@ import { addAssets } from './asset-routes.ts';
 import { addAuthority, addAuthorityFacts } from './authority-routes.ts';
 import type { BodyDecoder } from '../services/bodies/body-decoder.ts';
 import { drain } from '../services/bodies/drain.ts';
-import { guardOrigins } from './request-guards.ts';
+import { guardOrigins, guardPaths } from './request-guards.ts';
 import { replyErrors } from './error-replies.ts';
 import { addFrontend } from './frontend.ts';
-import { guardPaths } from './request-guards.ts';
 import { addRecordings } from './recording-routes.ts';
-import { RequestCounts } from './request-counts.ts';
 import { addSdk } from './sdk-routes.ts';
 import { addServices } from './services-routes.ts';
 import { addStatus } from './status-routes.ts';
 
-export interface HttpAppContext {
+/** Counts responses by route and class of status: names of our own, never what a client sent. */
+class RequestCounts {
+  readonly #counts = new Map<string, { route: string; status: string; count: number }>();
+
+  /** @param route path of the route that answered; undefined when none did */
+  count(route: string | undefined, statusCode: number): void {
+    const status = `${Math.floor(statusCode / 100)}xx`;
+    const key = `${route} ${status}`;
+    const entry = this.#counts.get(key);
+    if (entry) entry.count += 1;
+    else this.#counts.set(key, { route: route ?? 'none', status, count: 1 });
+  }
+
+  metrics(): MasterMetrics {
+    return [
+      {
+        name: 'ubii_http_responses_total',
+        help: 'HTTP responses by route and class of status.',
+        kind: 'counter',
+        values: [...this.#counts.values()].map(({ route, status, count }) => ({
+          labels: { route, status },
+          value: count,
+        })),
+      },
+    ];
+  }
+}
+
+interface HttpAppContext {
   readonly master: Master;
   readonly policy: OriginPolicy;
   /** Origins of the other masters of the cluster. */

@@ -1,9 +1,6 @@
 import { describe, expect, it } from 'vitest';
-
-import { logSuite } from '../../testing/acceptance/index.ts';
-import type { WrittenLine } from '../../testing/acceptance/index.ts';
-import { StreamLog } from './stream-log.ts';
-import type { LogOptions } from './stream-log.ts';
+import { logSuite, type WrittenLine } from '../../testing/acceptance/index.ts';
+import { StreamLog, type LogOptions, LinesAfter } from './stream-log.ts';
 
 function record(options: Partial<LogOptions>) {
   const lines: string[] = [];
@@ -67,4 +64,17 @@ describe('the log', () => {
     log.child({}).error('d');
     expect(lines).toHaveLength(2);
   });
+});
+
+it('holds lines until it is opened, and writes them in order', () => {
+  const written: string[] = [];
+  const lines = new LinesAfter((line) => written.push(line));
+  lines.write('one');
+  lines.write('two');
+  expect(written).toEqual([]);
+  written.push('banner');
+  lines.open();
+  lines.write('three');
+  lines.open();
+  expect(written).toEqual(['banner', 'one', 'two', 'three']);
 });

@@ -1,10 +1,31 @@
+import { createHmac, timingSafeEqual } from 'node:crypto';
 import { ConfigError } from '@ubii/program';
 import type { Cancel } from '@ubii/timing';
-
-import { createTokenKey, parseTokenKey, TOKEN_KEY_BYTES } from '../tokens/token-key.ts';
+import type { MessageSeal } from '../../core/ports/index.ts';
+import { deriveKey, createTokenKey, parseTokenKey, TOKEN_KEY_BYTES } from '../tokens/token-key.ts';
 import { explainStores, reasonOf } from './explain-nats-error.ts';
 import { KvBucket, type KvEntry } from './kv-bucket.ts';
 import type { NatsLink } from './nats-link.ts';
+
+/** Proofs with a key made from that of the cluster, which signs nothing else. [CU-65] */
+export class HmacMessageSeal implements MessageSeal {
+  readonly #key: Uint8Array;
+
+  /** @param key the secret of the cluster, at least 32 random bytes */
+  constructor(key: Uint8Array) {
+    this.#key = deriveKey(key, 'cluster messages');
+  }
+
+  prove(from: string, to: string, message: Uint8Array): Uint8Array {
+    // Ids of masters have no line ends.
+    return createHmac('sha256', this.#key).update(`${from}\n${to}\n`).update(message).digest();
+  }
+
+  verify(from: string, to: string, message: Uint8Array, proof: Uint8Array): boolean {
+    const expected = this.prove(from, to, message);
+    return proof.byteLength === expected.byteLength && timingSafeEqual(proof, expected);
+  }
+}
 
 const KEY = 'token-key';
 

@@ -6,7 +6,7 @@ import type { Log } from '../../core/ports/index.ts';
 import type { ClusterPorts } from '../../core/areas/settings.ts';
 import type { ClusterAddress } from '../config/cluster-address.ts';
 import { keepClusterKey, readOrCreateClusterKey } from './cluster-key.ts';
-import { HmacMessageSeal } from './hmac-message-seal.ts';
+import { HmacMessageSeal } from './cluster-key.ts';
 import { readAuthorities, readCredentials } from './credentials.ts';
 import { NatsBus } from './nats-bus.ts';
 import { requireTls, watchExposure } from './nats-exposure.ts';

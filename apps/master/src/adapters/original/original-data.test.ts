@@ -6,7 +6,7 @@ import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it, vi } from 'vitest';
 
 import { MemoryDocuments, MemoryStorage, RecordingLog } from '../../testing/index.ts';
-import { LayeredDocuments } from './layered-documents.ts';
+import { LayeredDocuments } from './open-original.ts';
 import { MAX_FILES, refuseOriginal, type OriginalFile } from './original-files.ts';
 import { openOriginal } from './open-original.ts';
 import { foldersOf, readOriginal } from './read-original.ts';

@@ -2,7 +2,6 @@ import type { JsonObject } from '@ubii/proto';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { ConfigError } from '@ubii/program';
 import type { Clock } from '@ubii/timing';
-import { isJsonObject } from './json-object.ts';
 import {
   type OriginalFile,
   findOriginalFolders,
@@ -12,6 +11,10 @@ import {
 import type { Log } from '../../core/ports/index.ts';
 import { classModule, MAX_SCRIPT_BYTES } from './class-module.ts';
 import { withThreeParameters } from './four-parameters.ts';
+
+function isJsonObject(value: unknown): value is JsonObject {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
 
 /** Modules of an original installation that have the name of a trusted module of this master. */
 class ShadowedModules {

@@ -1,7 +1,7 @@
 import { createHmac, timingSafeEqual } from 'node:crypto';
 
 import type { ResumeTokens } from '../../core/ports/index.ts';
-import { deriveKey } from './derive-key.ts';
+import { deriveKey } from './token-key.ts';
 
 /** Tokens as keyed hashes of the client id: nothing needs to be stored per client. [EX-3] */
 export class HmacResumeTokens implements ResumeTokens {

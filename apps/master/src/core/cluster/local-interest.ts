@@ -1,7 +1,7 @@
 import type { ClusterInterest, Init } from '@ubii/proto';
 import type { EndOfTurn, TurnTask } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
-import { isSharedTopic } from '../topics/shared-topics.ts';
+import { isSharedTopic } from '../topics/topic-names.ts';
 import type { SubscriptionChange, SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Subscriber } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';

@@ -5,7 +5,7 @@ import type { Counters } from '../counters/counters.ts';
 import type { BatchEncoder, RecordBatch } from '../ports/record-batch.ts';
 import type { Log } from '../ports/log.ts';
 import type { Accounts } from '../shares/accounts.ts';
-import { isSharedTopic } from '../topics/shared-topics.ts';
+import { isSharedTopic } from '../topics/topic-names.ts';
 import type { BatchNode } from '../topics/batch-node.ts';
 import type { BatchSink } from '../topics/outbox.ts';
 import type { ReadRights } from '../topics/rights.ts';

@@ -1,5 +1,5 @@
 import type { Core } from '../areas/core.ts';
-import { counter, gauge, family } from './make-families.ts';
+import { counter, gauge, family } from './metric-family.ts';
 import type { MetricFamily, MasterMetrics } from './metric-family.ts';
 import { SESSION_LIVES } from '../sessions/session-states.ts';
 

@@ -1,6 +1,6 @@
 import type { Counters } from '../counters/counters.ts';
 import type { Limits } from '../limits/index.ts';
-import { isSharedTopic } from './shared-topics.ts';
+import { isSharedTopic } from './topic-names.ts';
 import { isNewer } from './stamps.ts';
 import type { KeptValues } from './kept-values.ts';
 import type { Publication } from './publication.ts';

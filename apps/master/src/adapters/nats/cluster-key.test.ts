@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { HmacMessageSeal } from './hmac-message-seal.ts';
+import { HmacMessageSeal } from './cluster-key.ts';
 
 const message = Buffer.from('message');
 const seal = new HmacMessageSeal(new Uint8Array(32).fill(1));
