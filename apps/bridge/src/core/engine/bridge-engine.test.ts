@@ -92,7 +92,7 @@ describe('a bridge between a master and another system', () => {
     bench.record('/home/lamp', 1, 'bridge');
     const add = (id: string, system: string, isGone = false) =>
       bench.bridges.handleClient({
-        ...{ id, tags: [`bridge to ${system}`], isGone, isConnected: !isGone, masterId: '' },
+        ...{ id, tags: [`bridge to ${system}`], isGone, isConnected: !isGone, masterId: undefined },
       });
     add('other', 'the broker');
     add('third', 'elsewhere');

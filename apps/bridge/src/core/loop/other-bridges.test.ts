@@ -9,7 +9,14 @@ const tags = [bridgeTag('the broker')];
 function createBridges() {
   const bridges = new OtherBridges('the broker');
   const add = (id: string, more: object = {}) =>
-    bridges.handleClient({ id, tags, isGone: false, isConnected: true, masterId: '', ...more });
+    bridges.handleClient({
+      id,
+      tags,
+      isGone: false,
+      isConnected: true,
+      masterId: undefined,
+      ...more,
+    });
   const give = (role: AccessRole, ...ids: readonly string[]) =>
     bridges.handleRoles(ids.map((clientId) => ({ clientId, role })));
   return { bridges, add, give };

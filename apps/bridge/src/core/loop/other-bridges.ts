@@ -16,8 +16,8 @@ export interface KnownClient {
   readonly tags: readonly string[];
   readonly isGone: boolean;
   readonly isConnected: boolean;
-  /** The master of the cluster that it is at; empty without a cluster. */
-  readonly masterId: string;
+  /** The master of the cluster that it is at; undefined without a cluster. */
+  readonly masterId: string | undefined;
 }
 
 /** What a client may do, as the master says. */
@@ -52,7 +52,7 @@ export class OtherBridges {
     if (!isGone && tags.includes(this.#tag)) {
       this.#bridges.set(id, isConnected);
       forgetFirst(this.#bridges, REMEMBERED);
-      if (masterId !== '') this.#masters.add(masterId);
+      if (masterId !== undefined) this.#masters.add(masterId);
       forgetFirst(this.#masters, REMEMBERED);
     } else if (!this.#bridges.delete(id)) return;
     else {

@@ -186,7 +186,7 @@ export class KvTable {
         continue;
       }
       this.#entries.delete(rawKey);
-      if (entry.value !== undefined) this.#tell(rawKey, false);
+      if (entry.value !== undefined) this.#emit(rawKey, false);
     }
     this.#untold.clear();
     if (lost.length > 0) void this.#writeBack(lost);
@@ -229,10 +229,10 @@ export class KvTable {
     if (known?.value === undefined && value === undefined) return;
     // Written back by another master.
     if (known?.revision === 0 && isEqual(known.value, value)) return;
-    this.#tell(rawKey, isOwn);
+    this.#emit(rawKey, isOwn);
   }
 
-  #tell(rawKey: string, isOwn: boolean): void {
+  #emit(rawKey: string, isOwn: boolean): void {
     for (const listener of [...this.#listeners]) listener(rawKey, isOwn);
   }
 }

@@ -13,7 +13,7 @@ import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { MasterPublisher } from './master-publisher.ts';
 import { Hook } from '../hooks/hook.ts';
-import { PacedNews } from './paced-news.ts';
+import { PacedAnnouncements } from './paced-announcements.ts';
 
 /** Registrations of absent clients that are larger are announced in short: the announcement remains while they are away. */
 const ABSENT_ANNOUNCEMENT_BYTES = 512;
@@ -45,7 +45,7 @@ export class InfoTopics {
   readonly #publisher: MasterPublisher;
   readonly #limits: Limits;
   readonly #masterId: string | undefined;
-  readonly #ofClients: PacedNews;
+  readonly #ofClients: PacedAnnouncements;
 
   /** @param masterId of this master in a cluster; undefined for one that is alone */
   constructor(
@@ -59,7 +59,7 @@ export class InfoTopics {
     this.#limits = limits;
     const { clientNewsBytesPerSecond: bytesPerSecond } = limits;
     const burstBytes = BURST_SECONDS * bytesPerSecond;
-    this.#ofClients = new PacedNews(clock, { bytesPerSecond, burstBytes });
+    this.#ofClients = new PacedAnnouncements(clock, { bytesPerSecond, burstBytes });
   }
 
   /** [CL-30] */
@@ -76,7 +76,7 @@ export class InfoTopics {
   announceClient(client: AnnouncedClient): void {
     const topic = clientTopic(client.id);
     this.onClient.emit(client);
-    this.#ofClients.tell(client.id, () =>
+    this.#ofClients.announce(client.id, () =>
       this.#publisher.publishChange(topic, { client: this.#messageOf(client, true) }),
     );
   }

@@ -50,7 +50,7 @@ export class NodeRequests<O, A extends NumberedAnswer> {
   }
 
   /** Tells a node something, if it is there. */
-  tell(nodeId: string, order: O): void {
+  send(nodeId: string, order: O): void {
     this.#send(nodeId, order, 0);
   }
 

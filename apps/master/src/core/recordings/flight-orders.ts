@@ -29,7 +29,7 @@ export class FlightOrders {
     this.#context = context;
     const { collector, flight, limits } = context;
     this.#settings = new FlightSettings(flight, limits);
-    collector.onFirstOfFlight.add(() => this.tell());
+    collector.onFirstOfFlight.add(() => this.sendOrders());
     collector.setFlight(flight.isOn, flight.withImages);
   }
 
@@ -38,7 +38,7 @@ export class FlightOrders {
   }
 
   describe(): Promise<FlightRecorder> {
-    this.tell();
+    this.sendOrders();
     return this.#context.recorder.flight();
   }
 
@@ -72,12 +72,12 @@ export class FlightOrders {
 
   keep(job: RecordingJob): Promise<Recording> {
     this.#context.collector.flush();
-    this.tell();
+    this.sendOrders();
     return this.#context.recorder.keep(job);
   }
 
   /** Tells the recorder to keep the last minutes, unless it knows. [RC-30] */
-  tell(): void {
+  sendOrders(): void {
     const settings = this.#settings.takeUntold();
     if (settings === undefined) return;
     const { recorder, present } = this.#context;

@@ -109,7 +109,7 @@ export class NodeRecordings {
     } catch (cause) {
       this.#table.drop(job.id);
       // The node may have begun before its answer got lost.
-      this.#orders.tell(nodeId, { remove: { id: job.id } });
+      this.#orders.send(nodeId, { remove: { id: job.id } });
       throw cause;
     }
     this.onChange.emit(true);
@@ -154,7 +154,7 @@ export class NodeRecordings {
     if (recordingId !== '') return false;
     const running = this.running().filter(({ nodeIsAway }) => !nodeIsAway);
     for (const nodeId of new Set(running.map((recording) => recording.nodeId))) {
-      this.#orders.tell(nodeId, { mark: { marker, mayChangeAll, isTopic: kind === 'topic' } });
+      this.#orders.send(nodeId, { mark: { marker, mayChangeAll, isTopic: kind === 'topic' } });
     }
     return running.length > 0;
   }

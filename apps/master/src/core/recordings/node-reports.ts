@@ -56,7 +56,7 @@ export class NodeReports {
     }
     for (const [, { recording, sources }] of table.ofNode(client.id)) {
       const facts = isRunning(recording) && sources?.takeFacts(client);
-      if (facts) orders.tell(client.id, { facts });
+      if (facts) orders.send(client.id, { facts });
     }
     return isListChanged;
   }
@@ -86,7 +86,7 @@ export class NodeReports {
     if (!isRecordingId(id)) return false;
     if (this.#deleted.has(id)) {
       this.#deleted.delete(id);
-      orders.tell(client.id, { remove: { id } });
+      orders.send(client.id, { remove: { id } });
       return false;
     }
     let entry = table.get(id);
@@ -131,7 +131,7 @@ export class NodeReports {
       entry.sources = new NodeSources(this.#context, recording.id, recording.selection);
       entry.sources.tellNode(nodeId, orders);
       const elements = entry.sources.present();
-      orders.tell(nodeId, { sources: { recordingId: recording.id, elements } });
+      orders.send(nodeId, { sources: { recordingId: recording.id, elements } });
     }
   }
 

@@ -58,7 +58,7 @@ export class NodeSources {
   tellNode(nodeId: string, orders: NodeOrders): void {
     const recordingId = this.#recordingId;
     this.#tell = (topic, clientId) =>
-      orders.tell(nodeId, { sources: { recordingId, elements: [{ topic, clientId }] } });
+      orders.send(nodeId, { sources: { recordingId, elements: [{ topic, clientId }] } });
   }
 
   /** What has changed since the call before; undefined when nothing has. */

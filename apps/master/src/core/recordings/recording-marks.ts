@@ -45,7 +45,7 @@ export class RecordingMarks {
     const isMarked = await atNodes.mark({ marker, mayChangeAll });
     if (isMarked && wanted.recordingId !== '') return marker;
     try {
-      flight.tell();
+      flight.sendOrders();
       return await recorder.mark({ marker, mayChangeAll });
     } catch (cause) {
       // Nothing is recorded here, but a node has the marker.

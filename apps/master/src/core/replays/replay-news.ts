@@ -20,7 +20,7 @@ export class ReplayNews {
   }
 
   /** Something changed. */
-  tell(): void {
+  announce(): void {
     if (this.#cancel !== undefined) return;
     const waitMs = this.#toldMs + INTERVAL_MS - this.#clock.monotonicMs();
     if (waitMs <= 0) return this.#publish();

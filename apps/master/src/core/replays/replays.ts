@@ -84,7 +84,7 @@ export class Replays {
       this.#end(replay);
       throw cause;
     }
-    this.#news.tell();
+    this.#news.announce();
     return replay.toMessage();
   }
 
@@ -149,7 +149,7 @@ export class Replays {
     const replay: Replay = new Replay(this.#context, {
       ...facts,
       numbers: this.#freeNumbers(request.isGhost ? wish.copies : 0),
-      onChange: () => this.#news.tell(),
+      onChange: () => this.#news.announce(),
       onEnd: () => this.#end(replay),
     });
     try {
@@ -201,7 +201,7 @@ export class Replays {
   #end(replay: Replay): void {
     if (!this.#replays.delete(replay.parts.id)) return;
     replay.close();
-    this.#news.tell();
+    this.#news.announce();
   }
 }
 

@@ -12,7 +12,7 @@ import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import { Hook } from '../hooks/hook.ts';
-import { PacedNews } from '../info/paced-news.ts';
+import { PacedAnnouncements } from '../info/paced-announcements.ts';
 import type { Limits } from '../limits/index.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -35,13 +35,13 @@ export class SessionNews {
   /** Called with each announcement, which other masters pass on to their clients. [CU-30] */
   readonly onNews = new Hook<[topic: string, session: SessionMessage]>();
   readonly #context: NewsContext;
-  readonly #changes: PacedNews;
+  readonly #changes: PacedAnnouncements;
 
   constructor(context: NewsContext) {
     this.#context = context;
     const { sessionNewsBytesPerSecond: bytesPerSecond } = context.limits;
     const burstBytes = BURST_SECONDS * bytesPerSecond;
-    this.#changes = new PacedNews(context.clock, { bytesPerSecond, burstBytes });
+    this.#changes = new PacedAnnouncements(context.clock, { bytesPerSecond, burstBytes });
   }
 
   announceNew(session: Session): void {
@@ -50,7 +50,7 @@ export class SessionNews {
 
   /** [EX-75] */
   announceChange(session: Session): void {
-    this.#changes.tell(session.id, () => this.#announce(INFO_TOPICS.changeSession, session));
+    this.#changes.announce(session.id, () => this.#announce(INFO_TOPICS.changeSession, session));
   }
 
   /** Tells nodes to run their modules [SE-11]. */

@@ -95,7 +95,7 @@ export class Participants {
       for (const { id } of recordings) await files.delete(id);
       await files.emptyFlight();
       for (const { id } of runs) await store.deleteRun(id);
-      news.tell();
+      news.announce();
       const spans = [...runs.map((run) => this.#spanOf(run)), ...recordings.map(spanOfRecording)];
       return {
         ...this.#deletionOf(runs, recordings),

@@ -158,7 +158,7 @@ export class Studies {
       const id = known?.id ?? ids.uuid();
       const kept = { ...study, id, revision: wanted.revision + 1, changedMs: clock.nowMs() };
       await store.save({ ...kept, ...this.#consentOf(study, known) }, makerId);
-      news.tell();
+      news.announce();
       return this.get(id);
     });
   }
@@ -176,7 +176,7 @@ export class Studies {
       }
       await store.delete(id);
       checks.forget(id);
-      news.tell();
+      news.announce();
     });
   }
 
@@ -185,7 +185,7 @@ export class Studies {
     const { store, checks, news } = this.#context;
     const study = store.require(id);
     checks.want(id);
-    news.tell();
+    news.announce();
     return checks.checkNow(study);
   }
 

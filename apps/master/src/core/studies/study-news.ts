@@ -32,7 +32,7 @@ export class StudyNews {
   }
 
   /** Something has changed, or a check list is wanted. */
-  tell(): void {
+  announce(): void {
     this.#publish();
     if (!this.#isNeeded()) return;
     this.#context.checks.measure();

@@ -160,7 +160,7 @@ export class StudyRuns {
     const { store, news } = this.#context;
     const saved = { ...run, revision: run.revision + 1 };
     await store.saveRun(saved);
-    news.tell();
+    news.announce();
     return saved;
   }
 

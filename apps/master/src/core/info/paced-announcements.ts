@@ -1,7 +1,7 @@
 import { TokenBucket, type Cancel, type Clock } from '@ubii/timing';
 
 /** Announcement budget of a subject, bytes. */
-export interface NewsPace {
+export interface AnnouncementRate {
   readonly bytesPerSecond: number;
   /** Bytes at once. A larger announcement is sent alone, and delays the next one. */
   readonly burstBytes: number;
@@ -13,33 +13,33 @@ const LOOKED_AT = 2;
 interface Subject {
   readonly bucket: TokenBucket;
   /** Publishes the pending announcement when the budget allows; undefined when nothing is pending. */
-  tell: (() => number) | undefined;
+  publish: (() => number) | undefined;
   cancel: Cancel | undefined;
 }
 
 /**
- * Tells states of subjects, of each only so many bytes a second [EX-75]. What cannot be told at once is told as
- * soon as there is room, as it is then: the last state always comes.
+ * Announces states of subjects within a byte rate for each [EX-75]. A delayed announcement has the state of the time at
+ * which it is sent, and the last state is always sent.
  */
-export class PacedNews {
+export class PacedAnnouncements {
   readonly #clock: Clock;
-  readonly #pace: NewsPace;
+  readonly #rate: AnnouncementRate;
   readonly #subjects = new Map<string, Subject>();
 
-  constructor(clock: Clock, pace: NewsPace) {
+  constructor(clock: Clock, rate: AnnouncementRate) {
     this.#clock = clock;
-    this.#pace = pace;
+    this.#rate = rate;
   }
 
-  /** @param tell Publishes the state as it is when it is called; returns the bytes of it, 0 when there was nothing to tell. */
-  tell(id: string, tell: () => number): void {
+  /** @param publish Publishes the state as it is when it is called; returns the bytes of it, 0 when there was nothing to publish. */
+  announce(id: string, publish: () => number): void {
     this.#forgetRested();
     const subject = this.#subjectOf(id);
-    if (subject.tell !== undefined) {
-      subject.tell = tell;
+    if (subject.publish !== undefined) {
+      subject.publish = publish;
       return;
     }
-    this.#tellOrWait(subject, tell);
+    this.#publishOrWait(subject, publish);
   }
 
   /** Counts an announcement that was sent in another way, without a delay. */
@@ -61,9 +61,9 @@ export class PacedNews {
   #subjectOf(id: string): Subject {
     let subject = this.#subjects.get(id);
     if (subject === undefined) {
-      const { bytesPerSecond, burstBytes } = this.#pace;
+      const { bytesPerSecond, burstBytes } = this.#rate;
       const bucket = new TokenBucket(bytesPerSecond, this.#clock.monotonicMs(), burstBytes);
-      subject = { bucket, tell: undefined, cancel: undefined };
+      subject = { bucket, publish: undefined, cancel: undefined };
       this.#subjects.set(id, subject);
     }
     return subject;
@@ -77,25 +77,25 @@ export class PacedNews {
       if (++looked > LOOKED_AT) return;
       this.#subjects.delete(id);
       const isRested =
-        subject.tell === undefined && subject.bucket.has(this.#pace.burstBytes, nowMs);
+        subject.publish === undefined && subject.bucket.has(this.#rate.burstBytes, nowMs);
       // To the end: the others have their turn next.
       if (!isRested) this.#subjects.set(id, subject);
     }
   }
 
-  #tellOrWait(subject: Subject, tell: () => number): void {
+  #publishOrWait(subject: Subject, publish: () => number): void {
     const nowMs = this.#clock.monotonicMs();
     const waitMs = subject.bucket.waitMs(nowMs);
     if (waitMs === 0) {
-      subject.bucket.spend(tell(), nowMs);
+      subject.bucket.spend(publish(), nowMs);
       return;
     }
-    subject.tell = tell;
+    subject.publish = publish;
     subject.cancel = this.#clock.after(waitMs, () => {
-      const waiting = subject.tell;
-      subject.tell = undefined;
+      const waiting = subject.publish;
+      subject.publish = undefined;
       subject.cancel = undefined;
-      if (waiting !== undefined) this.#tellOrWait(subject, waiting);
+      if (waiting !== undefined) this.#publishOrWait(subject, waiting);
     });
   }
 }
