@@ -34,41 +34,52 @@ export interface Thread<Functions> {
  * Opens a thread that calls `serveThread`. It keeps no process alive, and has no environment and arguments of the program.
  *
  * @param functions what the thread calls of this one
- * @throws {Error} when no thread can be made of the file
  */
 export function openThread<Functions, Own extends object = object>(
   options: ThreadOptions,
   functions: Own,
 ): Thread<Functions> {
-  const { workerFile, name, workerData, transferList, heapMib } = options;
-  const worker = new Worker(workerFile, {
-    name,
-    workerData,
-    ...(transferList && { transferList: [...transferList] }),
-    env: {},
-    argv: [],
-    execArgv: [],
-    resourceLimits: { maxOldGenerationSizeMb: heapMib },
-  });
+  const worker = startWorker(options, (error) => queueMicrotask(() => handleEnd(String(error))));
   const peer = connectPeer<Functions>(functions, {
-    post: (message, transfer) => worker.postMessage(message, transfer as Transferable[]),
-    receive: (handle) => void worker.on('message', handle),
+    post: (message, transfer) => worker?.postMessage(message, transfer as Transferable[]),
+    receive: (handle) => void worker?.on('message', handle),
   });
   let isEnded = false;
   const end = async (reason: string): Promise<void> => {
     isEnded = true;
     peer.close(options.lost(reason));
-    await worker.terminate();
+    await worker?.terminate();
   };
-  const handleEnd = (reason: string): void => {
+  function handleEnd(reason: string): void {
     if (isEnded) return;
     void end(reason);
     options.onEnd(reason);
-  };
-  worker.on('error', (error) => handleEnd(error.message));
-  worker.on('exit', () => handleEnd('its thread ended'));
-  worker.unref();
-  return { calls: peer.calls, ref: () => worker.ref(), end };
+  }
+  worker?.on('error', (error) => handleEnd(error.message));
+  worker?.on('exit', () => handleEnd('its thread ended'));
+  worker?.unref();
+  return { calls: peer.calls, ref: () => worker?.ref(), end };
+}
+
+/** @returns undefined when the system has no thread left */
+function startWorker(
+  { workerFile, name, workerData, transferList, heapMib }: ThreadOptions,
+  onError: (error: unknown) => void,
+): Worker | undefined {
+  try {
+    return new Worker(workerFile, {
+      name,
+      workerData,
+      ...(transferList && { transferList: [...transferList] }),
+      env: {},
+      argv: [],
+      execArgv: [],
+      resourceLimits: { maxOldGenerationSizeMb: heapMib },
+    });
+  } catch (error) {
+    onError(error);
+    return undefined;
+  }
 }
 
 /** Makes functions of this thread callable. @returns the functions of the other one */

@@ -84,13 +84,16 @@ export function connectPeer<Functions>(
   });
   const call = (name: string, args: unknown[]): Promise<unknown> =>
     closedBy === undefined ? rpc.$call(name, ...args) : Promise.reject(closedBy);
-  const calls = new Proxy<object>(functions, {
-    get: (_target, name) =>
-      // A promise that resolved with it would look for `then`.
-      typeof name === 'string' && name !== 'then'
-        ? (...args: unknown[]) => call(name, args)
-        : undefined,
-  });
+  const calls = new Proxy<object>(
+    {},
+    {
+      get: (_target, name) =>
+        // A promise that resolved with it would look for `then`.
+        typeof name === 'string' && name !== 'then'
+          ? (...args: unknown[]) => call(name, args)
+          : undefined,
+    },
+  );
   return {
     calls: calls as Calls<Functions>,
     close(error) {
