@@ -141,12 +141,12 @@ describe('the worker that reads a recording', () => {
     await desk.seek(1005);
     const [values, isAll] = last('showValues');
     expect(isAll).toBe(true);
-    const told = values.map(({ topic, timeMs, record }) => [
+    const shownValues = values.map(({ topic, timeMs, record }) => [
       topic,
       timeMs,
       decodeRecorded(topic, record)?.value,
     ]);
-    expect(new Map(told.map(([topic, ...rest]) => [topic, rest]))).toEqual(
+    expect(new Map(shownValues.map(([topic, ...rest]) => [topic, rest]))).toEqual(
       new Map([
         ['/a', [1000, 1000]],
         ['/b', [1000, 'swipe']],

@@ -30,7 +30,7 @@ export class RecordingDesk implements Omit<RecordingWorker, 'open' | 'reopen'> {
   readonly #turns: ReadTurns;
   readonly #tilesAsked = new Map<TileViewer, number>();
   #sessions: readonly RecordingEvent<'session'>[] = [];
-  #sessionsTold = '';
+  #shownSessions = '';
 
   constructor(reader: RecordingReader, clock: Clock, turns: ReadTurns, page: RecordingPage) {
     this.#reader = reader;
@@ -41,9 +41,9 @@ export class RecordingDesk implements Omit<RecordingWorker, 'open' | 'reopen'> {
       clock,
       reader,
       sink: {
-        onRecords: (records) => this.#tellValues(newestOf(records), false),
-        onSeek: (latest) => this.#tellValues(latest, true),
-        onState: (state) => this.#tellState(state),
+        onRecords: (records) => this.#showValues(newestOf(records), false),
+        onSeek: (latest) => this.#showValues(latest, true),
+        onState: (state) => this.#showState(state),
         onError: (error) => page.showFailure(sentenceOf(error)),
       },
     });
@@ -55,9 +55,9 @@ export class RecordingDesk implements Omit<RecordingWorker, 'open' | 'reopen'> {
 
   /** Tells what the recording is and, bit by bit, what is in it. */
   async begin(): Promise<void> {
-    this.#tellOpened();
+    this.#showOpened();
     this.#sessions = await this.#reader.sessions();
-    this.#tellState(this.#playback.state);
+    this.#showState(this.#playback.state);
     await this.#playback.seek(this.#reader.summary.startNs);
     this.#page.showActivity(this.#reader.activity(ACTIVITY_PARTS));
     await this.#turns.run('survey', (turn) =>
@@ -68,12 +68,12 @@ export class RecordingDesk implements Omit<RecordingWorker, 'open' | 'reopen'> {
         (survey) => this.#page.showSurvey(survey),
       ),
     );
-    await this.#tellClocks();
+    await this.#showClocks();
   }
 
   /** Goes on where another desk was with the same records. */
   async resume({ positionNs, rate, loop, status }: PlaybackState): Promise<void> {
-    this.#tellOpened();
+    this.#showOpened();
     this.#sessions = await this.#reader.sessions();
     this.#playback.setRate(rate);
     this.#playback.setLoop(loop);
@@ -138,18 +138,18 @@ export class RecordingDesk implements Omit<RecordingWorker, 'open' | 'reopen'> {
     return this.#turns.run('seek', move);
   }
 
-  #tellOpened(): void {
+  #showOpened(): void {
     this.#page.showOpened(openedRecording(this.#reader.summary));
   }
 
   /** Last, because clocks are in many small parts of a file. */
-  async #tellClocks(): Promise<void> {
+  async #showClocks(): Promise<void> {
     const clocks = await this.#reader.clocks();
     const errorMs = clocks.reduce((most, { value }) => Math.max(most, value.errorMs), -Infinity);
     if (errorMs >= 0) this.#page.showClocks(errorMs);
   }
 
-  #tellValues(records: ReadonlyMap<string, RecordedRecord>, isAll: boolean): void {
+  #showValues(records: ReadonlyMap<string, RecordedRecord>, isAll: boolean): void {
     const values = Array.from(records.values(), ({ topic, record, logTimeNs }): PlayedValue => {
       return { topic, timeMs: this.#base.toMs(logTimeNs), record: record.slice() };
     });
@@ -157,21 +157,21 @@ export class RecordingDesk implements Omit<RecordingWorker, 'open' | 'reopen'> {
     this.#page.showValues(transfer(values, buffers), isAll);
   }
 
-  #tellState({ status, positionNs, rate, loop, isBuffering }: PlaybackState): void {
+  #showState({ status, positionNs, rate, loop, isBuffering }: PlaybackState): void {
     const timeMs = this.#base.toMs(positionNs);
     const placedLoop = loop && {
       fromMs: this.#base.toMs(loop.fromNs),
       untilMs: this.#base.toMs(loop.untilNs),
     };
     this.#page.showPlayer({ status, timeMs, rate, loop: placedLoop, isBuffering });
-    this.#tellSessions(timeMs);
+    this.#showSessions(timeMs);
   }
 
-  #tellSessions(timeMs: number): void {
+  #showSessions(timeMs: number): void {
     const sessions = sessionsNear(this.#sessions, timeMs, this.#base);
     const summary = sessions.map(({ id, presence, sinceMs }) => [id, presence, sinceMs]).join(' ');
-    if (summary === this.#sessionsTold) return;
-    this.#sessionsTold = summary;
+    if (summary === this.#shownSessions) return;
+    this.#shownSessions = summary;
     this.#page.showSessions(sessions);
   }
 }
