@@ -165,7 +165,9 @@ export default ts.config(
   },
   { files: ['packages/{client-program,client-web}/**'], rules: restrict(noApps, noVue, noModules) },
   {
-    files: ['packages/{discovery,harness,patterns,pictures,program,recording,timing,words}/**'],
+    files: [
+      'packages/{discovery,harness,patterns,pictures,program,recording,timing,words,worker-rpc}/**',
+    ],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
   { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },

@@ -13,6 +13,7 @@ const everywhere = [
   'packages/patterns',
   'packages/pictures',
   'packages/words',
+  'packages/worker-rpc',
   'packages/timing',
   'packages/recording',
   'packages/pm-sandbox',

@@ -224,10 +224,16 @@ describe('files of recordings over HTTP', () => {
       recorderWorkerFile: workerFile,
       checkProcessFile,
     });
-    const send = (bytes: number) =>
-      fetch(`${master.url}/recordings`, {
-        ...{ method: 'POST', body: new Blob(['x'.repeat(bytes)]).stream(), duplex: 'half' },
-      });
+    const send = (bytes: number) => {
+      const body = new Blob(['x'.repeat(bytes)]).stream();
+      // Not in the types of the DOM
+      const init: RequestInit & { readonly duplex: 'half' } = {
+        method: 'POST',
+        body,
+        duplex: 'half',
+      };
+      return fetch(`${master.url}/recordings`, init);
+    };
     const refused = await send(4_000);
     expect(refused.status).toBe(429);
     expect(await refused.text()).toContain('recordingsBytes');

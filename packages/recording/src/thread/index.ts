@@ -1,4 +1,3 @@
-export { openThread, type ThreadOptions } from './open-thread.ts';
 export type { CheckLimits } from './check-messages.ts';
 export { ProcessChecker, type ProcessCheckerOptions } from './process-checker.ts';
 export { recordOnThread, type ThreadRecorderOptions } from './thread-recorder.ts';

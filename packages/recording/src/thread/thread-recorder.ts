@@ -1,4 +1,3 @@
-import type { Worker } from 'node:worker_threads';
 import {
   ServiceError,
   type FlightRecords,
@@ -6,6 +5,7 @@ import {
   type RecordingMarker,
 } from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
+import { openThread, type Calls, type Thread } from '@ubii/worker-rpc/node';
 import type { NamedChannel } from '../arena/channels.ts';
 import type { RecordSpans, SharedRecords } from '../arena/shared-records.ts';
 import type { FoundSpans } from '../recorder/find-records.ts';
@@ -22,15 +22,8 @@ import type {
 } from '../recorder/recorder.ts';
 import { SharedRecorder, type MemoryLimits } from '../recorder/shared-recorder.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
-import { openThread } from './open-thread.ts';
 import { partsOf } from './snapshot-parts.ts';
-import type {
-  FromThread,
-  RecorderCalls,
-  RecorderMethod,
-  RecorderThreadData,
-  ToThread,
-} from './thread-messages.ts';
+import type { RecorderOwner, RecorderThread, RecorderThreadData } from './thread-messages.ts';
 
 export interface ThreadRecorderOptions extends Omit<RecorderThreadData, 'checkProcessFile'> {
   /** The built thread. */
@@ -40,11 +33,6 @@ export interface ThreadRecorderOptions extends Omit<RecorderThreadData, 'checkPr
   readonly clock: Clock;
   /** Is told what failed, for the log. @param reason what went wrong */
   readonly onFailure: (what: string, reason: string) => void;
-}
-
-interface Call {
-  readonly resolve: (value: unknown) => void;
-  readonly reject: (error: ServiceError) => void;
 }
 
 /** Heap of the thread: twice what the longest index takes. */
@@ -62,10 +50,8 @@ export function recordOnThread(
 /** Writes files on a thread of its own, which starts when it is first needed. */
 export class ThreadRecorder implements FileRecorder {
   readonly #options: ThreadRecorderOptions;
-  readonly #calls = new Map<number, Call>();
-  #worker: Worker | undefined = undefined;
+  #thread: Thread<RecorderThread> | undefined = undefined;
   #generation = 0;
-  #nextCall = 0;
   /** Until then, the thread is not started again, monotonic milliseconds. */
   #pausedUntilMs = 0;
   #cancelPauseEnd: Cancel = () => undefined;
@@ -83,55 +69,55 @@ export class ThreadRecorder implements FileRecorder {
   }
 
   open(memory: SharedRecords): void {
-    if (!this.#isPaused) this.#send({ kind: 'open', memory });
+    this.#notify((thread) => thread.open(memory));
   }
 
   erase(memory: SharedRecords): void {
-    if (!this.#isPaused) this.#send({ kind: 'erase', memory });
+    this.#notify((thread) => thread.erase(memory));
   }
 
   read(spans: RecordSpans, channels: readonly NamedChannel[]): Promise<void> {
-    return this.#call('read', spans, channels);
+    return this.#call((thread) => thread.read(spans, channels));
   }
 
   addEvent(event: RecordingEvent, targets: number): void {
-    if (!this.#isPaused) this.#send({ kind: 'event', event, targets });
+    this.#notify((thread) => thread.addEvent(event, targets));
   }
 
   start(job: RunningJob): Promise<Recording> {
-    return this.#call('start', job);
+    return this.#call((thread) => thread.start(job));
   }
 
   stop(id: string): Promise<Recording> {
-    return this.#call('stop', id);
+    return this.#call((thread) => thread.stop(id));
   }
 
   list(): Promise<RecorderList> {
-    return this.#call('list');
+    return this.#call((thread) => thread.list());
   }
 
   get(id: string, page?: RecordingPage): Promise<KeptRecording> {
-    return this.#call('get', id, page);
+    return this.#call((thread) => thread.get(id, page));
   }
 
   makerOf(id: string): Promise<string> {
-    return this.#call('makerOf', id);
+    return this.#call((thread) => thread.makerOf(id));
   }
 
   change(id: string, texts: RecordingTexts): Promise<Recording> {
-    return this.#call('change', id, texts);
+    return this.#call((thread) => thread.change(id, texts));
   }
 
   delete(id: string): Promise<void> {
-    return this.#call('delete', id);
+    return this.#call((thread) => thread.delete(id));
   }
 
   mark(job: MarkerJob, isFlightOn: boolean): Promise<RecordingMarker> {
-    return this.#call('mark', job, isFlightOn);
+    return this.#call((thread) => thread.mark(job, isFlightOn));
   }
 
   find(search: FoundSpans): Promise<FlightRecords> {
-    return this.#call('find', search);
+    return this.#call((thread) => thread.find(search));
   }
 
   keep(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording> {
@@ -141,7 +127,7 @@ export class ThreadRecorder implements FileRecorder {
   }
 
   adopt(job: RecordingJob): Promise<Recording> {
-    return this.#call('adopt', job);
+    return this.#call((thread) => thread.adopt(job));
   }
 
   onState(listener: (state: FileState) => void): void {
@@ -150,99 +136,79 @@ export class ThreadRecorder implements FileRecorder {
 
   async close(): Promise<void> {
     this.#cancelPauseEnd();
-    const worker = this.#worker;
-    if (worker === undefined) return;
-    worker.ref(); // Nothing else may keep the process until the files are closed.
-    await this.#call('close').catch(() => undefined);
-    this.#worker = undefined;
-    await worker.terminate();
+    const thread = this.#thread;
+    if (thread === undefined) return;
+    thread.ref(); // Nothing else may keep the process until the files are closed.
+    await thread.calls.close().catch(() => undefined);
+    this.#thread = undefined;
+    await thread.end('it was closed');
   }
 
   get #isPaused(): boolean {
     return this.#options.clock.monotonicMs() < this.#pausedUntilMs;
   }
 
-  #call<M extends RecorderMethod>(
-    method: M,
-    ...args: Parameters<RecorderCalls[M]>
-  ): ReturnType<RecorderCalls[M]> {
-    const id = this.#nextCall++;
-    return new Promise<unknown>((resolve, reject) => {
-      if (this.#isPaused) return reject(unavailable());
-      this.#calls.set(id, { resolve, reject });
-      this.#send({ kind: 'call', id, method, args });
-    }) as ReturnType<RecorderCalls[M]>;
+  async #call<T>(call: (thread: Calls<RecorderThread>) => Promise<T>): Promise<T> {
+    if (this.#isPaused) throw unavailable();
+    this.#thread ??= this.#startThread();
+    try {
+      return await call(this.#thread.calls);
+    } catch (error) {
+      const { code, cause } = ServiceError.from(error);
+      if (code === 'internal') this.#options.onFailure('the recorder failed', String(cause));
+      throw error;
+    }
+  }
+
+  /** Calls without a result. A thread that fails says so by its end. */
+  #notify(call: (thread: Calls<RecorderThread>) => Promise<void>): void {
+    this.#call(call).catch(() => undefined);
   }
 
   async #sendSnapshot(job: RecordingJob, snapshot: FlightSnapshot): Promise<Recording> {
     const generation = this.#generation;
     for (const part of partsOf(snapshot)) {
       if (this.#isPaused || generation !== this.#generation) throw unavailable();
-      this.#send({ kind: 'part', part });
+      this.#notify((thread) => thread.addPart(part));
       await new Promise<void>((resolve) => this.#options.clock.after(0, resolve));
     }
-    return this.#call('keep', job, { ...snapshot, channels: [], standing: [], events: [] });
+    return this.#call((thread) =>
+      thread.keep(job, { ...snapshot, channels: [], standing: [], events: [] }),
+    );
   }
 
-  #send(message: ToThread): void {
-    try {
-      this.#worker ??= this.#startThread();
-      this.#worker.postMessage(message);
-    } catch (error) {
-      this.#fail(String(error));
-    }
-  }
-
-  #startThread(): Worker {
+  #startThread(): Thread<RecorderThread> {
     const { workerFile, folder, limits, checkProcessFile } = this.#options;
     const workerData: RecorderThreadData = {
-      ...{ folder, limits, checkProcessFile: checkProcessFile.href },
+      folder,
+      limits,
+      checkProcessFile: checkProcessFile.href,
     };
-    const worker: Worker = openThread<FromThread>({
-      ...{ workerFile, name: 'ubii recorder', workerData, heapMib: HEAP_MIB },
-      onMessage: (message) => {
-        if (this.#worker === worker) this.#handle(message);
+    const owner: RecorderOwner = {
+      showState: (state) => {
+        this.#listRevision = state.listRevision;
+        this.#listener(state);
       },
-      onEnd: (reason) => {
-        if (this.#worker === worker) this.#fail(reason);
+    };
+    return openThread(
+      {
+        workerFile,
+        name: 'ubii recorder',
+        workerData,
+        heapMib: HEAP_MIB,
+        onEnd: (reason) => this.#fail(reason),
+        lost: unavailable,
       },
-    });
-    return worker;
-  }
-
-  #handle(message: FromThread): void {
-    switch (message.kind) {
-      case 'state':
-        this.#listRevision = message.state.listRevision;
-        return this.#listener(message.state);
-      case 'reply':
-        return this.#takeCall(message.id)?.resolve(message.value);
-      case 'refusal':
-        return this.#refuse(message);
-    }
-  }
-
-  #refuse({ id, code, message, details, cause }: Extract<FromThread, { kind: 'refusal' }>): void {
-    if (code === 'internal') this.#options.onFailure('the recorder failed', cause);
-    this.#takeCall(id)?.reject(new ServiceError(code, message, { details }));
-  }
-
-  #takeCall(id: number): Call | undefined {
-    const call = this.#calls.get(id);
-    this.#calls.delete(id);
-    return call;
+      owner,
+    );
   }
 
   /** What was recorded is repaired by the next thread. The program goes on. */
   #fail(reason: string): void {
-    const worker = this.#worker;
-    this.#worker = undefined;
-    void worker?.terminate();
+    this.#thread = undefined;
     this.#options.onFailure('recording stopped, because its thread failed', reason);
     this.#pausedUntilMs = this.#options.clock.monotonicMs() + PAUSE_MS;
     this.#generation++;
-    for (const { reject } of this.#calls.values()) reject(unavailable());
-    this.#calls.clear();
     this.#tellIdle();
     this.#cancelPauseEnd();
     this.#cancelPauseEnd = this.#options.clock.after(PAUSE_MS, () => this.#handlePauseEnd());
@@ -250,7 +216,7 @@ export class ThreadRecorder implements FileRecorder {
 
   #handlePauseEnd(): void {
     // What was recorded can be listed again.
-    if (this.#worker === undefined) this.#tellIdle();
+    if (this.#thread === undefined) this.#tellIdle();
   }
 
   #tellIdle(): void {

@@ -1,19 +1,28 @@
-/** A picture to encode, with the size of the result and its quality, 0 to 1. */
-export interface JpegTask {
-  readonly picture: ImageBitmap;
+import { serveCalls, transfer } from '@ubii/worker-rpc/browser';
+
+/** Scales and encodes off the main thread: there, a canvas waits for idle time, up to a second in background tabs. */
+export interface JpegWorker {
+  /**
+   * @param picture is closed
+   * @param size of the result, and its quality, 0 to 1
+   * @returns the file
+   */
+  encode(picture: ImageBitmap, size: JpegSize): Promise<ArrayBuffer>;
+}
+
+export interface JpegSize {
   readonly width: number;
   readonly height: number;
   readonly quality: number;
 }
 
-/** The JPEG file; undefined if encoding failed. */
-export type JpegReply = ArrayBuffer | undefined;
-
 const canvas = new OffscreenCanvas(1, 1);
 const context = canvas.getContext('2d', { willReadFrequently: true })!;
 
-/** Scales and encodes off the main thread: there, a canvas waits for idle time, up to a second in background tabs. */
-async function encode({ picture, width, height, quality }: JpegTask): Promise<ArrayBuffer> {
+async function encode(
+  picture: ImageBitmap,
+  { width, height, quality }: JpegSize,
+): Promise<ArrayBuffer> {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
   context.drawImage(picture, 0, 0, width, height);
@@ -22,9 +31,12 @@ async function encode({ picture, width, height, quality }: JpegTask): Promise<Ar
   return blob.arrayBuffer();
 }
 
-self.addEventListener('message', ({ data }: MessageEvent<JpegTask>) => {
-  encode(data).then(
-    (file) => self.postMessage(file, { transfer: [file] }),
-    () => self.postMessage(undefined),
-  );
+serveCalls<JpegWorker>({
+  async encode(picture, size) {
+    try {
+      return transfer(await encode(picture, size));
+    } catch (cause) {
+      throw new Error('The browser could not encode the picture.', { cause });
+    }
+  },
 });

@@ -2,25 +2,21 @@
 import { createClient, type UbiiClient } from '@ubii/client-web';
 import { Image2DDataFormat } from '@ubii/proto';
 import { systemClock } from '@ubii/timing/system';
+import { serveCalls } from '@ubii/worker-rpc/browser';
+import type { Findings } from '../measure/findings.ts';
 import type { LoadParameters } from './load-parameters.ts';
 import { measureLoad, type LoadClient } from './measure-load.ts';
-import type { FromLoadWorker, ToLoadWorker } from './worker-messages.ts';
+import type { LoadPage, LoadWorker } from './worker-messages.ts';
 
-const post = (message: FromLoadWorker): void => postMessage(message);
 const stop = new AbortController();
 const REPORT_MS = 250;
 
-addEventListener('message', ({ data }: MessageEvent<ToLoadWorker>) => {
-  if (data.kind === 'stop') {
-    stop.abort();
-    return;
-  }
-  work(data.url, data.parameters).catch((cause: unknown) => {
-    post({ kind: 'failed', reason: cause instanceof Error ? cause.message : String(cause) });
-  });
+const page: LoadPage = serveCalls<LoadWorker, LoadPage>({
+  run,
+  stop: async () => stop.abort(),
 });
 
-async function work(url: string, parameters: LoadParameters): Promise<void> {
+async function run(url: string, parameters: LoadParameters): Promise<Findings> {
   const opened: UbiiClient[] = [];
   try {
     for (let index = 0; index < parameters.clients; index++) {
@@ -33,7 +29,7 @@ async function work(url: string, parameters: LoadParameters): Promise<void> {
       });
       await client.connect();
       opened.push(client);
-      post({ kind: 'joined', clientId: client.id });
+      page.addClient(client.id);
     }
     const clients = await connectAll(opened, parameters);
     let reportedMs = -Infinity;
@@ -51,12 +47,12 @@ async function work(url: string, parameters: LoadParameters): Promise<void> {
           const nowMs = performance.now();
           if (nowMs - reportedMs < REPORT_MS) return;
           reportedMs = nowMs;
-          post({ kind: 'progress', progress });
+          page.showProgress(progress);
         },
       },
     );
     await leave(opened);
-    post({ kind: 'done', findings });
+    return findings;
   } catch (cause) {
     await leave(opened);
     throw cause;
@@ -66,7 +62,7 @@ async function work(url: string, parameters: LoadParameters): Promise<void> {
 async function leave(opened: readonly UbiiClient[]): Promise<void> {
   for (const client of opened) {
     await client.close();
-    post({ kind: 'left', clientId: client.id });
+    page.removeClient(client.id);
   }
 }
 

@@ -1,9 +1,10 @@
 import type { UbiiClient } from '@ubii/client-web';
+import { callWorker } from '@ubii/worker-rpc/browser';
 import { NO_FINDINGS, type Findings } from '../measure/findings.ts';
 import type { TestRun } from '../measure/test-run.ts';
 import type { Leavings } from '../run/leavings.ts';
 import type { LoadParameters } from './load-parameters.ts';
-import type { FromLoadWorker, ToLoadWorker } from './worker-messages.ts';
+import type { LoadPage, LoadWorker } from './worker-messages.ts';
 
 /** Time after which a worker that does not stop is terminated, milliseconds. */
 const STOP_TIMEOUT_MS = 5000;
@@ -15,44 +16,37 @@ export async function runLoad(
   leavings: Leavings,
   { clock, signal, report }: TestRun,
 ): Promise<Findings> {
-  const worker = new Worker(new URL('./load-worker.ts', import.meta.url), { type: 'module' });
-  const send = (message: ToLoadWorker): void => worker.postMessage(message);
   const joined = new Set<string>();
   const of = (id: string) => ({ kind: 'client', id }) as const;
   let latest: Findings = NO_FINDINGS;
-  try {
-    return await new Promise<Findings>((resolve, reject) => {
-      worker.onmessage = ({ data }: MessageEvent<FromLoadWorker>) => {
-        switch (data.kind) {
-          case 'joined':
-            joined.add(data.clientId);
-            leavings.add(of(data.clientId));
-            return;
-          case 'left':
-            joined.delete(data.clientId);
-            leavings.drop(of(data.clientId));
-            return;
-          case 'progress':
-            latest = data.progress.findings ?? latest;
-            report(data.progress);
-            return;
-          case 'done':
-            resolve(data.findings);
-            return;
-          case 'failed':
-            reject(new Error(data.reason));
-        }
-      };
-      worker.onerror = ({ message }) =>
-        reject(new Error(`The load generator failed: ${message || 'it could not be loaded'}.`));
-      signal.addEventListener('abort', () => {
-        send({ kind: 'stop' });
-        clock.after(STOP_TIMEOUT_MS, () => resolve(latest));
-      });
-      send({ kind: 'start', url: location.origin, parameters });
+  const worker = callWorker<LoadWorker, LoadPage>(
+    new Worker(new URL('./load-worker.ts', import.meta.url), { type: 'module' }),
+    {
+      addClient(id) {
+        joined.add(id);
+        leavings.add(of(id));
+      },
+      removeClient(id) {
+        joined.delete(id);
+        leavings.drop(of(id));
+      },
+      showProgress(progress) {
+        latest = progress.findings ?? latest;
+        report(progress);
+      },
+    },
+    (message) => `The load generator failed: ${message || 'it could not be loaded'}.`,
+  );
+  const stopped = new Promise<Findings>((resolve) => {
+    signal.addEventListener('abort', () => {
+      worker.calls.stop().catch(() => undefined); // `run` says why.
+      clock.after(STOP_TIMEOUT_MS, () => resolve(latest));
     });
+  });
+  try {
+    return await Promise.race([worker.calls.run(location.origin, parameters), stopped]);
   } finally {
-    worker.terminate();
+    worker.close();
     // Remove clients that the worker could not remove itself.
     for (const id of joined) {
       await client.call('clientDeregistration', { id }).then(

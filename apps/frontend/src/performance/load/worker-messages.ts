@@ -2,13 +2,17 @@ import type { Findings } from '../measure/findings.ts';
 import type { Progress } from '../measure/test-run.ts';
 import type { LoadParameters } from './load-parameters.ts';
 
-export type ToLoadWorker =
-  | { readonly kind: 'start'; readonly url: string; readonly parameters: LoadParameters }
-  | { readonly kind: 'stop' };
+/** What the page calls of the worker that runs the load test. */
+export interface LoadWorker {
+  run(url: string, parameters: LoadParameters): Promise<Findings>;
+  stop(): Promise<void>;
+}
 
-export type FromLoadWorker =
-  /** A client was registered or removed. */
-  | { readonly kind: 'joined' | 'left'; readonly clientId: string }
-  | { readonly kind: 'progress'; readonly progress: Progress }
-  | { readonly kind: 'done'; readonly findings: Findings }
-  | { readonly kind: 'failed'; readonly reason: string };
+/** What the worker calls of the page. */
+export interface LoadPage {
+  /** A client was registered. */
+  addClient(id: string): void;
+  /** A client was removed. */
+  removeClient(id: string): void;
+  showProgress(progress: Progress): void;
+}

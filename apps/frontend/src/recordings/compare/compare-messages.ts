@@ -2,7 +2,7 @@ import type { OutputDifference, TopicComparison } from '@ubii/recording/compare'
 import type { MasterFile } from '../files/readable-file.ts';
 import type { Span } from '../timeline/span.ts';
 
-/** What the page asks of the worker that compares two recordings. */
+/** Two recordings to compare. */
 export interface CompareRequest {
   /** With the recorded outputs. */
   readonly recordedFile: MasterFile;
@@ -41,8 +41,13 @@ export interface SessionComparison {
   readonly differences: readonly ListedDifference[];
 }
 
-/** What the worker says. */
-export type CompareReport =
-  | { readonly kind: 'progress'; readonly outputs: number }
-  | { readonly kind: 'done'; readonly comparison: SessionComparison }
-  | { readonly kind: 'failed'; readonly message: string };
+/** What the page calls of the worker that compares. */
+export interface CompareWorker {
+  compare(request: CompareRequest): Promise<SessionComparison>;
+}
+
+/** What the worker calls of the page. */
+export interface ComparePage {
+  /** @param outputs that are compared so far */
+  showProgress(outputs: number): void;
+}

@@ -4,7 +4,7 @@ import { ReplayState, ServiceError, type ReplayedSession } from '@ubii/proto';
 import { shallowRef } from 'vue';
 import { afterEach, describe, expect, it } from 'vitest';
 import { aReplay, replayPage, STUDY, type MadeCall } from '../live/testing/replay-page.ts';
-import type { CompareReport, CompareRequest } from './compare-messages.ts';
+import type { ComparePage, CompareRequest, SessionComparison } from './compare-messages.ts';
 import { provideRerun } from './useRerun.ts';
 
 const wrappers: { unmount(): void }[] = [];
@@ -31,26 +31,38 @@ const ended = aReplay({
 
 function setUp(reply: (call: MadeCall) => unknown = () => running(0)) {
   const requests: CompareRequest[] = [];
-  let report: (report: CompareReport) => void = () => undefined;
-  const cancelled = { count: 0 };
+  let worker!: ComparePage;
+  let done: (comparison: SessionComparison) => void = () => undefined;
+  const closed = { count: 0 };
   const page = replayPage(
     (player) =>
-      provideRerun(player, shallowRef(STUDY), (request, onReport) => {
-        requests.push(request);
-        report = onReport;
-        return () => (cancelled.count += 1);
+      provideRerun(player, shallowRef(STUDY), (ofPage) => {
+        worker = ofPage;
+        return {
+          calls: {
+            compare(request) {
+              requests.push(request);
+              return new Promise((resolve) => (done = resolve));
+            },
+          },
+          close: () => void (closed.count += 1),
+        };
       }),
     reply,
   );
   wrappers.push(page.wrapper);
-  const tell = (one: CompareReport): void => report(one);
-  return { ...page, rerun: page.used, requests, tell, cancelled };
+  const finish = async (comparison: SessionComparison): Promise<void> => {
+    done(comparison);
+    await flushPromises();
+  };
+  const progress = (outputs: number): void => worker.showProgress(outputs);
+  return { ...page, rerun: page.used, requests, progress, finish, closed };
 }
 const services = (calls: readonly MadeCall[]) => calls.map(({ service }) => service);
 
 describe('a recorded session that runs again', () => {
   it('shows how far it is, ends the replay, and compares both files', async () => {
-    const { rerun, news, calls, requests, tell } = setUp();
+    const { rerun, news, calls, requests, progress, finish } = setUp();
     await rerun.start(PLAYED);
     expect(calls[0]!.request).toMatchObject({ recordingId: 'study', sessionId: 's', rate: 1 });
     await news(running(500));
@@ -68,10 +80,10 @@ describe('a recorded session that runs again', () => {
         ...{ outputs: ['/sum'], span: undefined },
       },
     ]);
-    tell({ kind: 'progress', outputs: 500 });
+    progress(500);
     expect(rerun.state.value).toEqual({ status: 'comparing', outputs: 500 });
     const comparison = { topics: [], differences: [] };
-    tell({ kind: 'done', comparison });
+    await finish(comparison);
     expect(rerun.state.value).toEqual({
       ...{ status: 'done', comparison, recordedModules: ['Old'], problem: PROBLEM },
     });
@@ -80,13 +92,13 @@ describe('a recorded session that runs again', () => {
   it('plays the loop only, when there is one', async () => {
     const { rerun, calls, opened } = setUp();
     const loop = { fromMs: 100, untilMs: 300 };
-    opened.tell({ kind: 'player', player: { ...opened.player.player.value, loop } });
+    opened.page.showPlayer({ ...opened.player.player.value, loop });
     await rerun.start(PLAYED);
     expect(calls[0]!.request).toMatchObject({ span: loop });
   });
 
   it('is cancelled while it plays, and while outputs are compared', async () => {
-    const { rerun, news, calls, cancelled } = setUp();
+    const { rerun, news, calls, closed } = setUp();
     await rerun.start(PLAYED);
     rerun.close();
     await flushPromises();
@@ -96,7 +108,7 @@ describe('a recorded session that runs again', () => {
     await news(ended);
     await flushPromises();
     rerun.close();
-    expect(cancelled.count).toBe(1);
+    expect(closed.count).toBe(1);
     expect(rerun.state.value).toBeUndefined();
   });
 

@@ -1,5 +1,6 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ReplayState, ServiceError, fromJson, type Recording, type Replay } from '@ubii/proto';
+import { callWorker, type WorkerPeer } from '@ubii/worker-rpc/browser';
 import {
   computed,
   inject,
@@ -20,8 +21,7 @@ import { useMayRecord } from '../rights/useMayRecord.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { PlayedSession } from '../reading/recording-messages.ts';
 import type { Span } from '../timeline/span.ts';
-import type { SessionComparison } from './compare-messages.ts';
-import { compareInWorker, type CompareRecordings } from './compare-port.ts';
+import type { ComparePage, CompareWorker, SessionComparison } from './compare-messages.ts';
 
 /** A recorded session that runs again with today's modules, and how its outputs compare. */
 export type RerunState =
@@ -56,11 +56,19 @@ export function useRerun(): Rerun {
   return rerun;
 }
 
+/** Starts a worker for one comparison. */
+const openCompareWorker = (page: ComparePage): WorkerPeer<CompareWorker> =>
+  callWorker(
+    new Worker(new URL('./compare-worker.ts', import.meta.url), { type: 'module' }),
+    page,
+    'This browser cannot compare the recordings.',
+  );
+
 /** @param recording at the master; undefined for a file of this device */
 export function provideRerun(
   opened: OpenedPlayer,
   recording: Readonly<Ref<Recording | undefined>>,
-  compare: CompareRecordings = compareInWorker,
+  openWorker = openCompareWorker,
 ): Rerun {
   const { client } = useConnection();
   const replays = useReplays();
@@ -91,16 +99,18 @@ export function provideRerun(
       rerunFile: masterFile(session.comparisonRecordingId, client),
       ...{ inputPrefix: session.inputPrefix, outputPrefix: session.outputPrefix, outputs, span },
     };
-    cancelCompare = compare(request, (report) => {
-      if (report.kind === 'progress')
-        state.value = { status: 'comparing', outputs: report.outputs };
-      else if (report.kind === 'failed')
-        state.value = { status: 'failed', message: report.message };
-      else {
-        const { recordedModules } = session;
-        state.value = { status: 'done', comparison: report.comparison, recordedModules, problem };
-      }
+    const worker = openWorker({
+      showProgress: (outputs) => void (state.value = { status: 'comparing', outputs }),
     });
+    cancelCompare = () => worker.close();
+    try {
+      const comparison = await worker.calls.compare(request);
+      const { recordedModules } = session;
+      state.value = { status: 'done', comparison, recordedModules, problem };
+    } catch (error) {
+      state.value = { status: 'failed', message: (error as Error).message };
+    }
+    worker.close();
   }
   watch(replays, (all) => {
     if (state.value?.status !== 'running') return;

@@ -16,27 +16,28 @@ export interface ExportRequest {
   readonly personal?: PersonalChoice | undefined;
 }
 
-/** What the page asks of the worker that exports. */
-export type ExportCommand =
-  | {
-      readonly kind: 'export';
-      readonly source: ReadableFile;
-      readonly request: ExportRequest;
-      /** Where the file is written to; undefined to keep it in memory. */
-      readonly handle: FileSystemFileHandle | undefined;
-    }
-  | { readonly kind: 'cancel' };
+/** What the page calls of the worker that exports. */
+export interface ExportWorker {
+  /** @param handle where the file is written to; undefined to keep it in memory */
+  run(
+    source: ReadableFile,
+    request: ExportRequest,
+    handle: FileSystemFileHandle | undefined,
+  ): Promise<ExportedFile>;
+  cancel(): Promise<void>;
+}
 
-/** What the worker says. */
-export type ExportReport =
-  | { readonly kind: 'progress'; readonly share: number }
-  /** @remarks `file` is undefined when it was written to the handle */
-  | {
-      readonly kind: 'done';
-      readonly file: Blob | undefined;
-      /** With what was found of labelled values, as sentences without their ends. */
-      readonly leftOut: readonly string[];
-      /** Content of the key file, when personal data was replaced. */
-      readonly key: string | undefined;
-    }
-  | { readonly kind: 'failed'; readonly message: string };
+export interface ExportedFile {
+  /** Undefined when it was written to the handle. */
+  readonly file: Blob | undefined;
+  /** With what was found of labelled values, as sentences without their ends. */
+  readonly leftOut: readonly string[];
+  /** Content of the key file, when personal data was replaced. */
+  readonly key: string | undefined;
+}
+
+/** What the worker calls of the page. */
+export interface ExportPage {
+  /** @param share 0 to 1 */
+  showProgress(share: number): void;
+}

@@ -1,19 +1,20 @@
 import { RecordingReader } from '@ubii/recording';
+import { serveCalls } from '@ubii/worker-rpc/browser';
 import { openSource } from '../files/open-source.ts';
-import { sentenceOf } from '../reading/recording-desk.ts';
 import { runExport } from './export-job.ts';
-import type { ExportCommand, ExportReport } from './export-messages.ts';
+import type { ExportedFile, ExportPage, ExportWorker } from './export-messages.ts';
 import { openHandle, openMemory } from './output.ts';
 
 /** Exports one recording beside the page. */
-const tell = (report: ExportReport): void => self.postMessage(report);
 const abort = new AbortController();
+const page: ExportPage = serveCalls<ExportWorker, ExportPage>({
+  run,
+  cancel: async () => abort.abort(new Error('Cancelled.')),
+});
 
-async function start({
-  source,
-  request,
-  handle,
-}: Extract<ExportCommand, { kind: 'export' }>): Promise<void> {
+async function run(
+  ...[source, request, handle]: Parameters<ExportWorker['run']>
+): Promise<ExportedFile> {
   const whole = await RecordingReader.open(openSource(source));
   const { personal } = request;
   const shared =
@@ -27,23 +28,17 @@ async function start({
     const leftOut = await runExport(shared?.reader ?? whole, { ...request, topics }, file, {
       signal: abort.signal,
       isZip: request.topics.length > 1,
-      onProgress: (share) => tell({ kind: 'progress', share }),
+      onProgress: (share) => page.showProgress(share),
       video: () => import('./video.ts'),
     });
     const parts = request.format === 'mcap' && shared ? shared.leftOut : [];
-    tell({
-      kind: 'done',
+    return {
       file: await file.end(),
       leftOut: [...leftOut, ...parts, ...(shared?.report() ?? [])],
       key: shared?.key(),
-    });
+    };
   } catch (error) {
     await file.abort();
     throw error;
   }
 }
-
-self.addEventListener('message', ({ data }: MessageEvent<ExportCommand>) => {
-  if (data.kind === 'cancel') abort.abort(new Error('Cancelled.'));
-  else start(data).catch((error: unknown) => tell({ kind: 'failed', message: sentenceOf(error) }));
-});

@@ -20,23 +20,21 @@ export type ImportPlan =
         }[];
       });
 
-/** What the page asks of the worker that imports. */
-export type ImportCommand =
-  | { readonly kind: 'preview'; readonly file: File; readonly choice: ImportChoice }
-  | {
-      readonly kind: 'import';
-      readonly file: File;
-      readonly choice: ImportChoice;
-      readonly topics: readonly string[] | undefined;
-    }
-  | { readonly kind: 'cancel' };
+/** What the page calls of the worker that imports. */
+export interface ImportWorker {
+  plan(file: File, choice: ImportChoice): Promise<ImportPlan>;
+  run(
+    file: File,
+    choice: ImportChoice,
+    topics: readonly string[] | undefined,
+  ): Promise<{ readonly recording: Blob; readonly leftOut: readonly string[] }>;
+}
 
-/** What the worker says. */
-export type ImportReport =
-  | { readonly kind: 'plan'; readonly plan: ImportPlan }
-  | { readonly kind: 'progress'; readonly share: number }
-  | { readonly kind: 'done'; readonly file: Blob; readonly leftOut: readonly string[] }
-  | { readonly kind: 'failed'; readonly message: string };
+/** What the worker calls of the page. */
+export interface ImportPage {
+  /** @param share 0 to 1 */
+  showProgress(share: number): void;
+}
 
 /** Name of a recording that is made of a file. */
 export const nameOfFile = (file: { readonly name: string }): string =>

@@ -6,19 +6,18 @@ import {
   previewXdf,
   type CsvOptions,
 } from '@ubii/recording/import';
-import { sentenceOf } from '../reading/recording-desk.ts';
+import { serveCalls } from '@ubii/worker-rpc/browser';
 import {
   nameOfFile,
   type ImportChoice,
-  type ImportCommand,
+  type ImportPage,
   type ImportPlan,
-  type ImportReport,
+  type ImportWorker,
 } from './import-messages.ts';
 import { openMemory } from './output.ts';
 
 /** Makes a recording of a file of another format, beside the page. */
-const tell = (report: ImportReport): void => self.postMessage(report);
-const abort = new AbortController();
+const page: ImportPage = serveCalls<ImportWorker, ImportPage>({ plan, run });
 
 const isXdf = (file: File): boolean => /\.xdf$/i.test(file.name);
 
@@ -30,11 +29,11 @@ function tableOptions({ timeColumn, timeUnit, layout }: ImportChoice): CsvOption
   };
 }
 
-async function planOf(file: File, choice: ImportChoice): Promise<ImportPlan> {
+async function plan(file: File, choice: ImportChoice): Promise<ImportPlan> {
   const source = new BlobSource(file);
   if (!isXdf(file)) {
-    const plan = await previewCsv(source, { name: nameOfFile(file), ...tableOptions(choice) });
-    return { kind: 'csv', ...plan };
+    const table = await previewCsv(source, { name: nameOfFile(file), ...tableOptions(choice) });
+    return { kind: 'csv', ...table };
   }
   const { topics, damage } = await previewXdf(source);
   const rows = topics.map(({ topic, format, stream }) => ({
@@ -45,11 +44,9 @@ async function planOf(file: File, choice: ImportChoice): Promise<ImportPlan> {
   return { kind: 'xdf', damage, topics: rows };
 }
 
-async function run({
-  file,
-  choice,
-  topics,
-}: Extract<ImportCommand, { kind: 'import' }>): Promise<void> {
+async function run(
+  ...[file, choice, topics]: Parameters<ImportWorker['run']>
+): ReturnType<ImportWorker['run']> {
   const target = openMemory();
   let position = 0n;
   const sink = {
@@ -61,22 +58,11 @@ async function run({
   };
   const shared = {
     ...{ name: nameOfFile(file), version: '', startMs: file.lastModified, topics },
-    signal: abort.signal,
-    onProgress: (share: number) => tell({ kind: 'progress', share }),
+    onProgress: (share: number) => page.showProgress(share),
   };
   const source = new BlobSource(file);
   const { leftOut } = isXdf(file)
     ? await importXdf(source, sink, shared)
     : await importCsv(source, sink, { ...shared, ...tableOptions(choice) });
-  tell({ kind: 'done', file: (await target.end())!, leftOut });
+  return { recording: (await target.end())!, leftOut };
 }
-
-async function handle(command: Exclude<ImportCommand, { kind: 'cancel' }>): Promise<void> {
-  if (command.kind === 'import') return run(command);
-  tell({ kind: 'plan', plan: await planOf(command.file, command.choice) });
-}
-
-self.addEventListener('message', ({ data }: MessageEvent<ImportCommand>) => {
-  if (data.kind === 'cancel') abort.abort(new Error('Cancelled.'));
-  else handle(data).catch((error: unknown) => tell({ kind: 'failed', message: sentenceOf(error) }));
-});

@@ -1,7 +1,8 @@
+import { callWorker, type WorkerPeer } from '@ubii/worker-rpc/browser';
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 import { saveBlob, saveFile } from '../../files/save-file.ts';
 import type { ReadableFile } from '../files/readable-file.ts';
-import type { ExportCommand, ExportReport, ExportRequest } from './export-messages.ts';
+import type { ExportPage, ExportRequest, ExportWorker } from './export-messages.ts';
 
 /** An export as the dialog shows it. */
 export interface Export {
@@ -30,36 +31,9 @@ export const canStream = (): boolean =>
 export function useExport(): Export {
   const share = shallowRef<number>();
   const failure = shallowRef<string>();
-  let worker: Worker | undefined;
-  const send = (command: ExportCommand): void => worker?.postMessage(command);
-
-  function finished(name: string): Promise<readonly string[] | undefined> {
-    return new Promise((resolve) => {
-      const end = (leftOut: readonly string[] | undefined): void => {
-        worker?.terminate();
-        [worker, share.value] = [undefined, undefined];
-        resolve(leftOut);
-      };
-      worker!.onmessage = ({ data }: MessageEvent<ExportReport>) => {
-        if (data.kind === 'progress') share.value = data.share;
-        else if (data.kind === 'failed') {
-          failure.value = isCancelled ? undefined : data.message;
-          end(undefined);
-        } else {
-          if (data.file !== undefined) saveBlob(name, data.file);
-          if (data.key !== undefined) saveFile({ name: `key-of-${name}.json`, text: data.key });
-          end(data.leftOut);
-        }
-      };
-      worker!.onerror = () => {
-        failure.value = 'This browser cannot export the recording.';
-        end(undefined);
-      };
-    });
-  }
-
+  let worker: WorkerPeer<ExportWorker> | undefined;
   let isCancelled = false;
-  onScopeDispose(() => worker?.terminate());
+  onScopeDispose(() => worker?.close());
   return {
     ...{ share, failure },
     async run(source, request, name) {
@@ -67,14 +41,27 @@ export function useExport(): Export {
       const picked = await pickFile(name);
       if (picked === 'none') return undefined;
       share.value = 0;
-      worker = new Worker(new URL('./export-worker.ts', import.meta.url), { type: 'module' });
-      const end = finished(name);
-      send({ kind: 'export', source, request, handle: picked });
-      return end;
+      const opened = (worker = callWorker<ExportWorker, ExportPage>(
+        new Worker(new URL('./export-worker.ts', import.meta.url), { type: 'module' }),
+        { showProgress: (made) => void (share.value = made) },
+        'This browser cannot export the recording.',
+      ));
+      try {
+        const { file, leftOut, key } = await opened.calls.run(source, request, picked);
+        if (file !== undefined) saveBlob(name, file);
+        if (key !== undefined) saveFile({ name: `key-of-${name}.json`, text: key });
+        return leftOut;
+      } catch (error) {
+        failure.value = isCancelled ? undefined : (error as Error).message;
+        return undefined;
+      } finally {
+        opened.close();
+        [worker, share.value] = [undefined, undefined];
+      }
     },
     cancel() {
       isCancelled = true;
-      send({ kind: 'cancel' });
+      worker?.calls.cancel().catch(() => undefined); // `run` says why.
     },
   };
 }

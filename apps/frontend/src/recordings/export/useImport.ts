@@ -1,10 +1,11 @@
+import { callWorker, type WorkerPeer } from '@ubii/worker-rpc/browser';
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 import {
   nameOfFile,
   type ImportChoice,
-  type ImportCommand,
+  type ImportPage,
   type ImportPlan,
-  type ImportReport,
+  type ImportWorker,
 } from './import-messages.ts';
 
 /** An import as the dialog shows it. */
@@ -28,45 +29,33 @@ export function useImport(
   const failure = shallowRef<string>();
   const share = shallowRef<number>();
   let worker = openWorker();
-  const send = (command: ImportCommand): void => worker.postMessage(command);
 
-  function openWorker(): Worker {
-    const opened = new Worker(new URL('./import-worker.ts', import.meta.url), { type: 'module' });
-    opened.onmessage = ({ data }: MessageEvent<ImportReport>) => handle(data);
-    opened.onerror = () =>
-      handle({ kind: 'failed', message: 'This browser cannot read the file.' });
-    return opened;
+  function openWorker(): WorkerPeer<ImportWorker> {
+    return callWorker<ImportWorker, ImportPage>(
+      new Worker(new URL('./import-worker.ts', import.meta.url), { type: 'module' }),
+      { showProgress: (made) => void (share.value = made) },
+      'This browser cannot read the file.',
+    );
   }
-  function handle(report: ImportReport): void {
-    switch (report.kind) {
-      case 'plan':
-        plan.value = report.plan;
-        return;
-      case 'progress':
-        share.value = report.share;
-        return;
-      case 'failed':
-        [failure.value, share.value] = [report.message, undefined];
-        return;
-      case 'done': {
-        const name = `${nameOfFile(file)}.mcap`;
-        onDone(new File([report.file], name, { lastModified: Date.now() }), report.leftOut);
-      }
-    }
-  }
-  onScopeDispose(() => worker.terminate());
+  const fail = ({ message }: Error): void => {
+    [failure.value, share.value] = [message, undefined];
+  };
+  onScopeDispose(() => worker.close());
   return {
     ...{ plan, failure, share },
     preview(choice) {
       failure.value = undefined;
-      send({ kind: 'preview', file, choice });
+      worker.calls.plan(file, choice).then((made) => void (plan.value = made), fail);
     },
     start(choice, topics) {
       [failure.value, share.value] = [undefined, 0];
-      send({ kind: 'import', file, choice, topics });
+      worker.calls.run(file, choice, topics).then(({ recording, leftOut }) => {
+        const name = `${nameOfFile(file)}.mcap`;
+        onDone(new File([recording], name, { lastModified: Date.now() }), leftOut);
+      }, fail);
     },
     cancel() {
-      worker.terminate();
+      worker.close();
       [worker, share.value] = [openWorker(), undefined];
     },
   };

@@ -1,43 +1,15 @@
 import { ReplayAction, ReplayState, type Replay } from '@ubii/proto';
 import { nextTick, shallowRef } from 'vue';
 import { describe, expect, it } from 'vitest';
-import { createOpenedPlayer } from '../opened/opened-player.ts';
-import type {
-  PlayerState,
-  RecordingCommand,
-  RecordingReport,
-} from '../reading/recording-messages.ts';
+import { aRecording, fakeRecording } from '../opened/testing/fake-recording.ts';
+import type { PlayerState } from '../reading/recording-messages.ts';
 import { createFollowedPlayer } from './followed-player.ts';
 import type { ReplayChange } from './replay-control.ts';
 
-/** The file begins 100 ms after the recording of the master, with its first record. */
-const RECORDING = {
-  ...{ name: 'Study', notes: '', masterName: 'Studio', startMs: 1100, durationMs: 1000 },
-  ...{
-    topics: [],
-    markers: [],
-    gaps: [],
-    isDamaged: false,
-    records: 2,
-    clientNames: new Map<string, string>(),
-    labels: [],
-  },
-};
-
 function setUp(replay?: Replay) {
-  const sent: RecordingCommand[] = [];
   const changes: ReplayChange[] = [];
-  let tell: (report: RecordingReport) => void = () => undefined;
-  const local = createOpenedPlayer(
-    {
-      send: (command) => sent.push(command),
-      onReport: (handle) => (tell = handle),
-      close: () => undefined,
-    },
-    { url: '/recordings/a.mcap', authorization: undefined },
-    () => undefined,
-  );
-  tell({ kind: 'opened', recording: RECORDING });
+  // The file begins 100 ms after the recording of the master, with its first record.
+  const { player: local, sent, page } = fakeRecording(aRecording({ startMs: 1100 }));
   const news = shallowRef(replay);
   const state = { isBusy: false };
   const player = createFollowedPlayer(local, {
@@ -47,7 +19,7 @@ function setUp(replay?: Replay) {
   });
   sent.length = 0;
   const arrive = (change: Partial<PlayerState>): void =>
-    tell({ kind: 'player', player: { ...local.player.value, ...change } });
+    page.showPlayer({ ...local.player.value, ...change });
   return { player, sent, changes, news, state, arrive };
 }
 const aReplay = (change: Partial<Replay>): Replay =>
@@ -72,7 +44,7 @@ describe('a page that follows a replay', () => {
       { loop: { isLooping: true, span: { fromMs: 110, untilMs: 120 } } },
       { loop: { isLooping: false } },
     ]);
-    expect(sent.map(({ kind }) => kind)).toEqual(['play', 'seek', 'rate', 'loop', 'loop']);
+    expect(sent.map(([name]) => name)).toEqual(['play', 'seek', 'setRate', 'setLoop', 'setLoop']);
     arrive({ status: 'playing', timeMs: 400 });
     await nextTick();
     player.togglePlay();
@@ -104,7 +76,7 @@ describe('a page that follows a replay', () => {
     expect(sent).toEqual([]);
     news.value = aReplay({ positionMs: 660, state, rate: 2, isLooping: true });
     await nextTick();
-    expect(sent).toEqual([{ kind: 'loop', loop: { fromMs: 0, untilMs: 1000 } }]);
+    expect(sent).toEqual([['setLoop', { fromMs: 0, untilMs: 1000 }]]);
   });
 
   it('ignores news while a change of its own is on its way', async () => {
@@ -121,6 +93,6 @@ describe('a page that follows a replay', () => {
     player.seek(10);
     player.stepTime(5);
     expect(changes).toEqual([]);
-    expect(sent.map(({ kind }) => kind)).toEqual(['play', 'seek', 'stepTime']);
+    expect(sent.map(([name]) => name)).toEqual(['play', 'seek', 'stepTime']);
   });
 });

@@ -40,7 +40,7 @@ describe('playing into live topics', () => {
     player.setRate(2);
     await flushPromises();
     expect(calls[2]!.request).toEqual({ id: 'r1', rate: 2 });
-    expect(opened.sent.at(-1)).toEqual({ kind: 'rate', rate: 2 });
+    expect(opened.sent.at(-1)).toEqual(['setRate', 2]);
   });
 
   it('says why the master refuses to play it', async () => {

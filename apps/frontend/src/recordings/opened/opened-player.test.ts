@@ -1,48 +1,30 @@
 import { encodeRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import type { RecordingCommand, RecordingReport } from '../reading/recording-messages.ts';
-import { createOpenedPlayer } from './opened-player.ts';
+import type { PlayerState } from '../reading/recording-messages.ts';
+import { aRecording, fakeRecording } from './testing/fake-recording.ts';
 
 function setUp() {
-  const sent: RecordingCommand[] = [];
-  let tell: (report: RecordingReport) => void = () => undefined;
   const frames: (() => void)[] = [];
   const clock = { nowMs: 0 };
-  const port = {
-    send: (command: RecordingCommand) => sent.push(command),
-    onReport: (handle: typeof tell) => (tell = handle),
-    close: () => undefined,
-  };
-  const opened = createOpenedPlayer(
-    port,
-    { url: '/recordings/a.mcap', authorization: undefined },
+  const { player, ...rest } = fakeRecording(
+    aRecording(),
     (fn) => frames.push(fn),
     () => clock.nowMs,
   );
-  tell({ kind: 'opened', recording: A_RECORDING });
   return {
-    opened,
-    sent,
+    ...rest,
+    opened: player,
     clock,
-    tell: (report: RecordingReport) => tell(report),
     frame: () => frames.splice(0).forEach((fn) => fn()),
   };
 }
 
-const A_RECORDING = {
-  ...{ name: 'Study', notes: '', masterName: 'Studio', startMs: 0, durationMs: 1000, records: 2 },
-  ...{
-    topics: [],
-    clientNames: new Map(),
-    markers: [],
-    gaps: [],
-    isDamaged: false,
-    labels: [],
-  },
-};
-const player = (timeMs: number): RecordingReport => ({
-  kind: 'player',
-  player: { status: 'paused', timeMs, rate: 1, loop: undefined, isBuffering: false },
+const pausedAt = (timeMs: number): PlayerState => ({
+  status: 'paused',
+  timeMs,
+  rate: 1,
+  loop: undefined,
+  isBuffering: false,
 });
 const value = (topic: string, number: number) => ({
   topic,
@@ -52,15 +34,15 @@ const value = (topic: string, number: number) => ({
 
 describe('a recording that is opened', () => {
   it('has its playhead where it is dragged to, whatever comes from before', () => {
-    const { opened, tell, sent } = setUp();
+    const { opened, page, sent } = setUp();
     opened.seek(400);
     expect(opened.timeMs.value).toBe(400);
-    tell(player(0));
+    page.showPlayer(pausedAt(0));
     expect(opened.timeMs.value).toBe(400);
-    tell(player(400));
-    tell(player(420));
+    page.showPlayer(pausedAt(400));
+    page.showPlayer(pausedAt(420));
     expect(opened.timeMs.value).toBe(420);
-    expect(sent.at(-1)).toEqual({ kind: 'seek', timeMs: 400 });
+    expect(sent.at(-1)).toEqual(['seek', 400]);
   });
 
   it('cannot be dragged beyond its ends', () => {
@@ -72,40 +54,40 @@ describe('a recording that is opened', () => {
   });
 
   it('shows the values of the playhead in the next frame, and often enough while it plays', () => {
-    const { opened, tell, frame, clock } = setUp();
-    tell({ kind: 'values', isAll: true, values: [value('/a', 1), value('/b', 2)] });
+    const { opened, page, frame, clock } = setUp();
+    page.showValues([value('/a', 1), value('/b', 2)], true);
     expect(opened.values.get('/a')).toBeUndefined();
     frame();
     expect(opened.values.get('/a')?.text).toBe('1.00');
-    tell({ kind: 'values', isAll: false, values: [value('/a', 3)] });
+    page.showValues([value('/a', 3)], false);
     frame();
     expect(opened.values.get('/a')?.text).toBe('1.00');
     clock.nowMs = 50;
-    tell({ kind: 'values', isAll: false, values: [] });
+    page.showValues([], false);
     frame();
     expect(opened.values.get('/a')?.text).toBe('3.00');
-    tell({ kind: 'values', isAll: false, values: [value('/a', 4)] });
-    tell(player(20));
+    page.showValues([value('/a', 4)], false);
+    page.showPlayer(pausedAt(20));
     frame();
     expect(opened.values.get('/a')?.text).toBe('4.00');
     expect(opened.values.get('/b')?.text).toBe('2.00');
   });
 
   it('forgets topics that have no value where it was dragged to', () => {
-    const { opened, tell, frame } = setUp();
-    tell({ kind: 'values', isAll: true, values: [value('/a', 1)] });
+    const { opened, page, frame } = setUp();
+    page.showValues([value('/a', 1)], true);
     frame();
-    tell({ kind: 'values', isAll: true, values: [value('/b', 2)] });
+    page.showValues([value('/b', 2)], true);
     frame();
     expect(opened.values.get('/a')).toBeUndefined();
     expect(opened.values.get('/b')?.text).toBe('2.00');
   });
 
   it('says why it cannot be read', () => {
-    const { opened, tell } = setUp();
-    tell({ kind: 'failed', message: 'Not an MCAP file.' });
+    const { opened, page } = setUp();
+    page.showFailure('Not an MCAP file.');
     expect(opened.failure.value).toBe('Not an MCAP file.');
-    tell({ kind: 'opened', recording: A_RECORDING });
+    page.showOpened(aRecording());
     expect(opened.failure.value).toBeUndefined();
   });
 });

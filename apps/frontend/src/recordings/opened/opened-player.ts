@@ -1,4 +1,5 @@
 import type { RecordingActivity } from '@ubii/recording';
+import { callWorker, type WorkerPeer } from '@ubii/worker-rpc/browser';
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { perFrame } from '../../connection/per-frame.ts';
 import type { ReadableFile } from '../files/readable-file.ts';
@@ -10,10 +11,10 @@ import type {
   OpenedRecording,
   PlayedSession,
   PlayerState,
-  RecordingReport,
+  RecordingPage,
+  RecordingWorker,
 } from '../reading/recording-messages.ts';
 import { PlayedValues } from './played-values.ts';
-import type { RecordingPort } from './recording-port.ts';
 
 /** A recording that a page opened, at its playhead. */
 export interface OpenedPlayer {
@@ -60,15 +61,25 @@ const ARRIVED_MS = 0.5;
 /** Interval of updates of values during playback, milliseconds: faster ones cannot be read, and each draws the graph. */
 const SHOW_EVERY_MS = 50;
 
+/** Starts the worker that reads a recording. */
+export type OpenRecordingWorker = (page: RecordingPage) => WorkerPeer<RecordingWorker>;
+
+const openRecordingWorker: OpenRecordingWorker = (page) =>
+  callWorker(
+    new Worker(new URL('../reading/recording-worker.ts', import.meta.url), { type: 'module' }),
+    page,
+    'This browser cannot read the recording.',
+  );
+
 /**
  * @param atFrame calls once before the next frame
  * @param nowMs any clock
  */
 export function createOpenedPlayer(
-  port: RecordingPort,
   source: ReadableFile,
   atFrame?: (fn: () => void) => void,
   nowMs = (): number => performance.now(),
+  openWorker = openRecordingWorker,
 ): OpenedPlayer {
   const recording = shallowRef<OpenedRecording>();
   const failure = shallowRef<string>();
@@ -80,9 +91,9 @@ export function createOpenedPlayer(
   const drawn = shallowRef(0);
   const wishedMs = shallowRef<number>();
   const values = new PlayedValues();
-  const tiles = new TileStore((request) => port.send({ kind: 'tiles', request }));
+  const tiles = new TileStore((request) => run(calls.readTiles(request)));
   const frames = new FrameCache<ImageBitmap>(
-    (topic, timeMs) => port.send({ kind: 'frame', topic, timeMs }),
+    (topic, timeMs) => run(readFrame(topic, timeMs)),
     (picture) => picture.close(),
   );
   const draw = perFrame(() => (drawn.value += 1), atFrame);
@@ -92,47 +103,45 @@ export function createOpenedPlayer(
     values.show();
   }, atFrame);
 
-  function handle(report: RecordingReport): void {
-    switch (report.kind) {
-      case 'opened':
-        recording.value = report.recording;
-        failure.value = undefined;
-        return;
-      case 'failed':
-        failure.value = report.message;
-        return;
-      case 'activity':
-        activity.value = report.activity;
-        return;
-      case 'survey':
-        survey.value = report.survey;
-        tiles.setWhole(new Map(report.survey.tracks.map(({ topic, tile }) => [topic, tile])));
-        return draw();
-      case 'clocks':
-        clockErrorMs.value = report.errorMs;
-        return;
-      case 'tile':
-        tiles.take(report.topic, report.level, report.index, report.tile);
-        return draw();
-      case 'frame':
-        frames.take(report.topic, report.timeMs, report.picture);
-        return draw();
-      case 'values':
-        values.add(report.values, report.isAll);
-        if (report.isAll || nowMs() - shownMs >= SHOW_EVERY_MS) showValues();
-        return;
-      case 'sessions':
-        sessions.value = report.sessions;
-        return;
-      case 'player':
-        player.value = report.player;
-        if (report.player.status !== 'playing') showValues();
-        if (Math.abs(report.player.timeMs - (wishedMs.value ?? Infinity)) < ARRIVED_MS)
-          wishedMs.value = undefined;
-    }
+  const worker = openWorker({
+    showOpened(opened) {
+      recording.value = opened;
+      failure.value = undefined;
+    },
+    showFailure: (message) => void (failure.value = message),
+    showActivity: (counts) => void (activity.value = counts),
+    showSurvey(read) {
+      survey.value = read;
+      tiles.setWhole(new Map(read.tracks.map(({ topic, tile }) => [topic, tile])));
+      draw();
+    },
+    showClocks: (errorMs) => void (clockErrorMs.value = errorMs),
+    showTile(topic, level, index, tile) {
+      tiles.take(topic, level, index, tile);
+      draw();
+    },
+    showValues(read, isAll) {
+      values.add(read, isAll);
+      if (isAll || nowMs() - shownMs >= SHOW_EVERY_MS) showValues();
+    },
+    showSessions: (near) => void (sessions.value = near),
+    showPlayer(state) {
+      player.value = state;
+      if (state.status !== 'playing') showValues();
+      if (Math.abs(state.timeMs - (wishedMs.value ?? Infinity)) < ARRIVED_MS)
+        wishedMs.value = undefined;
+    },
+  });
+  const { calls } = worker;
+  function run(call: Promise<void>): void {
+    call.catch((error: Error) => (failure.value = error.message));
   }
-  port.onReport(handle);
-  port.send({ kind: 'open', source });
+  async function readFrame(topic: string, timeMs: number): Promise<void> {
+    frames.take(topic, timeMs, await calls.readFrame(topic, timeMs));
+    draw();
+  }
+  const setPlaying = (isPlaying: boolean): void => run(isPlaying ? calls.play() : calls.pause());
+  run(calls.open(source));
 
   const clamp = (timeMs: number): number =>
     Math.min(Math.max(0, timeMs), recording.value?.durationMs ?? 0);
@@ -141,20 +150,20 @@ export function createOpenedPlayer(
     ...{ recording, failure, activity, survey, clockErrorMs, player, values, sessions, tiles },
     ...{ frames, drawn },
     timeMs: computed(() => wishedMs.value ?? player.value.timeMs),
-    reopen: () => port.send({ kind: 'reopen' }),
-    togglePlay: () => port.send({ kind: player.value.status === 'playing' ? 'pause' : 'play' }),
-    setPlaying: (isPlaying) => port.send({ kind: isPlaying ? 'play' : 'pause' }),
+    reopen: () => run(calls.reopen()),
+    togglePlay: () => setPlaying(player.value.status !== 'playing'),
+    setPlaying,
     seek(timeMs) {
       wishedMs.value = clamp(timeMs);
-      port.send({ kind: 'seek', timeMs: wishedMs.value });
+      run(calls.seek(wishedMs.value));
     },
-    setRate: (rate) => port.send({ kind: 'rate', rate }),
-    setLoop: (loop) => port.send({ kind: 'loop', loop }),
-    stepRecord: (topic, direction) => port.send({ kind: 'stepRecord', topic, direction }),
-    stepTime: (deltaMs) => port.send({ kind: 'stepTime', deltaMs }),
+    setRate: (rate) => run(calls.setRate(rate)),
+    setLoop: (loop) => run(calls.setLoop(loop)),
+    stepRecord: (topic, direction) => run(calls.stepRecord(topic, direction)),
+    stepTime: (deltaMs) => run(calls.stepTime(deltaMs)),
     close() {
       frames.close();
-      port.close();
+      worker.close();
     },
   };
 }

@@ -34,14 +34,15 @@ export interface RecordingPreview {
   readonly hasPicture: boolean;
 }
 
-/** What the page asks of the worker that reads previews. */
+/** A recording whose preview is asked for. */
 export interface PreviewRequest {
   readonly key: string;
   readonly source: ReadableFile;
 }
 
-/** What the worker says. */
-export type PreviewReport =
-  | { readonly kind: 'preview'; readonly key: string; readonly preview: RecordingPreview }
-  | { readonly kind: 'picture'; readonly key: string; readonly picture: ImageBitmap | undefined }
-  | { readonly kind: 'failed'; readonly key: string; readonly message: string };
+/** What the page calls of the worker that reads previews. */
+export interface PreviewWorker {
+  readPreview(request: PreviewRequest): Promise<RecordingPreview>;
+  /** Reads the picture of a preview that has one, once. @returns undefined when it cannot be decoded */
+  readPicture(key: string): Promise<ImageBitmap | undefined>;
+}

@@ -1,5 +1,6 @@
+import { settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import type { PreviewReport, RecordingPreview } from './preview-messages.ts';
+import type { RecordingPreview } from './preview-messages.ts';
 import { PreviewStore } from './preview-store.ts';
 import { previewText } from './preview-words.ts';
 
@@ -9,72 +10,90 @@ const aPreview = (changes: Partial<RecordingPreview> = {}): RecordingPreview => 
   ...changes,
 });
 
+interface Reply {
+  readonly resolve: (value: never) => void;
+  readonly reject: (error: Error) => void;
+}
+
 function setUp() {
   const asked: string[] = [];
-  let handle: (report: PreviewReport) => void = () => undefined;
+  const replies = new Map<string, Reply>();
   let opened = 0;
+  const replyTo = <T>(key: string): Promise<T> =>
+    new Promise<T>((resolve, reject) => void replies.set(key, { resolve, reject }));
   const store = new PreviewStore(() => {
     opened += 1;
     return {
-      send: ({ key }) => void asked.push(key),
-      onReport: (take) => void (handle = take),
+      calls: {
+        readPreview({ key }) {
+          asked.push(key);
+          return replyTo(key);
+        },
+        readPicture: (key) => replyTo(`picture of ${key}`),
+      },
       close: () => undefined,
     };
   });
-  const show = (key: string): void => store.show({ key, source: new Blob() });
   return {
     asked,
     store,
-    show,
-    tell: (report: PreviewReport) => handle(report),
+    show: (key: string): void => store.show({ key, source: new Blob() }),
     opened: () => opened,
+    async reply(key: string, value: RecordingPreview | ImageBitmap | undefined): Promise<void> {
+      replies.get(key)!.resolve(value as never);
+      await settle();
+    },
+    async fail(key: string): Promise<void> {
+      replies.get(key)!.reject(new Error('Gone.'));
+      await settle();
+    },
   };
 }
 
 describe('previews', () => {
-  it('are read two at a time, the last one shown first, and not after leaving the screen', () => {
-    const { asked, store, show, tell, opened } = setUp();
+  it('are read two at a time, the last one shown first, and not after leaving the screen', async () => {
+    const { asked, store, show, reply, fail, opened } = setUp();
     expect(opened()).toBe(0);
     for (const key of ['a', 'b', 'c', 'd', 'e']) show(key);
     expect(asked).toEqual(['a', 'b']);
     store.hide('d');
-    tell({ kind: 'preview', key: 'a', preview: aPreview() });
-    tell({ kind: 'failed', key: 'b', message: 'Gone.' });
+    await reply('a', aPreview());
+    await fail('b');
     expect(asked).toEqual(['a', 'b', 'e', 'c']);
     expect(opened()).toBe(1);
   });
 
-  it('are read once, and again after a failure', () => {
-    const { asked, show, store, tell } = setUp();
+  it('are read once, and again after a failure', async () => {
+    const { asked, show, store, reply, fail } = setUp();
     show('a');
     show('b');
-    tell({ kind: 'preview', key: 'a', preview: aPreview() });
-    tell({ kind: 'failed', key: 'b', message: 'Gone.' });
+    await reply('a', aPreview());
+    await fail('b');
     show('a');
     show('b');
     expect(asked).toEqual(['a', 'b', 'b']);
     expect(store.get('b')?.problem).toBe('Gone.');
   });
 
-  it('keep their place until the picture came', () => {
-    const { asked, show, store, tell } = setUp();
+  it('keep their place until the picture came', async () => {
+    const { asked, show, store, reply } = setUp();
     for (const key of ['a', 'b', 'c']) show(key);
-    tell({ kind: 'preview', key: 'a', preview: aPreview({ hasPicture: true }) });
+    await reply('a', aPreview({ hasPicture: true }));
     expect(asked).toEqual(['a', 'b']);
-    tell({ kind: 'picture', key: 'a', picture: undefined });
+    await reply('picture of a', undefined);
     expect(asked).toEqual(['a', 'b', 'c']);
     expect(store.get('a')?.preview?.hasPicture).toBe(true);
   });
 
-  it('close the pictures of those that were shown longest ago', () => {
-    const { show, store, tell } = setUp();
+  it('close the pictures of those that were shown longest ago', async () => {
+    const { show, store, reply } = setUp();
     const closed: string[] = [];
     for (let i = 0; i <= 200; i++) {
       const key = String(i);
       show(key);
-      tell({ kind: 'preview', key, preview: aPreview({ hasPicture: true }) });
+      await reply(key, aPreview({ hasPicture: true }));
       const picture = { close: () => closed.push(key) } as unknown as ImageBitmap;
-      tell({ kind: 'picture', key, picture });
+      await reply(`picture of ${key}`, picture);
     }
     expect(closed).toEqual(['0']);
     expect(store.get('0')).toBeUndefined();

@@ -1,6 +1,7 @@
+import type { WorkerPeer } from '@ubii/worker-rpc/browser';
 import { shallowReactive } from 'vue';
 import type { ReadableFile } from '../files/readable-file.ts';
-import type { PreviewReport, PreviewRequest, RecordingPreview } from './preview-messages.ts';
+import type { PreviewRequest, PreviewWorker, RecordingPreview } from './preview-messages.ts';
 
 /** What is known of a recording in a list. */
 export interface PreviewState {
@@ -10,13 +11,6 @@ export interface PreviewState {
   readonly problem?: string;
 }
 
-/** The worker that reads previews. */
-export interface PreviewPort {
-  send(request: PreviewRequest): void;
-  onReport(handle: (report: PreviewReport) => void): void;
-  close(): void;
-}
-
 /** Read at the same time. */
 const MAX_RUNNING = 2;
 /** Kept, with a picture of 320 pixels across each: about 50 MB. */
@@ -24,14 +18,14 @@ const MAX_KEPT = 200;
 
 /** Previews of recordings that are on screen: the last one shown is read first, those shown longest ago go. */
 export class PreviewStore {
-  readonly #open: () => PreviewPort;
-  #port: PreviewPort | undefined;
+  readonly #open: () => WorkerPeer<PreviewWorker>;
+  #worker: WorkerPeer<PreviewWorker> | undefined;
   readonly #states = shallowReactive(new Map<string, PreviewState>());
   readonly #wishes = new Map<string, ReadableFile>();
   readonly #running = new Set<string>();
 
   /** @param open starts the worker, when the first preview is asked for */
-  constructor(open: () => PreviewPort) {
+  constructor(open: () => WorkerPeer<PreviewWorker>) {
     this.#open = open;
   }
 
@@ -57,7 +51,7 @@ export class PreviewStore {
   }
 
   close(): void {
-    this.#port?.close();
+    this.#worker?.close();
     this.#wishes.clear();
     for (const { picture } of this.#states.values()) picture?.close();
     this.#states.clear();
@@ -70,25 +64,20 @@ export class PreviewStore {
       const [key, source] = wish;
       this.#wishes.delete(key);
       this.#running.add(key);
-      this.#worker().send({ key, source });
+      void this.#read({ key, source });
     }
   }
 
-  #worker(): PreviewPort {
-    if (this.#port === undefined) {
-      this.#port = this.#open();
-      this.#port.onReport((report) => this.#take(report));
+  async #read(request: PreviewRequest): Promise<void> {
+    const { key } = request;
+    try {
+      const { calls } = (this.#worker ??= this.#open());
+      const preview = await calls.readPreview(request);
+      this.#keep(key, { preview });
+      if (preview.hasPicture) this.#keep(key, { preview, picture: await calls.readPicture(key) });
+    } catch (error) {
+      this.#keep(key, { problem: (error as Error).message });
     }
-    return this.#port;
-  }
-
-  #take(report: PreviewReport): void {
-    const { key } = report;
-    const known = this.#states.get(key);
-    if (report.kind === 'preview') this.#keep(key, { preview: report.preview });
-    else if (report.kind === 'picture') this.#keep(key, { ...known, picture: report.picture });
-    else this.#keep(key, { problem: report.message });
-    if (report.kind === 'preview' && report.preview.hasPicture) return;
     this.#running.delete(key);
     this.#ask();
   }

@@ -1,34 +1,31 @@
 import { OutlineReader } from '@ubii/recording';
+import { serveCalls, transfer } from '@ubii/worker-rpc/browser';
 import { imageOf } from '../../graph/preview/image-of.ts';
 import { thumbnail } from '../../graph/preview/thumbnail.ts';
 import { openSource } from '../files/open-source.ts';
-import type { PreviewReport, PreviewRequest } from './preview-messages.ts';
+import type { PreviewWorker } from './preview-messages.ts';
 import { readPreview, type ReadPreview } from './read-preview.ts';
 
-/** Reads previews of recordings beside the page. */
-const tell = (report: PreviewReport, transfer: Transferable[] = []): void =>
-  self.postMessage(report, { transfer });
+/** Previews whose picture was not read yet. */
+const withPicture = new Map<string, ReadPreview>();
 
-async function answer({ key, source }: PreviewRequest): Promise<void> {
-  const read = await readPreview(await OutlineReader.open(openSource(source)));
-  tell({ kind: 'preview', key, preview: read.preview });
-  if (!read.preview.hasPicture) return;
-  const picture = await pictureOf(read).catch(() => undefined);
-  tell({ kind: 'picture', key, picture }, picture ? [picture] : []);
-}
+/** Reads previews of recordings beside the page. */
+serveCalls<PreviewWorker>({
+  async readPreview({ key, source }) {
+    const read = await readPreview(await OutlineReader.open(openSource(source)));
+    if (read.preview.hasPicture) withPicture.set(key, read);
+    return read.preview;
+  },
+  async readPicture(key) {
+    const read = withPicture.get(key);
+    withPicture.delete(key);
+    const picture = read && (await pictureOf(read).catch(() => undefined));
+    return picture && transfer(picture);
+  },
+});
 
 async function pictureOf(read: ReadPreview): Promise<ImageBitmap | undefined> {
   const image = imageOf(await read.pictureRecord());
   const small = image && (await thumbnail(image));
   return small && createImageBitmap(small);
 }
-
-self.addEventListener('message', ({ data }: MessageEvent<PreviewRequest>) => {
-  answer(data).catch((error: unknown) =>
-    tell({
-      kind: 'failed',
-      key: data.key,
-      message: error instanceof Error ? error.message : String(error),
-    }),
-  );
-});

@@ -1,3 +1,4 @@
+import { callWorker, type WorkerPeer } from '@ubii/worker-rpc/browser';
 import { useIntersectionObserver } from '@vueuse/core';
 import {
   computed,
@@ -10,35 +11,20 @@ import {
   type InjectionKey,
   type ShallowRef,
 } from 'vue';
-import type { PreviewReport, PreviewRequest } from './preview-messages.ts';
-import { PreviewStore, type PreviewPort, type PreviewState } from './preview-store.ts';
+import type { PreviewRequest, PreviewWorker } from './preview-messages.ts';
+import { PreviewStore, type PreviewState } from './preview-store.ts';
 
 const PREVIEWS: InjectionKey<PreviewStore> = Symbol('previews');
 
-function openPreviewWorker(): PreviewPort {
-  const worker = new Worker(new URL('./preview-worker.ts', import.meta.url), { type: 'module' });
-  const asked = new Set<string>();
-  return {
-    send(request) {
-      asked.add(request.key);
-      worker.postMessage(request);
-    },
-    onReport(handle) {
-      worker.onmessage = ({ data }: MessageEvent<PreviewReport>) => {
-        if (!(data.kind === 'preview' && data.preview.hasPicture)) asked.delete(data.key);
-        handle(data);
-      };
-      worker.onerror = () => {
-        const message = 'This browser cannot read recordings.';
-        for (const key of asked) handle({ kind: 'failed', key, message });
-      };
-    },
-    close: () => worker.terminate(),
-  };
-}
+const openPreviewWorker = (): WorkerPeer<PreviewWorker> =>
+  callWorker(
+    new Worker(new URL('./preview-worker.ts', import.meta.url), { type: 'module' }),
+    {},
+    'This browser cannot read recordings.',
+  );
 
 /** Keeps previews as long as the page is open. */
-export function providePreviews(open: () => PreviewPort = openPreviewWorker): PreviewStore {
+export function providePreviews(open = openPreviewWorker): PreviewStore {
   const store = new PreviewStore(open);
   provide(PREVIEWS, store);
   onBeforeUnmount(() => store.close());

@@ -6,7 +6,7 @@ import { describe, expect, it } from 'vitest';
 import { decodeRecorded } from './decode-recorded.ts';
 import { ReadTurns } from './read-turns.ts';
 import { RecordingDesk } from './recording-desk.ts';
-import type { RecordingReport } from './recording-messages.ts';
+import type { RecordingPage } from './recording-messages.ts';
 
 const START_MS = 1_750_000_000_000;
 const toNs = (ms: number): bigint => BigInt(START_MS + ms) * 1_000_000n;
@@ -59,42 +59,65 @@ const turns = (): ReadTurns =>
     wait: () => Promise.resolve(),
   });
 
+type Shown = { [Name in keyof RecordingPage]: Parameters<RecordingPage[Name]>[] };
+
+/** A desk, and what it showed the page. */
 async function setUp() {
-  const reports: RecordingReport[] = [];
-  const desk = new RecordingDesk(await aRecording(), new FakeClock(), turns(), (report) =>
-    reports.push(report),
-  );
-  await desk.begin();
-  const last = <K extends RecordingReport['kind']>(kind: K) =>
-    reports.findLast((report) => report.kind === kind) as RecordingReport & { kind: K };
-  return { desk, reports, last };
+  const shown: Shown = {
+    showOpened: [],
+    showFailure: [],
+    showActivity: [],
+    showSurvey: [],
+    showClocks: [],
+    showTile: [],
+    showPlayer: [],
+    showValues: [],
+    showSessions: [],
+  };
+  const order: string[] = [];
+  const page = new Proxy({} as RecordingPage, {
+    get:
+      (_target, name: keyof RecordingPage) =>
+      (...args: never[]) => {
+        order.push(name);
+        (shown[name] as unknown[]).push(args);
+      },
+  });
+  const desk = new RecordingDesk(await aRecording(), new FakeClock(), turns(), page);
+  const last = <Name extends keyof RecordingPage>(name: Name) =>
+    shown[name].at(-1) as Parameters<RecordingPage[Name]>;
+  return { desk, shown, order, last };
+}
+async function begun() {
+  const made = await setUp();
+  await made.desk.begin();
+  return made;
 }
 
 describe('the worker that reads a recording', () => {
   it('says how many records came when before it has read any', async () => {
-    const { reports, last } = await setUp();
-    const { all, topics } = last('activity').activity;
+    const { order, last } = await begun();
+    const [{ all, topics }] = last('showActivity');
     expect([...topics.keys()]).toEqual(['/a', '/b']);
     expect(all.reduce((sum, count) => sum + count, 0)).toBeCloseTo(222, 1);
-    const kinds = reports.map(({ kind }) => kind);
-    expect(kinds.indexOf('activity')).toBeLessThan(kinds.indexOf('survey'));
+    expect(order.indexOf('showActivity')).toBeLessThan(order.indexOf('showSurvey'));
   });
 
   it('says what is in it, in milliseconds since its beginning', async () => {
-    const { last } = await setUp();
-    expect(last('opened').recording).toMatchObject({
+    const { last } = await begun();
+    expect(last('showOpened')[0]).toMatchObject({
       startMs: START_MS,
       durationMs: 2000,
       markers: [{ id: 'm', timeMs: 500, text: 'here', author: 'Jo' }],
       gaps: [{ fromMs: 700, untilMs: 800, records: 3 }],
       isDamaged: false,
     });
-    expect(last('clocks').errorMs).toBe(0.8);
+    expect(last('showClocks')[0]).toBe(0.8);
   });
 
   it('surveys all of it', async () => {
-    const { last } = await setUp();
-    const { tracks, isWhole } = last('survey').survey;
+    const { last } = await begun();
+    const [{ tracks, isWhole }] = last('showSurvey');
     expect(isWhole).toBe(true);
     const text = tracks.find(({ topic }) => topic === '/b')!;
     expect(text.runs.map(({ label, fromMs, untilMs }) => [label, fromMs, untilMs])).toEqual([
@@ -104,64 +127,60 @@ describe('the worker that reads a recording', () => {
   });
 
   it('reads the tiles that are asked for', async () => {
-    const { desk, reports } = await setUp();
+    const { desk, shown } = await begun();
     const request = { viewer: 'timeline', topics: ['/a'], level: 0, first: 1, last: 1 } as const;
-    await desk.handle({ kind: 'tiles', request });
-    const [tile] = reports.filter((report) => report.kind === 'tile');
-    expect(tile).toMatchObject({ topic: '/a', level: 0, index: 1, tile: { isWhole: true } });
-    const low = [...tile!.tile.lines[0]!.low];
+    await desk.readTiles(request);
+    const [topic, level, index, tile] = shown.showTile[0]!;
+    expect([topic, level, index, tile.isWhole]).toEqual(['/a', 0, 1, true]);
+    const low = [...tile.lines[0]!.low];
     expect(low.filter((value) => !Number.isNaN(value)).slice(0, 3)).toEqual([520, 530, 540]);
   });
 
   it('tells the last value of every topic where the playhead is moved to', async () => {
-    const { desk, last } = await setUp();
-    await desk.handle({ kind: 'seek', timeMs: 1005 });
-    const { values, isAll } = last('values');
+    const { desk, last } = await begun();
+    await desk.seek(1005);
+    const [values, isAll] = last('showValues');
     expect(isAll).toBe(true);
-    const told = values.map(({ topic, timeMs, record }) => [
+    const shownValues = values.map(({ topic, timeMs, record }) => [
       topic,
       timeMs,
       decodeRecorded(topic, record)?.value,
     ]);
-    expect(new Map(told.map(([topic, ...rest]) => [topic, rest]))).toEqual(
+    expect(new Map(shownValues.map(([topic, ...rest]) => [topic, rest]))).toEqual(
       new Map([
         ['/a', [1000, 1000]],
         ['/b', [1000, 'swipe']],
       ]),
     );
-    expect(last('player').player.timeMs).toBe(1005);
+    expect(last('showPlayer')[0].timeMs).toBe(1005);
   });
 
   it('steps from record to record', async () => {
-    const { desk, last } = await setUp();
-    await desk.handle({ kind: 'seek', timeMs: 1005 });
-    await desk.handle({ kind: 'stepRecord', topic: '/a', direction: 1 });
-    expect(last('player').player.timeMs).toBe(1010);
-    await desk.handle({ kind: 'stepRecord', topic: '/b', direction: -1 });
-    expect(last('player').player.timeMs).toBe(1000);
+    const { desk, last } = await begun();
+    await desk.seek(1005);
+    await desk.stepRecord('/a', 1);
+    expect(last('showPlayer')[0].timeMs).toBe(1010);
+    await desk.stepRecord('/b', -1);
+    expect(last('showPlayer')[0].timeMs).toBe(1000);
   });
 
   it('goes on where it was when the file is opened again', async () => {
-    const { desk } = await setUp();
-    await desk.handle({ kind: 'seek', timeMs: 500 });
-    await desk.handle({ kind: 'rate', rate: 2 });
-    await desk.handle({ kind: 'loop', loop: { fromMs: 100, untilMs: 900 } });
-    const reports: RecordingReport[] = [];
-    const next = new RecordingDesk(await aRecording(), new FakeClock(), turns(), (report) =>
-      reports.push(report),
-    );
+    const { desk } = await begun();
+    await desk.seek(500);
+    await desk.setRate(2);
+    await desk.setLoop({ fromMs: 100, untilMs: 900 });
+    const { desk: next, shown, last } = await setUp();
     await next.resume(desk.state);
-    const told = reports.findLast((report) => report.kind === 'player');
-    expect(told?.player).toMatchObject({
+    expect(last('showPlayer')[0]).toMatchObject({
       timeMs: 500,
       rate: 2,
       loop: { fromMs: 100, untilMs: 900 },
     });
-    expect(reports.filter(({ kind }) => kind === 'survey')).toEqual([]);
+    expect(shown.showSurvey).toEqual([]);
   });
 
   it('tells the sessions as they were', async () => {
-    const { last } = await setUp();
-    expect(last('sessions').sessions).toMatchObject([{ id: 's', name: 'Study', state: 'running' }]);
+    const { last } = await begun();
+    expect(last('showSessions')[0]).toMatchObject([{ id: 's', name: 'Study', state: 'running' }]);
   });
 });

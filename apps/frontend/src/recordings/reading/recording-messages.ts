@@ -70,45 +70,38 @@ export interface PlayedSession {
   readonly sinceMs: number;
 }
 
-/** What the page asks of the worker that reads a recording. */
-export type RecordingCommand =
-  | { readonly kind: 'open'; readonly source: ReadableFile }
-  /** The file was changed: markers, or the name. */
-  | { readonly kind: 'reopen' }
-  | { readonly kind: 'tiles'; readonly request: TileRequest }
-  | { readonly kind: 'frame'; readonly topic: string; readonly timeMs: number }
-  | { readonly kind: 'play' }
-  | { readonly kind: 'pause' }
-  | { readonly kind: 'rate'; readonly rate: number }
-  | { readonly kind: 'loop'; readonly loop: Span | undefined }
-  | { readonly kind: 'seek'; readonly timeMs: number }
-  | { readonly kind: 'stepRecord'; readonly topic: string; readonly direction: 1 | -1 }
-  | { readonly kind: 'stepTime'; readonly deltaMs: number };
+/** What the page calls of the worker that reads a recording. */
+export interface RecordingWorker {
+  /** Reads a file; resolves when all of it was read. The page learns what is in it bit by bit. */
+  open(source: ReadableFile): Promise<void>;
+  /** Reads the file again, which was changed: its markers, or its name. */
+  reopen(): Promise<void>;
+  /** A request replaces the one before of the same viewer. */
+  readTiles(request: TileRequest): Promise<void>;
+  /** @returns undefined when the picture cannot be decoded */
+  readFrame(topic: string, timeMs: number): Promise<ImageBitmap | undefined>;
+  play(): Promise<void>;
+  pause(): Promise<void>;
+  setRate(rate: number): Promise<void>;
+  setLoop(loop: Span | undefined): Promise<void>;
+  seek(timeMs: number): Promise<void>;
+  stepRecord(topic: string, direction: 1 | -1): Promise<void>;
+  stepTime(deltaMs: number): Promise<void>;
+}
 
-/** What the worker says. */
-export type RecordingReport =
-  | { readonly kind: 'opened'; readonly recording: OpenedRecording }
-  | { readonly kind: 'failed'; readonly message: string }
+/** What the worker calls of the page. */
+export interface RecordingPage {
+  showOpened(recording: OpenedRecording): void;
+  /** Playback failed. */
+  showFailure(message: string): void;
   /** How many records came when, before any is read. */
-  | { readonly kind: 'activity'; readonly activity: RecordingActivity }
-  | { readonly kind: 'survey'; readonly survey: Survey }
-  /** The largest error of a clock in it, milliseconds. */
-  | { readonly kind: 'clocks'; readonly errorMs: number }
-  | {
-      readonly kind: 'tile';
-      readonly topic: string;
-      readonly level: number;
-      readonly index: number;
-      readonly tile: Tile;
-    }
-  | {
-      readonly kind: 'frame';
-      readonly topic: string;
-      readonly timeMs: number;
-      /** Undefined when it cannot be decoded. */
-      readonly picture: ImageBitmap | undefined;
-    }
-  | { readonly kind: 'player'; readonly player: PlayerState }
-  /** @remarks `isAll`: topics that are not in it have no value there */
-  | { readonly kind: 'values'; readonly isAll: boolean; readonly values: readonly PlayedValue[] }
-  | { readonly kind: 'sessions'; readonly sessions: readonly PlayedSession[] };
+  showActivity(activity: RecordingActivity): void;
+  showSurvey(survey: Survey): void;
+  /** @param errorMs the largest error of a clock in it, milliseconds */
+  showClocks(errorMs: number): void;
+  showTile(topic: string, level: number, index: number, tile: Tile): void;
+  showPlayer(player: PlayerState): void;
+  /** @param isAll topics that are not in `values` have no value there */
+  showValues(values: readonly PlayedValue[], isAll: boolean): void;
+  showSessions(sessions: readonly PlayedSession[]): void;
+}

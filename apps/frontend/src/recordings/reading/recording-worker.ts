@@ -1,13 +1,26 @@
 import { RecordingReader } from '@ubii/recording';
 import { systemClock } from '@ubii/timing/system';
+import { serveCalls } from '@ubii/worker-rpc/browser';
 import { openSource } from '../files/open-source.ts';
 import type { ReadableFile } from '../files/readable-file.ts';
 import { ReadTurns } from './read-turns.ts';
-import { RecordingDesk, sentenceOf, type Tell } from './recording-desk.ts';
-import type { RecordingCommand } from './recording-messages.ts';
+import { RecordingDesk } from './recording-desk.ts';
+import type { RecordingPage, RecordingWorker } from './recording-messages.ts';
 
-/** Reads one recording beside the page. */
-const tell: Tell = (report, transfer = []) => self.postMessage(report, { transfer });
+/** Reads one recording beside the page. Before it is open, calls do nothing. */
+const page: RecordingPage = serveCalls<RecordingWorker, RecordingPage>({
+  open,
+  reopen,
+  readTiles: async (request) => desk?.readTiles(request),
+  readFrame: async (topic, timeMs) => desk?.readFrame(topic, timeMs),
+  play: async () => desk?.play(),
+  pause: async () => desk?.pause(),
+  setRate: async (rate) => desk?.setRate(rate),
+  setLoop: async (loop) => desk?.setLoop(loop),
+  seek: async (timeMs) => desk?.seek(timeMs),
+  stepRecord: async (topic, direction) => desk?.stepRecord(topic, direction),
+  stepTime: async (deltaMs) => desk?.stepTime(deltaMs),
+});
 let desk: RecordingDesk | undefined;
 
 const pause = (ms = 0): Promise<void> =>
@@ -18,7 +31,7 @@ let source: ReadableFile = new Blob();
 
 async function openDesk(): Promise<RecordingDesk> {
   const reader = await RecordingReader.open(openSource(source));
-  return new RecordingDesk(reader, systemClock, turns, tell);
+  return new RecordingDesk(reader, systemClock, turns, page);
 }
 
 async function open(from: ReadableFile): Promise<void> {
@@ -36,12 +49,3 @@ async function reopen(): Promise<void> {
   before.close();
   await next.resume(before.state);
 }
-
-function handle(command: RecordingCommand): Promise<void> | undefined {
-  if (command.kind === 'open') return open(command.source);
-  return command.kind === 'reopen' ? reopen() : desk?.handle(command);
-}
-
-self.addEventListener('message', ({ data }: MessageEvent<RecordingCommand>) => {
-  handle(data)?.catch((error: unknown) => tell({ kind: 'failed', message: sentenceOf(error) }));
-});

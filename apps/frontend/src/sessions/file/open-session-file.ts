@@ -1,5 +1,7 @@
+import { callWorker } from '@ubii/worker-rpc/browser';
 import { FILE_LIMITS } from './file-limits.ts';
 import { readSessionFile, refuseSize, type ReadFile } from './read-session-file.ts';
+import type { SessionFileWorker } from './session-file-worker.ts';
 
 /** Reads a chosen or dropped file without blocking the page. Never rejects. */
 export async function openSessionFile(file: File): Promise<ReadFile> {
@@ -18,13 +20,11 @@ export async function openSessionFile(file: File): Promise<ReadFile> {
   }
 }
 
-function readInWorker(file: File): Promise<ReadFile> {
-  const worker = new Worker(new URL('./session-file-worker.ts', import.meta.url), {
-    type: 'module',
-  });
-  return new Promise<ReadFile>((resolve, reject) => {
-    worker.onmessage = ({ data }: MessageEvent<ReadFile>) => resolve(data);
-    worker.onerror = () => reject(new Error('it is too large for this browser.'));
-    worker.postMessage(file);
-  }).finally(() => worker.terminate());
+async function readInWorker(file: File): Promise<ReadFile> {
+  const worker = callWorker<SessionFileWorker>(
+    new Worker(new URL('./session-file-worker.ts', import.meta.url), { type: 'module' }),
+    {},
+    'it is too large for this browser.',
+  );
+  return worker.calls.read(file).finally(() => worker.close());
 }

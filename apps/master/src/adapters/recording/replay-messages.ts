@@ -1,4 +1,3 @@
-import type { ServiceErrorCode } from '@ubii/proto';
 import type { RecordedDevice, RecordedSession, Span } from '@ubii/recording';
 
 import type {
@@ -15,8 +14,8 @@ export interface ReplayThreadData {
   readonly folder: string;
 }
 
-/** What is asked of the thread, and its answers. Files and players have numbers. */
-export interface ThreadCalls {
+/** What is called of the thread. Files and players have numbers. */
+export interface ReplayThread {
   open(file: number, recordingId: string): Promise<ReplayFacts>;
   session(file: number, id: string, timeNs: bigint): Promise<RecordedSession | undefined>;
   devices(file: number, span: Span): Promise<readonly RecordedDevice[]>;
@@ -26,27 +25,9 @@ export interface ThreadCalls {
   close(file: number): Promise<void>;
 }
 
-export type ThreadMethod = keyof ThreadCalls;
-
-/** To the thread. */
-export type ToReplayThread =
-  | {
-      readonly kind: 'call';
-      readonly id: number;
-      readonly method: ThreadMethod;
-      readonly args: readonly unknown[];
-    }
-  /** A batch of this player was published. */
-  | { readonly kind: 'published'; readonly player: number };
-
-/** From the thread. */
-export type FromReplayThread =
-  | { readonly kind: 'batch'; readonly player: number; readonly batch: PlayedBatch }
-  | { readonly kind: 'state'; readonly player: number; readonly state: PlayerState }
-  | { readonly kind: 'reply'; readonly id: number; readonly value: unknown }
-  | {
-      readonly kind: 'refusal';
-      readonly id: number;
-      readonly code: ServiceErrorCode;
-      readonly message: string;
-    };
+/** What the thread calls. */
+export interface ReplayOwner {
+  /** Resolves when the batch is published. */
+  publish(player: number, batch: PlayedBatch): Promise<void>;
+  showState(player: number, state: PlayerState): void;
+}

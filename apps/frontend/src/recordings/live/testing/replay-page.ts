@@ -2,8 +2,8 @@ import { ReplayState, type Recording, type Replay } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { computed, defineComponent, h, nextTick, ref, shallowRef, type Component } from 'vue';
 import { CONNECTION } from '../../../connection/connection.ts';
-import { createOpenedPlayer, type OpenedPlayer } from '../../opened/opened-player.ts';
-import type { RecordingCommand, RecordingReport } from '../../reading/recording-messages.ts';
+import type { OpenedPlayer } from '../../opened/opened-player.ts';
+import { fakeRecording } from '../../opened/testing/fake-recording.ts';
 
 /** A call of a service that the test replies to. */
 export interface MadeCall {
@@ -23,26 +23,6 @@ export const aReplay = (change: Partial<Replay> = {}): Replay => ({
 });
 
 export const STUDY = { id: 'study', name: 'Study' } as Recording;
-
-/** A player whose worker the test plays. */
-export function fakePlayer() {
-  const sent: RecordingCommand[] = [];
-  let tell: (report: RecordingReport) => void = () => undefined;
-  const player = createOpenedPlayer(
-    {
-      send: (command) => sent.push(command),
-      onReport: (handle) => (tell = handle),
-      close: () => undefined,
-    },
-    { url: '/recordings/study.mcap', authorization: undefined },
-    () => undefined,
-  );
-  const facts = { name: 'Study', notes: '', masterName: '', startMs: 0, durationMs: 1000 };
-  const lists = { topics: [], markers: [], gaps: [], labels: [] };
-  const parts = { ...lists, clientNames: new Map<string, string>() };
-  tell({ kind: 'opened', recording: { ...facts, ...parts, records: 2, isDamaged: false } });
-  return { player, sent, tell: (report: RecordingReport) => tell(report) };
-}
 
 /**
  * Mounts a part of a page whose master is the test.
@@ -78,7 +58,7 @@ export function replayPage<T>(
     state: computed(() => ({ status: 'connected' })),
     clients: { list: shallowRef([]), find: () => undefined },
   };
-  const opened = fakePlayer();
+  const opened = fakeRecording();
   let used!: T;
   const wrapper = mount(
     defineComponent(() => {

@@ -1,16 +1,12 @@
-import {
-  MessageChannel,
-  receiveMessageOnPort,
-  Worker,
-  type MessagePort,
-} from 'node:worker_threads';
+import { MessageChannel, receiveMessageOnPort, type MessagePort } from 'node:worker_threads';
 import { ServiceError } from '@ubii/proto';
 import type { ServiceRequest } from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
+import { openThread, transfer, type Thread } from '@ubii/worker-rpc/node';
 
 import type { Log } from '../../../core/ports/index.ts';
 import { FORMATS, type FormatName } from '../service-format.ts';
-import type { DecodeAnswer, DecodeJob, DecodeWorkerData } from './decode-messages.ts';
+import type { DecodeThread, DecodeThreadData } from './decode-messages.ts';
 import { JoinedMessage, type MessagePiece } from './decode-messages.ts';
 import type { ReceivedBody } from './receive-body.ts';
 
@@ -34,13 +30,15 @@ export interface BodyDecoderContext {
   readonly log: Log;
 }
 
-interface Job extends DecodeJob {
+interface Job {
+  readonly format: FormatName;
+  readonly bytes: Uint8Array<ArrayBuffer>;
   readonly resolve: (request: ServiceRequest) => void;
   readonly reject: (error: ServiceError) => void;
 }
 
-interface Thread {
-  readonly worker: Worker;
+interface Decoder {
+  readonly thread: Thread<DecodeThread>;
   readonly pieces: MessagePort;
 }
 
@@ -53,7 +51,7 @@ export class BodyDecoder {
   /** Jobs that wait, by caller; the next one is of the first caller. */
   readonly #waiting = new Map<unknown, Job[]>();
   #current: Job | undefined = undefined;
-  #thread: Thread | undefined = undefined;
+  #decoder: Decoder | undefined = undefined;
   #cancelTimer: Cancel = () => undefined;
   #isClosed = false;
 
@@ -94,7 +92,7 @@ export class BodyDecoder {
     this.#cancelTimer();
     const { clock } = this.#context;
     if (job === undefined) {
-      if (this.#thread !== undefined) {
+      if (this.#decoder !== undefined) {
         this.#cancelTimer = clock.after(IDLE_MS, () => this.#endThread('it was idle'));
       }
       return;
@@ -103,13 +101,8 @@ export class BodyDecoder {
     this.#cancelTimer = clock.after(JOB_TIMEOUT_MS, () =>
       this.#endThread(`it took longer than ${JOB_TIMEOUT_MS} ms`),
     );
-    const { format, bytes } = job;
-    try {
-      this.#thread ??= this.#startThread(this.#context.workerFile!);
-      this.#thread.worker.postMessage({ format, bytes }, [bytes.buffer]);
-    } catch (error) {
-      this.#endThread(String(error));
-    }
+    this.#decoder ??= this.#startThread(this.#context.workerFile!);
+    void this.#run(job, this.#decoder);
   }
 
   #nextJob(): Job | undefined {
@@ -123,42 +116,35 @@ export class BodyDecoder {
     return undefined;
   }
 
-  #startThread(file: URL): Thread {
+  #startThread(workerFile: URL): Decoder {
     const { port1, port2 } = new MessageChannel();
-    const workerData: DecodeWorkerData = { pieces: port2 };
-    const worker = new Worker(file, {
-      name: 'ubii request decoder',
-      workerData,
-      transferList: [port2],
-      env: {},
-      argv: [],
-      execArgv: [],
-      resourceLimits: { maxOldGenerationSizeMb: HEAP_MIB },
-    });
-    const isCurrent = (): boolean => this.#thread?.worker === worker;
-    worker.on('message', (answer: DecodeAnswer) => {
-      if (isCurrent()) void this.#finish(answer, port1);
-    });
-    worker.on('error', (error) => {
-      if (isCurrent()) this.#endThread(error.message);
-    });
-    worker.on('exit', () => {
-      if (isCurrent()) this.#endThread('its thread ended');
-    });
-    worker.unref();
-    return { worker, pieces: port1 };
+    const workerData: DecodeThreadData = { pieces: port2 };
+    const thread = openThread<DecodeThread>(
+      {
+        workerFile,
+        name: 'ubii request decoder',
+        workerData,
+        transferList: [port2],
+        heapMib: HEAP_MIB,
+        onEnd: (reason) => this.#endThread(reason),
+        lost: failure,
+      },
+      {},
+    );
+    return { thread, pieces: port1 };
   }
 
-  async #finish({ reason }: DecodeAnswer, pieces: MessagePort): Promise<void> {
-    const job = this.#current!;
-    if (reason !== undefined) {
-      job.reject(new ServiceError('invalid_argument', `${reason}.`));
-    } else {
-      const request = await this.#takePieces(pieces);
-      // The thread ended meanwhile, and the job with it.
-      if (this.#current !== job) return;
-      job.resolve(request as unknown as ServiceRequest);
-    }
+  async #run(job: Job, { thread, pieces }: Decoder): Promise<void> {
+    const { format, bytes } = job;
+    const reason = await thread.calls.decode(format, transfer(bytes, [bytes.buffer])).then(
+      () => undefined,
+      (error: Error) => error.message,
+    );
+    const request = reason === undefined ? await this.#takePieces(pieces) : undefined;
+    // The thread ended meanwhile, and the job with it.
+    if (this.#current !== job) return;
+    if (reason !== undefined) job.reject(new ServiceError('invalid_argument', `${reason}.`));
+    else job.resolve(request as unknown as ServiceRequest);
     this.#current = undefined;
     this.#startNext();
   }
@@ -179,13 +165,13 @@ export class BodyDecoder {
 
   /** Ends the thread and refuses what it decodes; the next job starts another. */
   #endThread(reason: string): void {
-    const thread = this.#thread;
+    const decoder = this.#decoder;
     const job = this.#current;
-    this.#thread = undefined;
+    this.#decoder = undefined;
     this.#current = undefined;
     this.#cancelTimer();
-    thread?.pieces.close();
-    void thread?.worker.terminate();
+    decoder?.pieces.close();
+    void decoder?.thread.end(reason);
     if (job === undefined) return;
     this.#context.log.warn('a request could not be decoded', { reason });
     job.reject(failure(reason));
