@@ -1,6 +1,6 @@
-import { ConnectionError } from '@ubii/client-web';
 import { SessionState, type Init, type Session } from '@ubii/proto';
-import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import { computed, type ComputedRef, type ShallowRef } from 'vue';
+import { refusalSentence, useAttempt } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { isAlive, sessionState } from '../sessions/state/session-state.ts';
 
@@ -10,7 +10,7 @@ export interface SharedSession {
   /** True while its modules run. */
   readonly isRunning: ComputedRef<boolean>;
   /** True while a service request is pending. */
-  readonly isBusy: Readonly<ShallowRef<boolean>>;
+  readonly isBusy: ComputedRef<boolean>;
   /** Error of the last action, one sentence. */
   readonly trouble: Readonly<ShallowRef<string | undefined>>;
   start(): Promise<void>;
@@ -31,8 +31,11 @@ export function useSharedSession(
   spec: () => Promise<Init<Session>>,
 ): SharedSession {
   const { client, sessions } = useConnection();
-  const isBusy = shallowRef(false);
-  const trouble = shallowRef<string>();
+  const {
+    problem: trouble,
+    isBusy,
+    attempt,
+  } = useAttempt({ sentenceOf: refusalSentence, catchesAll: true });
 
   /** Prefers an active session, then the smallest id, so that all clients choose the same session. */
   function choose(list: readonly Session[]): Session | undefined {
@@ -53,19 +56,8 @@ export function useSharedSession(
     return choose((await client.call('sessionRuntimeGetList')).elements);
   }
 
-  async function attempt(intent: () => Promise<void>): Promise<void> {
-    if (isBusy.value) return;
-    isBusy.value = true;
-    trouble.value = undefined;
-    try {
-      await intent();
-    } catch (cause) {
-      // A lost connection is shown by the shell.
-      if (cause instanceof ConnectionError) return;
-      trouble.value = cause instanceof Error ? cause.message : String(cause);
-    } finally {
-      isBusy.value = false;
-    }
+  async function change(work: () => Promise<void>): Promise<void> {
+    if (!isBusy.value) await attempt(work);
   }
 
   return {
@@ -74,7 +66,7 @@ export function useSharedSession(
     isBusy,
     trouble,
     start: () =>
-      attempt(async () => {
+      change(async () => {
         const there = await ask();
         if (there && isLiving(there)) return sessions.take(there);
         const mine = await client.call(
@@ -90,7 +82,7 @@ export function useSharedSession(
         } else sessions.take(mine);
       }),
     stop: () =>
-      attempt(async () => {
+      change(async () => {
         const there = await ask();
         if (there) await client.call('sessionRuntimeStop', { id: there.id });
       }),

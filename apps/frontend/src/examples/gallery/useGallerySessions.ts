@@ -1,7 +1,7 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, SessionState, type Session } from '@ubii/proto';
-import { shallowRef, type ShallowRef } from 'vue';
+import { SessionState, type Session } from '@ubii/proto';
+import type { ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
+import { useAttemptByKey } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { sessionLocation } from '../../locations/session-location.ts';
 import { useSessionActions } from '../../sessions/actions/useSessionActions.ts';
@@ -17,9 +17,9 @@ export interface GallerySessions {
   of(entry: GalleryEntry): Session | undefined;
   isRunning(entry: GalleryEntry): boolean;
   /** Ids of examples with a pending service request. */
-  readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
+  readonly busy: ComputedRef<ReadonlySet<string>>;
   /** Error of the last service request, by the id of the example. */
-  readonly failures: Readonly<ShallowRef<ReadonlyMap<string, string>>>;
+  readonly failures: ComputedRef<ReadonlyMap<string, string>>;
   /** Creates the session if the master has none, starts it, and opens its graph. */
   start(entry: GalleryEntry): Promise<void>;
   /** Creates the session if the master has none, and opens its graph. */
@@ -36,24 +36,13 @@ export function useGallerySessions(
   const router = useRouter();
   const actions = useSessionActions();
   const pageInputs = usePageInputs();
-  const busy = shallowRef<ReadonlySet<string>>(new Set());
-  const failures = shallowRef<ReadonlyMap<string, string>>(new Map());
+  const { problems: failures, busy, attempt } = useAttemptByKey();
 
   const of = (entry: GalleryEntry): Session | undefined =>
     sessionOfEntry(entry, sessions.list.value ?? []);
 
-  async function attempt(entry: GalleryEntry, intent: () => Promise<void>): Promise<void> {
-    if (busy.value.has(entry.id)) return;
-    busy.value = new Set([...busy.value, entry.id]);
-    failures.value = new Map([...failures.value].filter(([id]) => id !== entry.id));
-    try {
-      await intent();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      failures.value = new Map([...failures.value, [entry.id, cause.message]]);
-    } finally {
-      busy.value = new Set([...busy.value].filter((id) => id !== entry.id));
-    }
+  async function change(entry: GalleryEntry, work: () => Promise<void>): Promise<void> {
+    if (!busy.value.has(entry.id)) await attempt(entry.id, work);
   }
 
   /** Returns the existing session or a new one. This page provides its inputs, unless another page does. */
@@ -81,7 +70,7 @@ export function useGallerySessions(
     busy,
     failures,
     start: (entry) =>
-      attempt(entry, async () => {
+      change(entry, async () => {
         const session = await ready(entry);
         const giver = inputClient(entry, session);
         if (giver === undefined || giver === client.id) {
@@ -94,12 +83,9 @@ export function useGallerySessions(
         await router.push(sessionLocation(session.id));
       }),
     open: (entry) =>
-      attempt(
-        entry,
-        async () => void (await router.push(sessionLocation((await ready(entry)).id))),
-      ),
+      change(entry, async () => void (await router.push(sessionLocation((await ready(entry)).id)))),
     stop: (entry) =>
-      attempt(entry, async () => {
+      change(entry, async () => {
         const session = of(entry);
         if (session) await actions.calls.act(session, 'stop');
       }),

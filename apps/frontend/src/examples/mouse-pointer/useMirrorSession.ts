@@ -97,7 +97,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
 
   /** Serialises changes, however fast the place is switched. */
   let changes: Promise<void> = Promise.resolve();
-  function attempt(intent: () => Promise<void>): Promise<void> {
+  function inTurn(intent: () => Promise<void>): Promise<void> {
     changes = changes.then(async () => {
       if (isOver || !isConnected.value) return;
       trouble.value = undefined;
@@ -116,9 +116,9 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
 
   watch(place, (next) => {
     // Without another node, the module stays where it is.
-    if (next.kind !== 'node' || next.nodeId !== '') void attempt(move);
+    if (next.kind !== 'node' || next.nodeId !== '') void inTurn(move);
   });
-  watch(isConnected, (connected) => connected && void attempt(send), { immediate: true });
+  watch(isConnected, (connected) => connected && void inTurn(send), { immediate: true });
 
   const { newest: report } = useTopic(() => id.value && sessionStatisticsTopic(id.value), {
     format: 'sessionStatistics',
@@ -152,7 +152,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     trouble,
     hasFailed,
     restart: () =>
-      attempt(async () => {
+      inTurn(async () => {
         end();
         await send();
       }),

@@ -1,7 +1,6 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
-import { shallowRef, type Ref } from 'vue';
+import type { ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
+import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { usePageInputs } from '../../examples/gallery/inputs/page-inputs.ts';
 import { sessionLocation } from '../../locations/session-location.ts';
@@ -11,14 +10,14 @@ import { isOwnSession, ownSession } from './first-session.ts';
 
 /** Makes the session of Home one's own: starts a copy that stays, and opens it. */
 export function useKeptSession(): {
-  readonly isBusy: Readonly<Ref<boolean>>;
+  readonly isBusy: ComputedRef<boolean>;
   keep(): Promise<void>;
 } {
   const { client, sessions } = useConnection();
   const router = useRouter();
   const toasts = useToasts();
   const pageInputs = usePageInputs();
-  const isBusy = shallowRef(false);
+  const { problem, isBusy, attempt } = useAttempt();
 
   async function startOwn(): Promise<string> {
     const known = sessions.list.value?.find((one) => isOwnSession(one, client.id));
@@ -33,17 +32,12 @@ export function useKeptSession(): {
     isBusy,
     async keep() {
       if (isBusy.value) return;
-      isBusy.value = true;
-      try {
+      await attempt(async () => {
         const id = await startOwn();
         pageInputs.give(id, ['pointer']);
         await router.push(sessionLocation(id));
-      } catch (cause) {
-        if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-        toasts.show(`The session was not started. ${cause.message}`);
-      } finally {
-        isBusy.value = false;
-      }
+      });
+      if (problem.value !== undefined) toasts.show(`The session was not started. ${problem.value}`);
     },
   };
 }

@@ -1,5 +1,4 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ReplayState, ServiceError, fromJson, type Recording, type Replay } from '@ubii/proto';
+import { ReplayState, fromJson, type Recording, type Replay } from '@ubii/proto';
 import {
   computed,
   inject,
@@ -12,6 +11,7 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useReplays } from '../../connection/useReplays.ts';
 import { writtenTopics } from '../../sessions/words/shared-topics.ts';
@@ -70,28 +70,21 @@ export function provideRerun(
   let span: Span | undefined;
   let cancelCompare = (): void => undefined;
 
-  async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
-    try {
-      return await work();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      state.value = { status: 'failed', message: cause.message };
-      return undefined;
-    }
-  }
+  const request = <T>(work: () => Promise<T>): Promise<T | undefined> =>
+    tryRequest(work, ({ message }) => (state.value = { status: 'failed', message }));
   async function finish(replay: Replay): Promise<void> {
     const { session, recordingId, problem } = replay;
     if (session === undefined) return;
     state.value = { status: 'comparing', outputs: 0 };
     // Its recording is closed then.
-    const isStopped = await attempt(() => client.call('replayStop', { id: replay.id }));
+    const isStopped = await request(() => client.call('replayStop', { id: replay.id }));
     if (isStopped === undefined) return;
-    const request = {
+    const compared = {
       recordedFile: masterFile(recordingId, client),
       rerunFile: masterFile(session.comparisonRecordingId, client),
       ...{ inputPrefix: session.inputPrefix, outputPrefix: session.outputPrefix, outputs, span },
     };
-    cancelCompare = compare(request, (report) => {
+    cancelCompare = compare(compared, (report) => {
       if (report.kind === 'progress')
         state.value = { status: 'comparing', outputs: report.outputs };
       else if (report.kind === 'failed')
@@ -110,7 +103,7 @@ export function provideRerun(
       state.value = { status: 'failed', message: 'The run was stopped before its end.' };
     else if (now.state === ReplayState.REPLAY_STATE_FAILED) {
       state.value = { status: 'failed', message: now.problem };
-      void attempt(() => client.call('replayStop', { id }));
+      void request(() => client.call('replayStop', { id }));
     } else if (isOver(now)) void finish(now);
     else state.value = { status: 'running', replay: now };
   });
@@ -121,7 +114,7 @@ export function provideRerun(
     cancelCompare();
     if (before?.status === 'running') {
       const { id } = before.replay;
-      void attempt(() => client.call('replayStop', { id }));
+      void request(() => client.call('replayStop', { id }));
     }
   }
   onScopeDispose(close);
@@ -137,7 +130,7 @@ export function provideRerun(
       const { rate, loop } = opened.player.value;
       outputs = outputsOf(session);
       span = loop;
-      const replay = await attempt(() =>
+      const replay = await request(() =>
         client.call('replayStart', {
           ...{ clientId: client.id, recordingId: recording.value?.id ?? '', sessionId: id, rate },
           ...(loop && { span: { fromMs: loop.fromMs, untilMs: loop.untilMs } }),
