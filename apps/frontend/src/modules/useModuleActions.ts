@@ -10,8 +10,8 @@ import { moduleEditorLocation, moduleLocation } from '../locations/module-locati
 import { copyName, freeName } from '../sessions/text/session-spec.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import type { MenuItem } from '../ui/UiMenu.vue';
-import { draftNames, dropDraft, keepDraft } from './editor/draft/draft-store.ts';
-import type { ModuleDraft } from './editor/draft/module-draft.ts';
+import { draftNames, dropDraft, keepDraft } from './draft/draft-store.ts';
+import type { ModuleDraft } from './draft/module-draft.ts';
 import { importedWords, withoutFixed } from './file/import-words.ts';
 import { exportModule, exportModules, importModules } from './file/module-file.ts';
 import { isDeletable, type ModuleEntry } from './library/module-entry.ts';

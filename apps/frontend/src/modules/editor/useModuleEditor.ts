@@ -4,17 +4,17 @@ import { computed, ref, shallowRef, watch, type ComputedRef, type Ref, type Shal
 import { usePoll } from '../../connection/poll.ts';
 import { tryRequest, useAttempt, type RequestError } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { dropDraft, keepDraft, readDraft } from './draft/draft-store.ts';
-import { draftProblems, isFatalProblem, type DraftProblems } from './draft/draft-problems.ts';
-import { editedModule, type EditedModule } from './draft/edited-module.ts';
+import { dropDraft, keepDraft, readDraft } from '../draft/draft-store.ts';
+import { draftProblems, isFatalProblem, type DraftProblems } from '../draft/draft-problems.ts';
+import { editedModule, type EditedModule } from '../draft/edited-module.ts';
 import {
   draftKey,
   draftOf,
   isSameDraft,
   moduleOf,
   type ModuleDraft,
-} from './draft/module-draft.ts';
-import { reconcile } from './draft/reconcile.ts';
+} from '../draft/module-draft.ts';
+import { reconcile } from '../draft/reconcile.ts';
 import { keepSame } from './keep-same.ts';
 
 /** Interval of requests, milliseconds, to notice changed files on the master's disk. */

@@ -1,7 +1,7 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ModuleVersionOrigin, type ModuleVersion, type ProcessingModule } from '@ubii/proto';
 import { tryRequest, type RequestError } from '../../../connection/useAttempt.ts';
-import type { ModuleDraft } from '../draft/module-draft.ts';
+import type { ModuleDraft } from '../../draft/module-draft.ts';
 
 /** Earlier versions of a module, or the reason why there are none. */
 export type VersionList =
