@@ -1,9 +1,9 @@
+import { isSameValue } from '@ubii/proto';
 import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { isAlive } from '../../sessions/state/session-state.ts';
 import { runningWriters } from '../../sessions/words/shared-topics.ts';
-import { sameValue } from '../../formats/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
 import type { GraphProblem, TopicAdvice } from '../model/live/graph-problem.ts';
 import { isMissing, type Surroundings } from '../model/live/own-problems.ts';
@@ -114,7 +114,7 @@ export function useGraphProblems(): LiveProblems {
 const isSame = (a: Surroundings, b: Surroundings): boolean =>
   isSameSet(a.modules, b.modules) &&
   isSameSet(a.nodes, b.nodes) &&
-  sameValue([...a.writers], [...b.writers]);
+  isSameValue([...a.writers], [...b.writers]);
 
 function isSameSet(
   a: ReadonlySet<string> | undefined,
