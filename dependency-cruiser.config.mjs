@@ -9,6 +9,7 @@ const comment =
 
 /** Folders of the frontend, line by line: each imports those of the lines above it, see its README. */
 const FRONTEND = [
+  ['context'],
   ['styles', 'theme', 'patterns', 'connection', 'formats', 'files', 'json', 'players', 'pad'],
   ['ui', 'locations'],
   ['page', 'marks', 'message-form', 'tab-node', 'install', 'asset-sets', 'load-charts'],

@@ -1,5 +1,6 @@
 import { isSameValue } from '@ubii/proto';
-import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
+import { computed, provide, type ComputedRef, type InjectionKey } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { isAlive } from '../../sessions/state/session-state.ts';
@@ -106,9 +107,7 @@ export function provideNoProblems(): void {
 }
 
 export function useGraphProblems(): LiveProblems {
-  const live = inject(PROBLEMS);
-  if (!live) throw new Error('This part needs the graph page above it.');
-  return live;
+  return injectOrThrow(PROBLEMS, 'the graph page above it');
 }
 
 const isSame = (a: Surroundings, b: Surroundings): boolean =>

@@ -1,7 +1,6 @@
 import { ReplayState, fromJson, type Recording, type Replay } from '@ubii/proto';
 import {
   computed,
-  inject,
   onScopeDispose,
   provide,
   shallowRef,
@@ -11,6 +10,7 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import { tryRequest } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useReplays } from '../../connection/useReplays.ts';
@@ -51,9 +51,7 @@ export interface Rerun {
 const RERUN: InjectionKey<Rerun> = Symbol('rerun');
 
 export function useRerun(): Rerun {
-  const rerun = inject(RERUN);
-  if (!rerun) throw new Error('This part needs an opened recording above it.');
-  return rerun;
+  return injectOrThrow(RERUN, 'an opened recording above it');
 }
 
 /** @param recording at the master; undefined for a file of this device */

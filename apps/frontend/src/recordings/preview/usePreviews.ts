@@ -1,7 +1,6 @@
 import { useIntersectionObserver } from '@vueuse/core';
 import {
   computed,
-  inject,
   onBeforeUnmount,
   provide,
   shallowRef,
@@ -10,6 +9,7 @@ import {
   type InjectionKey,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import type { PreviewReport, PreviewRequest } from './preview-messages.ts';
 import { PreviewStore, type PreviewPort, type PreviewState } from './preview-store.ts';
 
@@ -46,9 +46,7 @@ export function providePreviews(open: () => PreviewPort = openPreviewWorker): Pr
 }
 
 export function usePreviews(): PreviewStore {
-  const store = inject(PREVIEWS);
-  if (!store) throw new Error('This part needs the page of recordings above it.');
-  return store;
+  return injectOrThrow(PREVIEWS, 'the page of recordings above it');
 }
 
 /** The preview of a recording, which is read while its element is on screen. @param request undefined for none */
