@@ -6,8 +6,7 @@ export function isSameValue(a: unknown, b: unknown): boolean {
   if (Object.is(a, b)) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;
   if (a instanceof Map || b instanceof Map) return isSameMap(a, b);
-  if (Array.isArray(a) || a instanceof Uint8Array) return isSameList(a, b);
-  if (Array.isArray(b)) return false;
+  if (isList(a) || isList(b)) return isList(a) && isList(b) && isSameList(a, b);
   // Undefined members count as missing.
   const [left, right] = [definedKeys(a), definedKeys(b)];
   return (
@@ -25,8 +24,10 @@ function isSameMap(a: object, b: object): boolean {
   return [...a].every(([key, value]) => b.has(key) && isSameValue(value, b.get(key)));
 }
 
-function isSameList(a: ArrayLike<unknown>, b: object): boolean {
-  if (!Array.isArray(b) && !(b instanceof Uint8Array)) return false;
+const isList = (value: object): value is ArrayLike<unknown> =>
+  Array.isArray(value) || value instanceof Uint8Array;
+
+function isSameList(a: ArrayLike<unknown>, b: ArrayLike<unknown>): boolean {
   if (a.length !== b.length) return false;
   for (let i = 0; i < a.length; i += 1) if (!isSameValue(a[i], b[i])) return false;
   return true;

@@ -7,7 +7,7 @@ import { inject, type InjectionKey } from 'vue';
  * @throws Error that names `provider` when nothing is provided
  */
 export function injectOrThrow<T>(key: InjectionKey<T>, provider: string): T {
-  const value = inject(key);
+  const value = inject(key, undefined);
   if (value === undefined) throw new Error(`This part needs ${provider}.`);
   return value;
 }
