@@ -1,20 +1,26 @@
 import { useLocalStorage } from '@vueuse/core';
-import { computed, reactive } from 'vue';
-import { formatNumber } from '../../ui/readouts/format-number.ts';
+import { computed, reactive, ref } from 'vue';
 
-/** State of a number field: its text, its value, and its error. */
-export interface NumberField {
-  text: string;
-  /** The number; `undefined` while there is an error. */
+/** A number of a form that this browser keeps. */
+export interface StoredNumber {
+  /** `undefined` while the text in its field is refused. */
   readonly value: number | undefined;
-  readonly error: string | undefined;
+  /** Props and listeners of its `UiNumberField`. */
+  readonly field: NumberFieldBinding;
 }
 
-/**
- * Number field whose value is stored in this browser.
- * @param key of `localStorage`
- */
-export function useNumber(
+/** What a `UiNumberField` takes. */
+export interface NumberFieldBinding {
+  readonly modelValue: number;
+  readonly min: number;
+  readonly max: number;
+  readonly isWhole: boolean;
+  readonly 'onUpdate:modelValue': (next: number) => void;
+  readonly onRefuse: (isRefused: boolean) => void;
+}
+
+/** @param key of `localStorage` */
+export function useStoredNumber(
   key: string,
   {
     initial,
@@ -27,21 +33,22 @@ export function useNumber(
     readonly max: number;
     readonly isWhole?: boolean;
   },
-): NumberField {
-  const text = useLocalStorage(`ubii.performance.${key}`, String(initial));
-  const number = computed(() => {
-    const trimmed = text.value.trim();
-    return trimmed === '' ? NaN : Number(trimmed);
-  });
-  const error = computed(() => {
-    const isFine = number.value >= min && number.value <= max;
-    if (isFine && (!isWhole || Number.isInteger(number.value))) return undefined;
-    const kind = isWhole ? 'a whole number' : 'a number';
-    return `Enter ${kind} from ${formatNumber(min)} to ${formatNumber(max)}.`;
-  });
+): StoredNumber {
+  const stored = useLocalStorage(`ubii.performance.${key}`, initial);
+  const isRefused = ref(false);
+  /** Versions before kept the text, whatever it was. */
+  const number = computed(() =>
+    stored.value >= min && stored.value <= max ? stored.value : initial,
+  );
   return reactive({
-    text,
-    error,
-    value: computed(() => (error.value === undefined ? number.value : undefined)),
+    value: computed(() => (isRefused.value ? undefined : number.value)),
+    field: computed(() => ({
+      modelValue: number.value,
+      min,
+      max,
+      isWhole,
+      'onUpdate:modelValue': (next: number) => (stored.value = next),
+      onRefuse: (is: boolean) => (isRefused.value = is),
+    })),
   });
 }
