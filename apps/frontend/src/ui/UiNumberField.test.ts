@@ -23,7 +23,7 @@ describe('a number field', () => {
     await wrapper.get('input').setValue(text);
     const isRefused = value === undefined;
     expect(wrapper.emitted('update:modelValue')).toEqual(isRefused ? undefined : [[value]]);
-    expect(wrapper.emitted('refuse')).toEqual(isRefused ? [[true]] : undefined);
+    expect(wrapper.emitted('refuse')?.length ?? 0).toBe(isRefused ? 1 : 0);
     expect(wrapper.text().includes('Enter a whole number from 1 to')).toBe(isRefused);
   });
 

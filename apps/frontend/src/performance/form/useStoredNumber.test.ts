@@ -17,9 +17,9 @@ describe('a stored number', () => {
     const number = stored();
     number.field['onUpdate:modelValue'](7);
     expect(number.value).toBe(7);
-    number.field.onRefuse(true);
-    expect(number.value).toBeUndefined();
-    number.field.onRefuse(false);
+    number.field.onRefuse('Enter a number.');
+    expect([number.value, number.error]).toEqual([undefined, 'Enter a number.']);
+    number.field.onRefuse(undefined);
     expect(number.value).toBe(7);
   });
 });

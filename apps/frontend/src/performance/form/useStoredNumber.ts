@@ -5,6 +5,8 @@ import { computed, reactive, ref } from 'vue';
 export interface StoredNumber {
   /** `undefined` while the text in its field is refused. */
   readonly value: number | undefined;
+  /** Why the text in its field is refused, one sentence. */
+  readonly error: string | undefined;
   /** Props and listeners of its `UiNumberField`. */
   readonly field: NumberFieldBinding;
 }
@@ -16,7 +18,7 @@ export interface NumberFieldBinding {
   readonly max: number;
   readonly isWhole: boolean;
   readonly 'onUpdate:modelValue': (next: number) => void;
-  readonly onRefuse: (isRefused: boolean) => void;
+  readonly onRefuse: (reason: string | undefined) => void;
 }
 
 /** @param key of `localStorage` */
@@ -35,20 +37,21 @@ export function useStoredNumber(
   },
 ): StoredNumber {
   const stored = useLocalStorage(`ubii.performance.${key}`, initial);
-  const isRefused = ref(false);
+  const error = ref<string>();
   /** Versions before kept the text, whatever it was. */
   const number = computed(() =>
     stored.value >= min && stored.value <= max ? stored.value : initial,
   );
   return reactive({
-    value: computed(() => (isRefused.value ? undefined : number.value)),
+    error,
+    value: computed(() => (error.value === undefined ? number.value : undefined)),
     field: computed(() => ({
       modelValue: number.value,
       min,
       max,
       isWhole,
       'onUpdate:modelValue': (next: number) => (stored.value = next),
-      onRefuse: (is: boolean) => (isRefused.value = is),
+      onRefuse: (reason: string | undefined) => (error.value = reason),
     })),
   });
 }
