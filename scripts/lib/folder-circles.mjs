@@ -8,8 +8,6 @@ const OWN_FILES = '.';
 export const KNOWN_CIRCLES = [
   'apps/bridge/src/core',
   'apps/frontend/src/bridges',
-  'apps/frontend/src/clients',
-  'apps/frontend/src/connection',
   'apps/frontend/src/devices',
   'apps/frontend/src/devices/camera',
   'apps/frontend/src/examples',
@@ -18,8 +16,6 @@ export const KNOWN_CIRCLES = [
   'apps/frontend/src/graph/editor',
   'apps/frontend/src/graph/model',
   'apps/frontend/src/home',
-  'apps/frontend/src/learn',
-  'apps/frontend/src/modules/editor',
   'apps/frontend/src/settings',
   'apps/frontend/src/shell',
   'apps/frontend/src/studies',

@@ -15,7 +15,7 @@ import {
   type ModuleDraft,
 } from '../draft/module-draft.ts';
 import { reconcile } from '../draft/reconcile.ts';
-import { keepSame } from './keep-same.ts';
+import { keepSame } from './code/keep-same.ts';
 
 /** Interval of requests, milliseconds, to notice changed files on the master's disk. */
 const INTERVAL_MS = 1000;

@@ -12,7 +12,7 @@ import {
 import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { useReplays } from '../../connection/useReplays.ts';
+import { useReplays } from '../../connection/live/useReplays.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import { createFollowedPlayer } from './followed-player.ts';
 import { liveRequest, type LiveChoice } from './live-choice.ts';
