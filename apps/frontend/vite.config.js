@@ -76,7 +76,7 @@ export default defineConfig({
             {
               name: 'proto',
               // Not the text of a file, which only the module editor has
-              test: /packages\/proto\/src\/[^?]*$/,
+              test: /packages\/(proto\/src|client-web\/src\/core)\/[^?]*$/,
               minShareCount: 3,
               includeDependenciesRecursively: false,
             },
