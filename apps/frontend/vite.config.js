@@ -76,13 +76,13 @@ export default defineConfig({
             {
               name: 'proto',
               // Not the text of a file, which only the module editor has
-              test: /packages\/proto\/src\/[^?]*$/,
+              test: /packages\/(proto\/src|client-web\/src\/core)\/[^?]*$/,
               minShareCount: 3,
               includeDependenciesRecursively: false,
             },
             {
               name: 'shared',
-              test: /@lucide|\/src\/(formats(?!\/picture-bitmap)|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/(shell|recent)|home\/in-words|shell\/(pages|shortcuts)|marks\/useMarks|players\/(player-identity|PlayerToken|outlines)|joining\/(join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses)|ui\/keys\/single-key|ui\/toasts\/toasts|graph\/editor\/templates\/(while-used|own-pointer)|ui\/charts\/line-path|clients\/client-facts|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(list\/session-rows|live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
+              test: /@lucide|\/src\/(formats(?!\/picture-bitmap)|locations|ui\/readouts|ui\/tooltip|connection|context)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/(shell|recent)|home\/in-words|shell\/(pages|shortcuts)|marks\/useMarks|players\/(player-identity|PlayerToken|outlines)|joining\/(join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses)|ui\/keys\/single-key|ui\/toasts\/toasts|graph\/editor\/templates\/(while-used|own-pointer)|ui\/charts\/line-path|clients\/model\/client-facts|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(list\/session-rows|live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
               minShareCount: 2,
               includeDependenciesRecursively: false,
             },

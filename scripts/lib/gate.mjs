@@ -1,4 +1,4 @@
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 
@@ -6,9 +6,10 @@ import { run, runNode } from './commands.mjs';
 import { findUndocumentedErrors } from './documented-errors.mjs';
 import { findRuleProblems } from './documented-rules.mjs';
 import { fingerprint } from './fingerprint.mjs';
+import { findFolderCircles } from './folder-circles.mjs';
 import { followGuides } from './follow-guides.mjs';
 import { checkFormat, lintSources, lintTypesOfComponents, lintTypesOfFiles } from './lint.mjs';
-import { inRoot, programFile } from './repository.mjs';
+import { cacheFolder, inRoot, programFile, readJson } from './repository.mjs';
 import { StepFailed, expectSuccess, step, stepsTogether } from './steps.mjs';
 import { checkTypes, packagesWithTypes } from './types.mjs';
 import { runTests } from './vitest.mjs';
@@ -98,8 +99,17 @@ async function checkWrittenWords() {
 }
 
 async function checkImportOrder() {
-  const args = ['--config', 'dependency-cruiser.config.mjs', ...foldersInOrder()];
-  expectSuccess(await runNode(programFile('', 'dependency-cruiser', 'depcruise'), args));
+  mkdirSync(cacheFolder, { recursive: true });
+  const found = join(cacheFolder, 'imports.json');
+  expectSuccess(
+    await runNode(programFile('', 'dependency-cruiser', 'depcruise'), [
+      ...['--config', 'dependency-cruiser.config.mjs', ...foldersInOrder()],
+      ...['--output-type', 'json', '--output-to', found],
+    ]),
+  );
+  const format = programFile('', 'dependency-cruiser', 'depcruise-fmt');
+  expectSuccess(await runNode(format, ['--output-type', 'err', '--exit-code', found]));
+  expectNone(findFolderCircles(readJson(found).modules));
 }
 
 /** Sources whose files and folders import each other in one order. */

@@ -37,6 +37,7 @@ export {
   type TopicRecord,
 } from './records.ts';
 export { matchesProfile, selectByProfiles, type Profiled } from './profiles.ts';
+export { isSameValue } from './same-value.ts';
 export { DEFAULT_TEXT_LIMITS, type TextLimits } from './text-limits.ts';
 export { timestampFromMs, timestampToMs } from './timestamp.ts';
 export {

@@ -1,7 +1,7 @@
-import { ConnectionError } from '@ubii/client-web';
-import { AssetSetState, ServiceError, type AssetSet } from '@ubii/proto';
+import { AssetSetState, type AssetSet } from '@ubii/proto';
 import { computed, shallowRef, toValue, type MaybeRefOrGetter } from 'vue';
 import { usePoll } from '../connection/poll.ts';
+import { tryRequest, useAttemptByKey } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
 /** Interval of requests, milliseconds: manual changes of files are not announced. */
@@ -18,15 +18,12 @@ export function useAssetSets(enabled: MaybeRefOrGetter<boolean> = true) {
   /** `undefined` until the first reply, and where the master or the role does not provide them. */
   const sets = shallowRef<readonly AssetSet[]>();
   /** Reason why the last request was refused, by the name of the set. */
-  const refusals = shallowRef<ReadonlyMap<string, string>>(new Map());
+  const { problems: refusals, attempt } = useAttemptByKey();
   const isDownloading = computed(() => sets.value?.some(({ download }) => download?.running));
 
   async function refresh(): Promise<void> {
-    try {
-      sets.value = (await client.call('assetSetList')).elements;
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-    }
+    const reply = await tryRequest(() => client.call('assetSetList'));
+    if (reply) sets.value = reply.elements;
   }
   usePoll(
     refresh,
@@ -35,14 +32,7 @@ export function useAssetSets(enabled: MaybeRefOrGetter<boolean> = true) {
   );
 
   async function ask(service: 'assetSetDownload' | 'assetSetCancel', name: string): Promise<void> {
-    let refusal: string | undefined;
-    try {
-      await client.call(service, { name });
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      refusal = cause.message;
-    }
-    refusals.value = new Map(refusals.value).set(name, refusal ?? '');
+    await attempt(name, () => client.call(service, { name }));
     await refresh();
   }
 

@@ -1,19 +1,19 @@
 import { ConnectionError } from '@ubii/client-web';
 import {
   BridgeOutcome,
-  ServiceError,
   type BridgeMappingProblem,
   type BridgeMappings,
   type BridgeMatch,
 } from '@ubii/proto';
 import { shallowRef, watch, type ShallowRef } from 'vue';
 import * as v from 'valibot';
+import { tryRequest, type RequestError } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { readStored } from '../json/read-stored.ts';
 import { applyChange, type MappingChange, type WrittenMapping } from './model/mapping-changes.ts';
 
-/** Attempts to save on top of changes of others. */
-const ATTEMPTS = 3;
+/** Tries to save on top of changes of others. */
+const MAX_TRIES = 3;
 
 const LIST = v.array(v.record(v.string(), v.unknown()));
 
@@ -69,12 +69,13 @@ export function useBridgeMappings(
 
   async function load(): Promise<void> {
     const own = ++turn;
-    try {
-      const reply = await client.call('bridgeMappingsGet', { targetId });
-      if (own === turn) take(reply);
-    } catch (cause) {
-      if (own === turn) failure.value = messageOf(cause);
-    }
+    const reply = await tryRequest(
+      () => client.call('bridgeMappingsGet', { targetId }),
+      (cause) => {
+        if (own === turn) failure.value = sentenceOf(cause);
+      },
+    );
+    if (reply && own === turn) take(reply);
   }
   function take(reply: BridgeMappings): void {
     const list = readStored(LIST, reply.mappingsJson);
@@ -122,41 +123,43 @@ export function useBridgeMappings(
     return 'again';
   }
 
+  async function saveOnTop(change: MappingChange): Promise<SaveResult> {
+    for (let tries = 0; tries < MAX_TRIES; tries++) {
+      const result = await saveOnce(change);
+      if (result !== 'again') return result;
+    }
+    return { kind: 'conflict' };
+  }
+
   return {
     loaded,
     failure,
     async save(change) {
-      try {
-        for (let attempt = 0; attempt < ATTEMPTS; attempt++) {
-          const result = await saveOnce(change);
-          if (result !== 'again') return result;
-        }
-        return { kind: 'conflict' };
-      } catch (cause) {
-        return { kind: 'failed', message: messageOf(cause) };
-      }
+      let message = '';
+      const result = await tryRequest(
+        () => saveOnTop(change),
+        (cause) => (message = sentenceOf(cause)),
+      );
+      return result ?? { kind: 'failed', message };
     },
     async check(change) {
       const changed = loaded.value && applyChange(loaded.value.list, change);
       if (changed === undefined) return undefined;
-      try {
-        const reply = await client.call('bridgeMappingsCheck', {
+      const reply = await tryRequest(() =>
+        client.call('bridgeMappingsCheck', {
           ...{ targetId, clientId: client.id, previewIndex: changed.index },
           mappingsJson: JSON.stringify(changed.list),
-        });
-        const problems = reply.problems.filter(({ index }) => index === changed.index);
-        return { problems, matches: reply.matches, moreMatches: reply.moreMatches };
-      } catch (cause) {
-        messageOf(cause);
-        return undefined;
-      }
+        }),
+      );
+      if (reply === undefined) return undefined;
+      const problems = reply.problems.filter(({ index }) => index === changed.index);
+      return { problems, matches: reply.matches, moreMatches: reply.moreMatches };
     },
   };
 }
 
-/** @throws what is no answer of the master */
-function messageOf(cause: unknown): string {
-  if (cause instanceof ServiceError) return cause.message;
-  if (cause instanceof ConnectionError) return 'This page is not connected to the master.';
-  throw cause;
+function sentenceOf(cause: RequestError): string {
+  return cause instanceof ConnectionError
+    ? 'This page is not connected to the master.'
+    : cause.message;
 }

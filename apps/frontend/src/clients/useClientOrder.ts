@@ -1,7 +1,7 @@
 import { computed, type ComputedRef } from 'vue';
 import { filterClients, sortClients, type ClientWishes } from './filter/client-filter.ts';
 import type { ClientView } from './model/client-view.ts';
-import { useStillOrder } from './useStillOrder.ts';
+import { useStillOrder } from './model/useStillOrder.ts';
 
 /** Filtered clients, in an order that is stable for some time. */
 export function useClientOrder(

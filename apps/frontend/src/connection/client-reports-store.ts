@@ -1,8 +1,9 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ServiceError, type ClientActivity } from '@ubii/proto';
+import type { ClientActivity, ServiceError } from '@ubii/proto';
 import { computed, shallowRef, type Ref, type ShallowRef } from 'vue';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
+import { tryRequest, type RequestError } from './useAttempt.ts';
 
 /** Traffic and load of each client; requested only while there are viewers. [EX-25] */
 export interface ClientReportsStore {
@@ -31,19 +32,18 @@ export function createClientReportsStore(
   const interest = createInterest();
 
   async function refresh(): Promise<void> {
-    try {
-      const report = await client.call('clientReport', {});
-      byId.value = new Map(report.clients.map((activity) => [activity.clientId, activity]));
-      masterTimeMs.value = report.masterTimeMs;
-      isUnsupported.value = false;
-      error.value = undefined;
-    } catch (cause) {
-      // Shown by the connection's state; polling resumes after reconnecting.
-      if (cause instanceof ConnectionError) return;
-      if (!(cause instanceof ServiceError)) throw cause;
-      isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
-      error.value = cause;
-    }
+    const report = await tryRequest(() => client.call('clientReport', {}), handleError);
+    if (report === undefined) return;
+    byId.value = new Map(report.clients.map((activity) => [activity.clientId, activity]));
+    masterTimeMs.value = report.masterTimeMs;
+    isUnsupported.value = false;
+    error.value = undefined;
+  }
+  function handleError(cause: RequestError): void {
+    // Shown by the connection's state; polling resumes after reconnecting.
+    if (cause instanceof ConnectionError) return;
+    isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
+    error.value = cause;
   }
 
   usePoll(

@@ -1,5 +1,5 @@
-import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ClientState, ServiceError, type Client, type Mark } from '@ubii/proto';
+import type { UbiiClient } from '@ubii/client-web';
+import { ClientState, type Client, type Mark } from '@ubii/proto';
 import { useTimeoutFn } from '@vueuse/core';
 import { computed, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { displayNames } from './display-names.ts';
@@ -7,6 +7,7 @@ import { createInterest } from './interest.ts';
 import { perFrame } from './per-frame.ts';
 import { usePoll } from './poll.ts';
 import { Recency } from './recency.ts';
+import { tryRequest } from './useAttempt.ts';
 
 const ANNOUNCEMENTS = '/ubii/client/*';
 /** Delay after the first abridged announcement before the missing parts of all are requested, milliseconds. [EX-74] */
@@ -77,15 +78,13 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
   /** @param ids of the clients to request; default: all */
   async function refresh(ids?: readonly string[]): Promise<void> {
     const turn = recency.now();
-    try {
-      const { elements } = await (ids === undefined
+    // Failures are shown elsewhere, and the next refresh replaces this one.
+    const reply = await tryRequest(() =>
+      ids === undefined
         ? client.call('clientGetList')
-        : client.call('clientGetList', { elements: ids.map((id) => ({ id })) }));
-      take(elements, ids ?? [...present], turn);
-    } catch (cause) {
-      // Shown elsewhere, and the next refresh replaces this one.
-      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
-    }
+        : client.call('clientGetList', { elements: ids.map((id) => ({ id })) }),
+    );
+    if (reply) take(reply.elements, ids ?? [...present], turn);
   }
 
   /** Last requested revision of clients with abridged announcements. */

@@ -1,8 +1,9 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
+import type { ServiceError } from '@ubii/proto';
 import { shallowRef, type MaybeRefOrGetter, type ShallowRef } from 'vue';
 import { mergeMasterStatus, nextSinceMs, type MasterView } from './master-status.ts';
 import { usePoll } from './poll.ts';
+import { tryRequest, type RequestError } from './useAttempt.ts';
 
 const INTERVAL_MS = 1000;
 
@@ -25,21 +26,24 @@ export function createMasterStatusStore(
   const isUnsupported = shallowRef(false);
   const error = shallowRef<ServiceError>();
 
+  function handleError(cause: RequestError): void {
+    // Shown by the connection's state; polling resumes after reconnecting.
+    if (cause instanceof ConnectionError) return;
+    isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
+    error.value = cause;
+  }
+
   usePoll(
     async () => {
-      try {
-        const sentMs = nowMs();
-        const reply = await client.call('masterStatus', { sinceMs: nextSinceMs(view.value) });
-        view.value = mergeMasterStatus(view.value, reply, sentMs, nowMs());
-        isUnsupported.value = false;
-        error.value = undefined;
-      } catch (cause) {
-        // Shown by the connection's state; polling resumes after reconnecting.
-        if (cause instanceof ConnectionError) return;
-        if (!(cause instanceof ServiceError)) throw cause;
-        isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
-        error.value = cause;
-      }
+      const sentMs = nowMs();
+      const reply = await tryRequest(
+        () => client.call('masterStatus', { sinceMs: nextSinceMs(view.value) }),
+        handleError,
+      );
+      if (reply === undefined) return;
+      view.value = mergeMasterStatus(view.value, reply, sentMs, nowMs());
+      isUnsupported.value = false;
+      error.value = undefined;
     },
     INTERVAL_MS,
     isConnected,

@@ -1,8 +1,9 @@
-import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { fromJson, ServiceError, type NodeInfo } from '@ubii/proto';
+import type { UbiiClient } from '@ubii/client-web';
+import { fromJson, type NodeInfo } from '@ubii/proto';
 import { computed, shallowRef, type Ref, type ShallowRef } from 'vue';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
+import { tryRequest } from './useAttempt.ts';
 
 /** The nodes; requested only while there are viewers. [PM-61] */
 export interface NodesStore {
@@ -27,14 +28,11 @@ export function createNodesStore(
   const interest = createInterest();
 
   async function refresh(): Promise<void> {
-    try {
-      const { elements } = await client.call('nodeList');
-      for (const node of elements) known.set(node.clientId, node);
-      list.value = elements;
-    } catch (cause) {
-      // An original master has no such list; a lost connection is shown elsewhere.
-      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
-    }
+    // An original master has no such list; a lost connection is shown elsewhere.
+    const reply = await tryRequest(() => client.call('nodeList'));
+    if (reply === undefined) return;
+    for (const node of reply.elements) known.set(node.clientId, node);
+    list.value = reply.elements;
   }
 
   /** Other masters run modules of their sessions, but are not among the nodes of this one. */

@@ -1,5 +1,5 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
+import type { ServiceError } from '@ubii/proto';
 import { tryOnScopeDispose } from '@vueuse/core';
 import {
   computed,
@@ -14,6 +14,7 @@ import { measureClock, type ClockOffset } from './clock-offset.ts';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
 import { TopicRates, type TopicChanges, type TopicRate } from './topic-rates.ts';
+import { tryRequest, type RequestError } from './useAttempt.ts';
 
 /** Rates of all topics, from the master's statistics; requested only while there are viewers. */
 export interface TopicStatisticsStore {
@@ -51,28 +52,30 @@ export function createTopicStatisticsStore(
   const interest = createInterest();
 
   async function ask(): Promise<void> {
-    try {
-      const sentMs = nowMs();
-      const reply = await client.call('topicStatistics', { cursor: topicRates.cursor });
-      const changes = topicRates.apply(reply);
-      for (const listener of listeners) listener(changes);
-      masterTimeMs.value = reply.masterTimeMs;
-      clock.value = measureClock(
-        reply.reset ? undefined : clock.value,
-        sentMs,
-        nowMs(),
-        reply.masterTimeMs,
-      );
-      isUnsupported.value = false;
-      error.value = undefined;
-      rates.value = topicRates.rates;
-      triggerRef(rates);
-    } catch (cause) {
-      if (cause instanceof ConnectionError) return;
-      if (!(cause instanceof ServiceError)) throw cause;
-      isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
-      error.value = cause;
-    }
+    const sentMs = nowMs();
+    const reply = await tryRequest(
+      () => client.call('topicStatistics', { cursor: topicRates.cursor }),
+      handleError,
+    );
+    if (reply === undefined) return;
+    const changes = topicRates.apply(reply);
+    for (const listener of listeners) listener(changes);
+    masterTimeMs.value = reply.masterTimeMs;
+    clock.value = measureClock(
+      reply.reset ? undefined : clock.value,
+      sentMs,
+      nowMs(),
+      reply.masterTimeMs,
+    );
+    isUnsupported.value = false;
+    error.value = undefined;
+    rates.value = topicRates.rates;
+    triggerRef(rates);
+  }
+  function handleError(cause: RequestError): void {
+    if (cause instanceof ConnectionError) return;
+    isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
+    error.value = cause;
   }
 
   watch(isConnected, (connected) => {

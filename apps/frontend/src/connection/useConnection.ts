@@ -1,9 +1,7 @@
-import { inject } from 'vue';
+import { injectOrThrow } from '../context/inject-or-throw.ts';
 import { CONNECTION, type Connection } from './connection.ts';
 
 /** The connection of this page, provided at the root. */
 export function useConnection(): Connection {
-  const connection = inject(CONNECTION);
-  if (!connection) throw new Error('useConnection() needs the connection at the root of the app.');
-  return connection;
+  return injectOrThrow(CONNECTION, 'the connection at the root of the app');
 }

@@ -1,7 +1,7 @@
-import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type TopicSubscribers } from '@ubii/proto';
 import { computed, shallowRef, watch, type ShallowRef } from 'vue';
 import { usePoll } from './poll.ts';
+import { tryRequest } from './useAttempt.ts';
 import { useConnection } from './useConnection.ts';
 
 /** Interval of requests, milliseconds. */
@@ -17,14 +17,13 @@ export function useTopicSubscribers(
   async function ask(): Promise<void> {
     const asked = topic();
     if (asked === undefined) return;
-    try {
-      const { elements } = await client.call('topicSubscribers', { topics: [asked] });
-      if (topic() === asked) subscribers.value = elements[0];
-    } catch (cause) {
-      if (cause instanceof ConnectionError) return;
-      if (!(cause instanceof ServiceError)) throw cause;
-      subscribers.value = undefined;
-    }
+    const reply = await tryRequest(
+      () => client.call('topicSubscribers', { topics: [asked] }),
+      (cause) => {
+        if (cause instanceof ServiceError) subscribers.value = undefined;
+      },
+    );
+    if (reply && topic() === asked) subscribers.value = reply.elements[0];
   }
   watch(topic, () => (subscribers.value = undefined));
   usePoll(

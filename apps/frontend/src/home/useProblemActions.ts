@@ -1,5 +1,4 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
+import { tryRequest } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { useShell } from '../page/shell.ts';
 import { formatNumber } from '../ui/readouts/format-number.ts';
@@ -47,7 +46,7 @@ export function useProblemActions(): (action: ProblemAction) => Promise<void> {
           `Throttled ${nameOf(clientId)} to ${formatNumber(rate)} records per second.`,
           {
             text: 'Undo',
-            run: () => void attempt(() => throttle(clientId, 0)),
+            run: () => void request(() => throttle(clientId, 0)),
           },
         );
       }
@@ -60,20 +59,14 @@ export function useProblemActions(): (action: ProblemAction) => Promise<void> {
         return toasts.show(`Stopped ${sessions.find(id)?.name || 'the session'}`, {
           text: 'Undo',
           run: () =>
-            void attempt(async () => void (await client.call('sessionRuntimeStart', { id }))),
+            void request(async () => void (await client.call('sessionRuntimeStart', { id }))),
         });
       }
     }
   }
 
-  async function attempt(deed: () => Promise<void>): Promise<void> {
-    try {
-      await deed();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      toasts.show(cause.message);
-    }
-  }
+  const request = (work: () => Promise<void>): Promise<void> =>
+    tryRequest(work, ({ message }) => toasts.show(message));
 
-  return (action) => attempt(() => run(action));
+  return (action) => request(() => run(action));
 }

@@ -1,8 +1,8 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, type ProcessingModule } from '@ubii/proto';
+import type { ProcessingModule } from '@ubii/proto';
 import { Copy, Download, Pencil, Trash2 } from '@lucide/vue';
-import { shallowRef, type ShallowRef } from 'vue';
+import type { ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
+import { useAttempt } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { saveFile } from '../files/save-file.ts';
 import type { TextFile } from '../files/text-file.ts';
@@ -10,8 +10,8 @@ import { moduleEditorLocation, moduleLocation } from '../locations/module-locati
 import { copyName, freeName } from '../sessions/text/session-spec.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import type { MenuItem } from '../ui/UiMenu.vue';
-import { draftNames, dropDraft, keepDraft } from './editor/draft/draft-store.ts';
-import type { ModuleDraft } from './editor/draft/module-draft.ts';
+import { draftNames, dropDraft, keepDraft } from './draft/draft-store.ts';
+import type { ModuleDraft } from './draft/module-draft.ts';
 import { importedWords, withoutFixed } from './file/import-words.ts';
 import { exportModule, exportModules, importModules } from './file/module-file.ts';
 import { isDeletable, type ModuleEntry } from './library/module-entry.ts';
@@ -33,19 +33,14 @@ export function useModuleActions(library: ModuleLibrary): ModuleActions {
   const { client } = useConnection();
   const router = useRouter();
   const toasts = useToasts();
-  const failure = shallowRef<string>();
+  const { problem: failure, attempt } = useAttempt();
 
-  async function attempt<T>(intent: () => Promise<T>): Promise<T | undefined> {
-    failure.value = undefined;
-    try {
-      const result = await intent();
+  function changed<T>(work: () => Promise<T>): Promise<T | undefined> {
+    return attempt(async () => {
+      const result = await work();
       await library.refresh();
       return result;
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      failure.value = cause.message;
-      return undefined;
-    }
+    });
   }
 
   const save = (module: ProcessingModule): Promise<ProcessingModule> =>
@@ -54,19 +49,19 @@ export function useModuleActions(library: ModuleLibrary): ModuleActions {
   async function duplicate({ module }: ModuleEntry): Promise<void> {
     const taken = new Set(library.entries.value?.map((one) => one.module.name));
     const name = copyName(module.name, taken);
-    const saved = await attempt(() => save({ ...module, name }));
+    const saved = await changed(() => save({ ...module, name }));
     if (saved) await router.push(moduleLocation(name));
   }
 
   async function remove({ module }: ModuleEntry): Promise<void> {
     const { name, id } = module;
-    const done = await attempt(() => client.call('processingModuleDatabaseDelete', { id, name }));
+    const done = await changed(() => client.call('processingModuleDatabaseDelete', { id, name }));
     if (done === undefined) return;
     dropDraft(name);
     await router.push('/modules');
     toasts.show(`Deleted ${name}`, {
       text: 'Undo',
-      run: () => void attempt(() => save(module)),
+      run: () => void changed(() => save(module)),
     });
   }
 
@@ -79,7 +74,7 @@ export function useModuleActions(library: ModuleLibrary): ModuleActions {
       }
       const modules = withoutFixed(read.modules, library.entries.value ?? []);
       for (const module of modules) {
-        const saved = await attempt(() => save(module));
+        const saved = await changed(() => save(module));
         if (saved === undefined) return;
       }
       const [first] = modules;

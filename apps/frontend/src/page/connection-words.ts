@@ -115,8 +115,8 @@ export function connectionNotice(
 const ATTEMPTS_BEFORE_OTHERS = 8;
 
 /** A browser does not tell a missing master from one whose certificate it does not trust. */
-function othersWords(attempt: number, otherMasters: readonly string[]): string {
-  if (otherMasters.length === 0 || attempt < ATTEMPTS_BEFORE_OTHERS) return '';
+function othersWords(tries: number, otherMasters: readonly string[]): string {
+  if (otherMasters.length === 0 || tries < ATTEMPTS_BEFORE_OTHERS) return '';
   const words = ' The other computers of the cluster cannot be reached either.';
   return otherMasters.some((url) => url.startsWith('https:'))
     ? `${words} Over HTTPS, this device has to trust the certificate of each computer.`

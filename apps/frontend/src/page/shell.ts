@@ -1,4 +1,5 @@
-import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
+import { shallowRef, type InjectionKey, type ShallowRef } from 'vue';
+import { injectOrThrow } from '../context/inject-or-throw.ts';
 import type { Command } from './command.ts';
 
 /** Dialogs of the shell; one at a time. */
@@ -35,7 +36,5 @@ export function createShell(): Shell {
 }
 
 export function useShell(): Shell {
-  const shell = inject(SHELL);
-  if (!shell) throw new Error('useShell() needs AppShell above it.');
-  return shell;
+  return injectOrThrow(SHELL, 'AppShell above it');
 }

@@ -1,6 +1,7 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type Session } from '@ubii/proto';
 import { computed, shallowRef, toValue, watch, type ComputedRef, type MaybeRefOrGetter } from 'vue';
+import { tryRequest, type RequestError } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { useSessionActions } from './actions/useSessionActions.ts';
 import { sessionAtRest } from './state/session-state.ts';
@@ -39,7 +40,7 @@ export function useOpenedSession(
   }
 
   async function open(sessionId: string): Promise<void> {
-    try {
+    await tryRequest(async () => {
       const opened = await calls.open(sessionId).catch((cause: unknown) => {
         const isViewer = cause instanceof ServiceError && cause.code === 'permission_denied';
         if (!isViewer) throw cause;
@@ -48,10 +49,11 @@ export function useOpenedSession(
       if (sessionId !== toValue(id)) return;
       known.value = opened;
       openings.value += 1;
-    } catch (cause) {
+    }, refuse);
+
+    function refuse(cause: RequestError): void {
       // Requested again after a reconnect.
       if (cause instanceof ConnectionError || sessionId !== toValue(id)) return;
-      if (!(cause instanceof ServiceError)) throw cause;
       answer.value = cause.code === 'not_found' ? 'gone' : { failure: cause.message };
     }
   }

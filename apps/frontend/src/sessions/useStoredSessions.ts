@@ -1,7 +1,7 @@
-import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { usePoll } from '../connection/poll.ts';
+import { tryRequest } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
 /** Interval of requests, milliseconds: manual changes of files are not announced. [SE-23] */
@@ -21,14 +21,14 @@ export function useStoredSessions(): StoredSessions {
   const stored = shallowRef<readonly Session[]>([]);
   const isKnown = shallowRef(false);
   async function refresh(): Promise<void> {
-    try {
-      stored.value = (await client.call('sessionDatabaseGetList')).elements;
-      isKnown.value = true;
-    } catch (cause) {
+    const reply = await tryRequest(
+      () => client.call('sessionDatabaseGetList'),
       // Original masters may refuse; a lost connection is shown elsewhere.
-      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
-      if (cause instanceof ServiceError) isKnown.value = true;
-    }
+      (error) => (isKnown.value ||= error instanceof ServiceError),
+    );
+    if (reply === undefined) return;
+    stored.value = reply.elements;
+    isKnown.value = true;
   }
   usePoll(refresh, INTERVAL_MS, isConnected);
   return { list: stored, isKnown, refresh };

@@ -1,4 +1,3 @@
-import { ConnectionError } from '@ubii/client-web';
 import { ServiceError } from '@ubii/proto';
 import {
   computed,
@@ -9,6 +8,7 @@ import {
   type ShallowRef,
 } from 'vue';
 import { usePoll } from '../connection/poll.ts';
+import { tryRequest } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
 /** Last reply of a service. */
@@ -34,15 +34,16 @@ export function useServiceReply<R>(
   const error = shallowRef<ServiceError>();
   usePoll(
     async () => {
-      try {
-        reply.value = await ask();
-        error.value = undefined;
-      } catch (cause) {
-        // Shown by the connection strip; polling resumes after reconnecting.
-        if (cause instanceof ConnectionError) return;
-        if (!(cause instanceof ServiceError)) throw cause;
-        error.value = cause;
-      }
+      await tryRequest(
+        async () => {
+          reply.value = await ask();
+          error.value = undefined;
+        },
+        // The connection strip shows a lost connection; polling resumes after reconnecting.
+        (cause) => {
+          if (cause instanceof ServiceError) error.value = cause;
+        },
+      );
     },
     intervalMs,
     () => isConnected.value && toValue(enabled),

@@ -11,7 +11,6 @@ import {
 } from '@ubii/proto';
 import {
   computed,
-  inject,
   provide,
   shallowRef,
   watch,
@@ -20,6 +19,7 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../context/inject-or-throw.ts';
 import { useTopic } from '../connection/live/useTopic.ts';
 import { useAttempt } from '../connection/useAttempt.ts';
 import { useConnection } from '../connection/useConnection.ts';
@@ -56,9 +56,7 @@ export interface Studies {
 export const STUDIES: InjectionKey<Studies> = Symbol('studies');
 
 export function useStudies(): Studies {
-  const studies = inject(STUDIES);
-  if (!studies) throw new Error('This part needs the page of studies above it.');
-  return studies;
+  return injectOrThrow(STUDIES, 'the page of studies above it');
 }
 
 export function provideStudies(): Studies {

@@ -1,9 +1,7 @@
-import { inject } from 'vue';
+import { injectOrThrow } from '../context/inject-or-throw.ts';
 import { TAB_NODE, type TabNode } from './tab-node.ts';
 
 /** This tab as a node, provided at the root. */
 export function useTabNode(): TabNode {
-  const node = inject(TAB_NODE);
-  if (!node) throw new Error('useTabNode() needs the tab node at the root of the app.');
-  return node;
+  return injectOrThrow(TAB_NODE, 'the tab node at the root of the app');
 }

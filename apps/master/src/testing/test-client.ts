@@ -14,19 +14,27 @@ import {
   type TopicRecord,
   type TopicSubscription,
 } from '@ubii/proto';
+import type { FakeClock } from '@ubii/timing/testing';
 import { handleText } from '../adapters/heartbeat/handle-text.ts';
 import { DEFAULT_LIMITS } from '../core/limits/index.ts';
+import type { Master } from '../core/master/master.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
 import type { ClientEnding, CloseReason } from '../core/ports/close-reason.ts';
 import type { ConnectionPeer } from '../core/ports/connection-facts.ts';
 import { RecordingConnection, type Sent } from './recording-connection.ts';
-import type { TestMaster } from './test-master.ts';
+
+/** The master of a test, and the clock that ends its turns. */
+interface MasterOfClient {
+  readonly master: Pick<Master, 'openConnection'>;
+  readonly clock: Pick<FakeClock, 'advanceSync' | 'endTurnSync'>;
+  call(request: Init<ServiceRequest>, caller: CallerFacts): Promise<ServiceReply>;
+}
 
 /** A client in the same process as its master, without anything between them. */
 export class TestClient {
   readonly name: string;
-  readonly #testMaster: TestMaster;
+  readonly #testMaster: MasterOfClient;
   readonly #caller: CallerFacts;
   /** The client as registered by the master. */
   registered: Client;
@@ -35,7 +43,7 @@ export class TestClient {
 
   /** @param caller as the transport identifies it before it joins */
   constructor(
-    testMaster: TestMaster,
+    testMaster: MasterOfClient,
     name: string,
     registered: Client,
     caller: CallerFacts = TRUSTED_CALLER,

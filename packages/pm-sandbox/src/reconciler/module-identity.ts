@@ -1,6 +1,5 @@
-import type { ModuleExtension, ProcessingModule } from '@ubii/proto';
+import { isSameValue, type ModuleExtension, type ProcessingModule } from '@ubii/proto';
 import type { InstanceSpec } from '../runtime/module-runtime.ts';
-import { isSameValue } from './same-value.ts';
 
 /** Members of its module that an instance applies while it runs, besides its mapping: no restart. [PM-62] */
 type LiveField = 'processingMode';

@@ -1,7 +1,7 @@
+import { isSameValue } from '@ubii/proto';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { InstanceSpec } from '../runtime/module-runtime.ts';
 import { identityChanges, moduleIdentity } from './module-identity.ts';
-import { isSameValue } from './same-value.ts';
 
 /** An instance as its session wants it. */
 export interface WantedInstance {

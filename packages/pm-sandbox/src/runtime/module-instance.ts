@@ -1,4 +1,9 @@
-import type { IOMapping, ModuleStatistics, ProcessingMode } from '@ubii/proto';
+import {
+  isSameValue,
+  type IOMapping,
+  type ModuleStatistics,
+  type ProcessingMode,
+} from '@ubii/proto';
 import { parseMode, parseModule, type ParsedMode } from '../definition/parse-module.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxResult } from '../ports/sandbox.ts';
@@ -85,7 +90,7 @@ export class ModuleInstance {
 
   setMode(mode: ProcessingMode | undefined): void {
     const next = parseMode(mode, this.#context.limits.maxFrequencyHz);
-    if (JSON.stringify(next) === JSON.stringify(this.#mode)) return;
+    if (isSameValue(next, this.#mode)) return;
     this.#driver?.stop();
     this.#mode = next;
     this.#inputs.listen(this.#isListening);

@@ -1,4 +1,4 @@
-import type { FieldDescriptor, MessageDescriptor } from '@ubii/proto';
+import { isSameValue, type FieldDescriptor, type MessageDescriptor } from '@ubii/proto';
 
 /** A decoded message. */
 export type Fields = Record<string, unknown>;
@@ -79,7 +79,7 @@ export function treatMessage(
     const change = changeOf(message, field, treatment);
     if (change === undefined) continue;
     const after = Array.isArray(before) ? before.map(change) : change(before);
-    isChanged ||= JSON.stringify(before) !== JSON.stringify(after);
+    isChanged ||= !isSameValue(before, after);
     value[field.jsonName] = after;
   }
   return isChanged;

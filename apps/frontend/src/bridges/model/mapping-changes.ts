@@ -1,3 +1,5 @@
+import { isSameValue } from '@ubii/proto';
+
 /** A mapping as it stands in a mapping file. */
 export type WrittenMapping = Readonly<Record<string, unknown>>;
 
@@ -92,9 +94,7 @@ function placeOf(
   mapping: WrittenMapping,
   index: number,
 ): number | undefined {
-  const text = JSON.stringify(mapping);
-  const isIt = (one: WrittenMapping | undefined): boolean => JSON.stringify(one) === text;
-  if (isIt(list[index])) return index;
-  const found = list.findIndex(isIt);
+  if (isSameValue(list[index], mapping)) return index;
+  const found = list.findIndex((one) => isSameValue(one, mapping));
   return found < 0 ? undefined : found;
 }

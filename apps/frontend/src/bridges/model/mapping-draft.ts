@@ -1,3 +1,4 @@
+import { isSameValue } from '@ubii/proto';
 import { nameOf, type WrittenMapping } from './mapping-changes.ts';
 
 /** What a form for a mapping holds: texts as they are typed. */
@@ -91,7 +92,7 @@ export function isUnchanged(
   protocol: string,
   before: WrittenMapping,
 ): boolean {
-  return JSON.stringify(mappingOf(draft, protocol, before)) === JSON.stringify(before);
+  return isSameValue(mappingOf(draft, protocol, before), before);
 }
 
 /** Words that stand for a mapping in a sentence. */

@@ -1,6 +1,6 @@
-import { ConnectionError } from '@ubii/client-web';
 import { identifyTopic, ServiceError, type ClientSubscription } from '@ubii/proto';
-import { shallowRef, type ShallowRef } from 'vue';
+import type { ShallowRef } from 'vue';
+import { useAttempt } from '../../connection/useAttempt.ts';
 import { useRole } from '../../connection/useRole.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
@@ -26,28 +26,26 @@ export function useClientActions(): ClientActions {
   const { isNoAdmin } = useRole();
   const toasts = useToasts();
   const patterns = usePatterns();
-  const failure = shallowRef<string>();
+  const { problem: failure, attempt } = useAttempt({
+    sentenceOf: (cause) =>
+      isNoAdmin.value && cause instanceof ServiceError
+        ? `${cause.message} ${ADMIN_HOW}`
+        : cause.message,
+  });
 
-  async function attempt(intent: () => Promise<string>): Promise<boolean> {
-    failure.value = undefined;
-    try {
-      toasts.show(await intent());
-      void reports.refresh();
-      return true;
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      failure.value =
-        isNoAdmin.value && cause instanceof ServiceError
-          ? `${cause.message} ${ADMIN_HOW}`
-          : cause.message;
-      return false;
-    }
+  /** @param act resolves to the sentence for the toast */
+  async function done(act: () => Promise<string>): Promise<boolean> {
+    const sentence = await attempt(act);
+    if (sentence === undefined) return false;
+    toasts.show(sentence);
+    void reports.refresh();
+    return true;
   }
 
   return {
     failure,
     identify: ({ client: { id }, label }) =>
-      attempt(async () => {
+      done(async () => {
         const topic = identifyTopic(id);
         const report = await client.call('clientReport', { clientIds: [id], subscriptions: true });
         // The value stays on the topic: a client without a connection would show it much later.
@@ -60,20 +58,20 @@ export function useClientActions(): ClientActions {
           : `${label} does not support identification.`;
       }),
     rename: ({ client: { id }, label, isSelf }, next) =>
-      attempt(async () => {
+      done(async () => {
         if (isSelf) name.value = next.trim();
         else await client.call('clientRename', { targetId: id, name: next.trim() });
         return `Renamed ${label} to ${next.trim()}.`;
       }),
     throttle: ({ client: { id }, label }, recordsPerSecond, reason) =>
-      attempt(async () => {
+      done(async () => {
         await client.call('clientThrottle', { targetId: id, recordsPerSecond, reason });
         return recordsPerSecond === 0
           ? `Throttle removed from ${label}.`
           : `Throttled ${label} to ${recordsPerSecond} records per second.`;
       }),
     disconnect: ({ client: { id }, label }, reason) =>
-      attempt(async () => {
+      done(async () => {
         await client.call('clientDisconnect', { targetId: id, reason });
         return `Disconnected ${label}.`;
       }),

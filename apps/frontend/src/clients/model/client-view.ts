@@ -1,7 +1,7 @@
 import { ClientState, type Client, type ClientActivity, type StatusProblem } from '@ubii/proto';
 import { describeAgent } from '../../connection/agent-description.ts';
 import type { MarkedState } from '../../ui/UiStateMark.vue';
-import { clientKind } from '../client-facts.ts';
+import { clientKind } from './client-facts.ts';
 
 /** Kinds of clients; one client may be of several. */
 export type ClientKind = 'phone' | 'browser' | 'node' | 'program';

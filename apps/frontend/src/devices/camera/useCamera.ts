@@ -33,10 +33,10 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
   /** Id of the chosen camera; empty: the browser's choice, on phones the rear camera. */
   const chosen = shallowRef(first);
   const torch = shallowRef<'missing' | 'off' | 'on'>('missing');
-  let attempt = 0;
+  let openings = 0;
 
   async function start(id = chosen.value): Promise<void> {
-    const mine = ++attempt;
+    const mine = ++openings;
     end();
     problem.value = firstProblem();
     if (problem.value) return;
@@ -44,7 +44,7 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
     try {
       const opened = await navigator.mediaDevices.getUserMedia({ video: constraintsFor(id) });
       // Stopped, hidden or unmounted in the meantime.
-      if (mine !== attempt) return endTracks(opened);
+      if (mine !== openings) return endTracks(opened);
       // The page was hidden during the permission prompt: resume when it is visible.
       if (document.visibilityState === 'hidden') {
         endTracks(opened);
@@ -53,7 +53,7 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
       }
       take(opened);
     } catch (error) {
-      if (mine !== attempt) return;
+      if (mine !== openings) return;
       // The chosen camera may be unavailable; use any other.
       if (id !== '' && isGone(error as DOMException)) return start('');
       problem.value = cameraProblemOf((error as DOMException).name);
@@ -95,7 +95,7 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
   }
 
   function stop(): void {
-    attempt += 1;
+    openings += 1;
     end();
     status.value = 'off';
   }

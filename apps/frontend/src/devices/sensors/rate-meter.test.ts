@@ -25,6 +25,14 @@ describe('a rate meter', () => {
     expect(meter.rateHz(4000)).toBeCloseTo(10, 10);
   });
 
+  it('measures runs per second of a counter', () => {
+    const meter = new RateMeter(1000, 1000);
+    for (let i = 0; i <= 20; i++) meter.note(i * 250, 7 + (i % 2));
+    expect(meter.rateHz(5000)).toBeCloseTo(30, 10);
+    for (let i = 1; i <= 5; i++) meter.note(5000 + i * 250, 0);
+    expect(meter.rateHz(6250)).toBe(0);
+  });
+
   it('knows nothing of what was before it was cleared', () => {
     const meter = new RateMeter();
     for (let i = 0; i < 10; i++) meter.note(i * 500);

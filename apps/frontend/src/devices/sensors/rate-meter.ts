@@ -7,9 +7,15 @@ export const SHOWN_WINDOW_MS = 4000;
 /** Number of samples that count beyond the window, for slow events. */
 const MIN_MOMENTS = 4;
 
+/** Events, and when they were counted. */
+interface Moment {
+  readonly atMs: number;
+  readonly events: number;
+}
+
 /** Measures the rate of events: what a sensor really delivers, not what was requested. */
 export class RateMeter {
-  readonly #atMs: number[] = [];
+  readonly #moments: Moment[] = [];
   readonly #staleMs: number;
   readonly #windowMs: number;
 
@@ -22,25 +28,27 @@ export class RateMeter {
     this.#windowMs = windowMs;
   }
 
-  /** Counts an event. */
-  note(nowMs: number): void {
-    const moments = this.#atMs;
-    moments.push(nowMs);
+  /** Counts events: one, or those since the last call of something that has a counter of its own. */
+  note(nowMs: number, events = 1): void {
+    const moments = this.#moments;
+    moments.push({ atMs: nowMs, events });
     if (moments.length > (this.#windowMs / 1000) * MOMENTS_PER_S) moments.shift();
-    while (moments.length > MIN_MOMENTS && moments[0]! < nowMs - this.#windowMs) moments.shift();
+    const fromMs = nowMs - this.#windowMs;
+    while (moments.length > MIN_MOMENTS && moments[0]!.atMs < fromMs) moments.shift();
   }
 
   /** Resets the measurement. */
   clear(): void {
-    this.#atMs.length = 0;
+    this.#moments.length = 0;
   }
 
   /** Events per second in the window; `undefined` after `staleMs` without one, and after the first one. */
   rateHz(nowMs: number): number | undefined {
-    const first = this.#atMs[0];
-    const last = this.#atMs.at(-1);
-    if (first === undefined || last === undefined || nowMs - last > this.#staleMs) return undefined;
-    if (last === first) return undefined;
-    return ((this.#atMs.length - 1) * 1000) / (last - first);
+    const [first, ...later] = this.#moments;
+    const last = later.at(-1);
+    if (first === undefined || last === undefined || last.atMs === first.atMs) return undefined;
+    if (nowMs - last.atMs > this.#staleMs) return undefined;
+    const events = later.reduce((sum, one) => sum + one.events, 0);
+    return (events * 1000) / (last.atMs - first.atMs);
   }
 }

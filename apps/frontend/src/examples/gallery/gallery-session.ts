@@ -1,5 +1,4 @@
 import type { Init, Session } from '@ubii/proto';
-import { isAlive } from '../../sessions/state/session-state.ts';
 import type { GalleryEntry } from './gallery.ts';
 import { inputTopic } from './inputs/page-device.ts';
 
@@ -28,15 +27,11 @@ export function gallerySession(
   };
 }
 
-/** Finds the session of an example. Prefers a running session to a stopped one. */
-export function sessionOfEntry(
+/** True for the session of an example. */
+export const isSessionOf = (
   entry: Pick<GalleryEntry, 'id'>,
-  sessions: readonly Session[],
-): Session | undefined {
-  return sessions
-    .filter(({ tags }) => tags.includes(tagOf(entry)))
-    .sort((a, b) => Number(isAlive(b)) - Number(isAlive(a)) || (a.id < b.id ? -1 : 1))[0];
-}
+  { tags }: Pick<Session, 'tags'>,
+): boolean => tags.includes(tagOf(entry));
 
 /** Returns the client whose page provides the inputs; undefined when the session has no such input. */
 export function inputClient(entry: GalleryEntry, session: Session): string | undefined {

@@ -1,110 +1,83 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, SessionState, type Session } from '@ubii/proto';
-import { shallowRef, type ShallowRef } from 'vue';
+import type { Session } from '@ubii/proto';
 import { useRouter } from 'vue-router';
 import { useConnection } from '../../connection/useConnection.ts';
 import { sessionLocation } from '../../locations/session-location.ts';
 import { useSessionActions } from '../../sessions/actions/useSessionActions.ts';
-import { isAlive, sessionState } from '../../sessions/state/session-state.ts';
-import type { GalleryEntry } from './gallery.ts';
-import { gallerySession, inputClient, sessionOfEntry, withInputsOf } from './gallery-session.ts';
+import type { LastingSession } from '../../sessions/own/lasting-session.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
+import { isAlive } from '../../sessions/state/session-state.ts';
+import { GALLERY, type GalleryEntry } from './gallery.ts';
+import { gallerySession, inputClient, isSessionOf, withInputsOf } from './gallery-session.ts';
 import { usePageInputs } from './inputs/page-inputs.ts';
 import type { PreviewKit } from './preview/preview-kit.ts';
 
 /** The gallery's sessions on the master, and their actions. */
 export interface GallerySessions {
-  /** Returns the session of an example, if the master has one. */
-  of(entry: GalleryEntry): Session | undefined;
-  isRunning(entry: GalleryEntry): boolean;
-  /** Ids of examples with a pending service request. */
-  readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
-  /** Error of the last service request, by the id of the example. */
-  readonly failures: Readonly<ShallowRef<ReadonlyMap<string, string>>>;
+  /** The session of an example, which all clients share: a second start opens the existing one. */
+  of(entry: GalleryEntry): LastingSession;
   /** Creates the session if the master has none, starts it, and opens its graph. */
   start(entry: GalleryEntry): Promise<void>;
   /** Creates the session if the master has none, and opens its graph. */
   open(entry: GalleryEntry): Promise<void>;
-  stop(entry: GalleryEntry): Promise<void>;
   remove(entry: GalleryEntry): Promise<void>;
 }
 
-/** All clients share one session for each example: a second start opens the existing session. */
 export function useGallerySessions(
   loadKit: () => Promise<Pick<PreviewKit, 'spec'>>,
 ): GallerySessions {
-  const { client, clients, sessions } = useConnection();
+  const { client, clients } = useConnection();
   const router = useRouter();
   const actions = useSessionActions();
   const pageInputs = usePageInputs();
-  const busy = shallowRef<ReadonlySet<string>>(new Set());
-  const failures = shallowRef<ReadonlyMap<string, string>>(new Map());
 
-  const of = (entry: GalleryEntry): Session | undefined =>
-    sessionOfEntry(entry, sessions.list.value ?? []);
-
-  async function attempt(entry: GalleryEntry, intent: () => Promise<void>): Promise<void> {
-    if (busy.value.has(entry.id)) return;
-    busy.value = new Set([...busy.value, entry.id]);
-    failures.value = new Map([...failures.value].filter(([id]) => id !== entry.id));
-    try {
-      await intent();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      failures.value = new Map([...failures.value, [entry.id, cause.message]]);
-    } finally {
-      busy.value = new Set([...busy.value].filter((id) => id !== entry.id));
-    }
-  }
-
-  /** Returns the existing session or a new one. This page provides its inputs, unless another page does. */
-  async function ready(entry: GalleryEntry): Promise<Session> {
-    const there = of(entry);
-    if (there === undefined) {
-      const spec = (await loadKit()).spec(entry);
-      return actions.calls.create(gallerySession(entry, spec, client.id));
-    }
-    const giver = inputClient(entry, there);
-    const isOurs = giver === undefined || giver === client.id;
-    if (isOurs || (isAlive(there) && clients.find(giver) !== undefined)) return there;
-    return actions.calls.update(there, { ioMappings: withInputsOf(entry, there, client.id) });
+  const isOurs = (entry: GalleryEntry, session: Session): boolean => {
+    const giver = inputClient(entry, session);
+    return giver === undefined || giver === client.id;
+  };
+  const owned = new Map(
+    GALLERY.map((entry) => [
+      entry.id,
+      useOwnedSession({
+        life: 'stored',
+        calls: actions.calls,
+        isOwn: (session) => isSessionOf(entry, session),
+        spec: async () => gallerySession(entry, (await loadKit()).spec(entry), client.id),
+        // This page provides its inputs, unless another page does.
+        async prepare(session) {
+          const giver = inputClient(entry, session);
+          const isGiven = giver !== undefined && isAlive(session) && clients.find(giver);
+          if (isOurs(entry, session) || isGiven) return session;
+          return actions.calls.update(session, {
+            ioMappings: withInputsOf(entry, session, client.id),
+          });
+        },
+      }),
+    ]),
+  );
+  const of = (entry: GalleryEntry): LastingSession => {
+    const session = owned.get(entry.id);
+    if (session === undefined) throw new Error(`The gallery has no example "${entry.id}".`);
+    return session;
+  };
+  async function show(session: Session | undefined): Promise<void> {
+    if (session) await router.push(sessionLocation(session.id));
   }
 
   return {
     of,
-    isRunning: (entry) => {
-      const session = of(entry);
-      return (
-        session !== undefined &&
-        (isAlive(session) || sessionState(session) === SessionState.SESSION_STARTING)
-      );
+    async start(entry) {
+      const session = await of(entry).start((ready) => {
+        if (!isOurs(entry, ready)) return;
+        pageInputs.give(
+          ready.id,
+          entry.inputs.map(({ input }) => input),
+        );
+      });
+      await show(session);
     },
-    busy,
-    failures,
-    start: (entry) =>
-      attempt(entry, async () => {
-        const session = await ready(entry);
-        const giver = inputClient(entry, session);
-        if (giver === undefined || giver === client.id) {
-          pageInputs.give(
-            session.id,
-            entry.inputs.map(({ input }) => input),
-          );
-        }
-        if (!isAlive(session)) await actions.calls.act(session, 'start');
-        await router.push(sessionLocation(session.id));
-      }),
-    open: (entry) =>
-      attempt(
-        entry,
-        async () => void (await router.push(sessionLocation((await ready(entry)).id))),
-      ),
-    stop: (entry) =>
-      attempt(entry, async () => {
-        const session = of(entry);
-        if (session) await actions.calls.act(session, 'stop');
-      }),
-    remove: async (entry) => {
-      const session = of(entry);
+    open: async (entry) => show(await of(entry).create()),
+    async remove(entry) {
+      const session = of(entry).session.value;
       if (session) await actions.remove(session);
     },
   };

@@ -7,7 +7,7 @@ import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/useDevice.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
-import { usePageSession } from '../../sessions/own/usePageSession.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
 import type { PictureSources } from '../pictures/usePictureSource.ts';
 import { useIsOn } from '../pictures/useIsOn.ts';
 import { useKeptChoice, useKeptPlace } from '../pictures/useKeptChoice.ts';
@@ -84,8 +84,9 @@ export function useImageProcessing(sources: PictureSources) {
     end: () => device.end('source'),
   });
 
-  const session = usePageSession(
-    () => {
+  const session = useOwnedSession({
+    life: 'page',
+    spec: () => {
       const chosen = module.value;
       if (!isOn.value || image.value === undefined || chosen === undefined) return undefined;
       return {
@@ -99,8 +100,8 @@ export function useImageProcessing(sources: PictureSources) {
         }),
       };
     },
-    () => (isOn.value = false),
-  );
+    onFailure: () => (isOn.value = false),
+  });
 
   const topics = computed(() =>
     isOn.value && session.session.value && module.value

@@ -7,7 +7,7 @@ import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/useDevice.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
-import { usePageSession } from '../../sessions/own/usePageSession.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
 import type { PictureSources } from '../pictures/usePictureSource.ts';
 import { useIsOn } from '../pictures/useIsOn.ts';
 import { useKeptPlace } from '../pictures/useKeptChoice.ts';
@@ -96,8 +96,9 @@ export function useMarkerTracking(sources: PictureSources) {
     sources.kind.value === 'camera' ? (calibrations.of(sources.camera.chosen.value) ?? '') : '',
   );
   const sizeMetres = computed(() => Number(options.sizeMm) / 1000);
-  const session = usePageSession(
-    () => {
+  const session = useOwnedSession({
+    life: 'page',
+    spec: () => {
       if (!isOn.value || image.value === undefined || !(sizeMetres.value > 0)) return undefined;
       return {
         place: place.value,
@@ -118,8 +119,8 @@ export function useMarkerTracking(sources: PictureSources) {
         }),
       };
     },
-    () => (isOn.value = false),
-  );
+    onFailure: () => (isOn.value = false),
+  });
 
   function clear(): void {
     newest = undefined;

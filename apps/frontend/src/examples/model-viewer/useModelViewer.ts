@@ -4,7 +4,7 @@ import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
 import { useDevice } from '../../devices/useDevice.ts';
-import { useSharedSession } from '../useSharedSession.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
 import { chooseSource, keyOf, type TurnSource } from './choose-source.ts';
 import { isSmoothingOf, smoothingSession } from './smoothing-session.ts';
 import { modelTurn, STRAIGHT, turnAbout, turnBy, unitTurn } from './turns.ts';
@@ -40,14 +40,15 @@ export function useModelViewer() {
   /** Rotation by hand is drawn at once, without a round trip to the master. */
   const isOwn = computed(() => source.value === undefined || isStandIn(source.value));
 
-  const smoothing = useSharedSession(
-    (session) => source.value !== undefined && isSmoothingOf(session, source.value.clientId),
-    async () => {
+  const smoothing = useOwnedSession({
+    life: 'shared',
+    isOwn: (session) => source.value !== undefined && isSmoothingOf(session, source.value.clientId),
+    spec: () => {
       if (!source.value) throw new Error('The model has no source of rotation.');
       const { clientId, name, isPhone } = source.value;
       return smoothingSession(clientId, name, turnTopic(clientId, isPhone));
     },
-  );
+  });
   const isSmooth = computed(() => smoothing.isRunning.value && !isOwn.value);
 
   const device = useDevice({

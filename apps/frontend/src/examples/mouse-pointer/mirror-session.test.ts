@@ -1,21 +1,20 @@
 import { fromJson, toJson, type Session } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { isMirrorSessionOf, mirrorSession, onNode } from './mirror-session.ts';
+import { isMirrorSessionOf, mirrorSession } from './mirror-session.ts';
 
 const facts = {
   clientId: 'ada',
   clientName: 'Ada',
   module: { name: 'mirror-pointer', onProcessingStringified: '() => ({})' },
-  nodeId: 'master',
 };
 const whole = (spec: ReturnType<typeof mirrorSession>): Session =>
   fromJson('ubii.sessions.Session', toJson('ubii.sessions.Session', spec));
 
 describe('mirrorSession', () => {
-  it('is a whole runtime context: the source, where it runs, and topics of this client only', () => {
+  it('is a whole runtime context: the source, and topics of this client only', () => {
     const session = whole(mirrorSession(facts));
     expect(session.processingModules).toMatchObject([
-      { name: 'mirror-pointer', onProcessingStringified: '() => ({})', nodeId: 'master' },
+      { name: 'mirror-pointer', onProcessingStringified: '() => ({})' },
     ]);
     const [mapping] = session.ioMappings;
     const topics = [
@@ -35,10 +34,5 @@ describe('mirrorSession', () => {
     expect(isMirrorSessionOf(session, 'ada')).toBe(true);
     expect(isMirrorSessionOf(session, 'bob')).toBe(false);
     expect(isMirrorSessionOf({ tags: ['ada'] }, 'ada')).toBe(false);
-  });
-
-  it('goes to another node as the same session [SE-15]', () => {
-    const session = whole({ ...mirrorSession(facts), id: 's' });
-    expect(onNode(session, 'n')).toMatchObject({ id: 's', processingModules: [{ nodeId: 'n' }] });
   });
 });

@@ -6,6 +6,7 @@ import { computed, defineComponent, h, ref, shallowRef } from 'vue';
 import { CONNECTION } from '../../connection/connection.ts';
 import { fakeTopics } from '../../connection/live/testing/fake-topics.ts';
 import { TAB_NODE } from '../../tab-node/tab-node.ts';
+import { createToasts, provideToasts } from '../../ui/toasts/toasts.ts';
 import { mirrorSession } from './mirror-session.ts';
 import { useMirrorSession, type MirrorPlace, type MirrorSession } from './useMirrorSession.ts';
 
@@ -47,8 +48,16 @@ function setup(left: Session[] = []) {
       subscribe: fakeTopics().client.subscribe,
     },
     name: ref('Ada'),
+    masterId: ref('run-1'),
     isConnected: computed(() => true),
-    sessions: { list, take: keep, drop: () => undefined },
+    sessions: {
+      list,
+      find: (id: string) => list.value.find((one) => one.id === id),
+      take: keep,
+      drop(id: string) {
+        list.value = list.value.filter((one) => one.id !== id);
+      },
+    },
     nodes: { watch: () => undefined },
   };
   const tab = {
@@ -64,7 +73,12 @@ function setup(left: Session[] = []) {
         return () => h('p');
       },
     }),
-    { global: { provide: { [CONNECTION as symbol]: connection, [TAB_NODE as symbol]: tab } } },
+    {
+      global: {
+        provide: { [CONNECTION as symbol]: connection, [TAB_NODE as symbol]: tab },
+        plugins: [(app) => provideToasts(app, createToasts())],
+      },
+    },
   );
   unmount = () => wrapper.unmount();
   return {
@@ -100,7 +114,7 @@ describe('the session of the mouse pointer', () => {
   });
 
   it('takes away what a reload has left behind, and nothing of others', async () => {
-    const facts = { clientName: 'x', module: { name: 'mirror-pointer' }, nodeId: 'master' };
+    const facts = { clientName: 'x', module: { name: 'mirror-pointer' } };
     const mine = whole({ ...mirrorSession({ ...facts, clientId: 'ada' }), id: 'mine' });
     const theirs = whole({ ...mirrorSession({ ...facts, clientId: 'bob' }), id: 'theirs' });
     const { done } = setup([mine, theirs]);

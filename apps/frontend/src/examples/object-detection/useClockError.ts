@@ -1,6 +1,5 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
 import { shallowRef, watch, type Ref } from 'vue';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 
@@ -13,12 +12,8 @@ export function useClockError(place: Ref<ModulePlace>, isOn: Ref<boolean>) {
   watch([place, isOn], async ([id, on]) => {
     nodeErrorMs.value = 0;
     if (!on || id === 'tab' || id === 'master') return;
-    try {
-      const { clients } = await client.call('clientReport', { clientIds: [id] });
-      if (place.value === id) nodeErrorMs.value = clients[0]?.clock?.errorMs ?? 0;
-    } catch (cause) {
-      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
-    }
+    const report = await tryRequest(() => client.call('clientReport', { clientIds: [id] }));
+    if (place.value === id) nodeErrorMs.value = report?.clients[0]?.clock?.errorMs ?? 0;
   });
   return {
     /** Milliseconds; `undefined` for a module in this tab, which uses the clock of this page. */

@@ -8,7 +8,7 @@ import type { TakenPicture } from '../../devices/camera/usePictures.ts';
 import { RateMeter, SHOWN_WINDOW_MS } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/useDevice.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
-import { usePageSession } from '../../sessions/own/usePageSession.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
 import { useIsOn } from '../pictures/useIsOn.ts';
 import { useKeptChoice, useKeptPlace } from '../pictures/useKeptChoice.ts';
 import { useLookedAt } from '../pictures/useLookedAt.ts';
@@ -147,8 +147,9 @@ export function useObjectDetection(sources: PictureSources) {
     end: () => device.end('image'),
   });
 
-  const session = usePageSession(
-    () => {
+  const session = useOwnedSession({
+    life: 'page',
+    spec: () => {
       if (!isOn.value || image.value === undefined) return undefined;
       const topicIf = (what: Seen) => (looksFor[what] ? device.topicOf(what) : undefined);
       return {
@@ -178,8 +179,8 @@ export function useObjectDetection(sources: PictureSources) {
         }),
       };
     },
-    () => (isOn.value = false),
-  );
+    onFailure: () => (isOn.value = false),
+  });
 
   // The module applies it to the next picture. A restarted master does not know it.
   watch(

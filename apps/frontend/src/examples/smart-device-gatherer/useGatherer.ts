@@ -1,9 +1,9 @@
-import { type Client, ClientState, type Session } from '@ubii/proto';
+import { type Client, ClientState } from '@ubii/proto';
 import { useIntervalFn, useRafFn } from '@vueuse/core';
 import { computed, shallowRef, watch } from 'vue';
 import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { useSharedSession } from '../useSharedSession.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
 import {
   clientOfTopic,
   DEFAULT_DISTANCE,
@@ -41,10 +41,11 @@ export function useGatherer() {
   const pairs = shallowRef<readonly NearPair[]>([]);
   const { newest: toldDistance } = useTopic(DISTANCE_TOPIC, { format: 'double' });
   const distance = computed(() => toldDistance.value?.value ?? DEFAULT_DISTANCE);
-  const proximity = useSharedSession(
-    ({ name }: Session) => name === PROXIMITY_SESSION,
-    async () => (await import('@ubii/modules')).EXAMPLE_SESSIONS['touch-proximity'],
-  );
+  const proximity = useOwnedSession({
+    life: 'shared',
+    isOwn: ({ name }) => name === PROXIMITY_SESSION,
+    spec: async () => (await import('@ubii/modules')).EXAMPLE_SESSIONS['touch-proximity'],
+  });
   const { isRunning } = proximity;
   /** Published for all: the session and other clients receive it. The session continues when this page is left. */
   function setDistance(next: number): void {
@@ -125,10 +126,10 @@ export function useGatherer() {
     distance,
     proximity: {
       ...proximity,
-      async start(): Promise<void> {
+      start() {
         // The graph of the session shows the distance that the page shows.
         if (toldDistance.value === undefined) setDistance(DEFAULT_DISTANCE);
-        await proximity.start();
+        return proximity.start();
       },
     },
     setDistance,

@@ -1,4 +1,5 @@
-import { inject, type InjectionKey, type Ref } from 'vue';
+import type { InjectionKey, Ref } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import type { CanvasCommands } from './canvas-commands.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import type { ConnectGesture } from './connect-gesture.ts';
@@ -27,7 +28,5 @@ export interface CanvasContext {
 export const CANVAS_CONTEXT: InjectionKey<CanvasContext> = Symbol('canvas');
 
 export function useCanvas(): CanvasContext {
-  const context = inject(CANVAS_CONTEXT);
-  if (!context) throw new Error('This part needs the canvas above it.');
-  return context;
+  return injectOrThrow(CANVAS_CONTEXT, 'the canvas above it');
 }

@@ -1,4 +1,4 @@
-import type { Session } from '@ubii/proto';
+import { isSameValue, type Session } from '@ubii/proto';
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { applyCommand } from '../model/commands/apply-command.ts';
 import {
@@ -17,7 +17,6 @@ import { sessionOf } from '../model/session-of.ts';
 import { keepEditorData } from '../model/changes/keep-editor-data.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
 import { graphNews, type GraphNews } from '../model/changes/graph-news.ts';
-import { sameValue } from '../../formats/same-value.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
 import { patchBetween, rebase } from './rebase.ts';
@@ -226,7 +225,7 @@ export function createGraphEditor(
       if (name === before.details.name) return false;
       // The topics of wires follow the name.
       const rename = { kind: 'setDetails', changes: { name } } as const;
-      return sameValue(applyCommand(before, rename, elsewhere).graph, graph.value);
+      return isSameValue(applyCommand(before, rename, elsewhere).graph, graph.value);
     },
     undoLabel: computed(() => state.value.past.at(-1)?.label),
     redoLabel: computed(() => state.value.future.at(-1)?.label),

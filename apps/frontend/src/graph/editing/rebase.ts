@@ -1,6 +1,6 @@
+import { isSameValue } from '@ubii/proto';
 import { mergeGraphs } from '../model/changes/merge-graphs.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
-import { sameValue } from '../../formats/same-value.ts';
 import { perform, startEditing, type EditState } from '../model/commands/edit-state.ts';
 import type { GraphPatch } from '../model/commands/graph-edit.ts';
 import type { Graph } from '../model/graph.ts';
@@ -25,7 +25,7 @@ export function patchBetween(from: Graph, to: Graph): GraphPatch {
   return {
     nodes: differing(from.nodes, to.nodes),
     wires: differing(from.wires, to.wires),
-    details: sameValue(to.details, from.details) ? undefined : to.details,
+    details: isSameValue(to.details, from.details) ? undefined : to.details,
   };
 }
 

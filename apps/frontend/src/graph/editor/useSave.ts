@@ -1,6 +1,7 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type Session, type SessionProblem } from '@ubii/proto';
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+import { tryRequest, type RequestError } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { SessionActions } from '../../sessions/actions/useSessionActions.ts';
 import type { LifeAction } from '../../sessions/state/session-state.ts';
@@ -26,7 +27,7 @@ export interface Saving {
   /** Saves unsaved changes, then starts, pauses or stops the session. */
   act(action: LifeAction): Promise<void>;
   /** Runs another request; a refusal is shown as `failure`. */
-  attempt<T>(intent: () => Promise<T>): Promise<T | undefined>;
+  request<T>(work: () => Promise<T>): Promise<T | undefined>;
 }
 
 const isProblems = (value: unknown): value is readonly SessionProblem[] =>
@@ -45,7 +46,7 @@ export function useSave(
   const savedRevision = shallowRef(-1);
   const problems = shallowRef<readonly PlacedProblem[]>([]);
 
-  function fail(cause: ServiceError | ConnectionError): void {
+  function fail(cause: RequestError): void {
     failure.value = cause.message;
     const found = cause instanceof ServiceError ? cause.details['problems'] : undefined;
     problems.value = isProblems(found)
@@ -53,16 +54,10 @@ export function useSave(
       : [];
   }
 
-  async function attempt<T>(intent: () => Promise<T>): Promise<T | undefined> {
+  function request<T>(work: () => Promise<T>): Promise<T | undefined> {
     failure.value = undefined;
     problems.value = [];
-    try {
-      return await intent();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      fail(cause);
-      return undefined;
-    }
+    return tryRequest(work, fail);
   }
 
   /** Sessions are stored by name: renaming must delete the one with the old name. [SE-21] */
@@ -137,13 +132,12 @@ export function useSave(
     }
     isSaving.value = true;
     try {
-      return await saveNow();
-    } catch (cause) {
-      // The connection was lost during the save, which may have arrived: check after reconnecting.
-      if (cause instanceof ConnectionError) isWaiting.value = true;
-      else if (cause instanceof ServiceError) fail(cause);
-      else throw cause;
-      return false;
+      const isSaved = await tryRequest(saveNow, (cause) => {
+        // The connection was lost during the save, which may have arrived: check after reconnecting.
+        if (cause instanceof ConnectionError) isWaiting.value = true;
+        else fail(cause);
+      });
+      return isSaved === true;
     } finally {
       isSaving.value = false;
     }
@@ -161,14 +155,10 @@ export function useSave(
 
   watch(isConnected, async (connected) => {
     if (!connected || !isWaiting.value) return;
-    try {
-      // A new session exists only here.
-      if (!isNew()) await catchUp();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      // The connection was lost again, or the session was deleted, which the page shows.
-      return;
-    }
+    // A new session exists only here.
+    const isNewest = isNew() || (await tryRequest(catchUp)) !== undefined;
+    // The connection was lost again, or the session was deleted, which the page shows.
+    if (!isNewest) return;
     isWaiting.value = false;
     if (isSettled()) await save();
   });
@@ -183,7 +173,7 @@ export function useSave(
     isWaiting,
     savedRevision,
     save,
-    attempt,
+    request,
     async act(action) {
       const needsSaving = action === 'start' || action === 'restart' || action === 'resume';
       if (needsSaving && editor.toSession().processingModules.length === 0) {

@@ -1,4 +1,5 @@
-import { computed, inject, type ComputedRef, type InjectionKey } from 'vue';
+import { computed, type ComputedRef, type InjectionKey } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { LiveGraph } from './live-graph.ts';
 import type { OwnPad } from './own-pad.ts';
@@ -30,7 +31,5 @@ export interface GraphContext {
 export const GRAPH_CONTEXT: InjectionKey<GraphContext> = Symbol('graph');
 
 export function useGraphContext(): GraphContext {
-  const context = inject(GRAPH_CONTEXT);
-  if (!context) throw new Error('This part needs the graph page above it.');
-  return context;
+  return injectOrThrow(GRAPH_CONTEXT, 'the graph page above it');
 }

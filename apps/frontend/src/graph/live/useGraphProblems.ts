@@ -1,9 +1,10 @@
-import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
+import { isSameValue } from '@ubii/proto';
+import { computed, provide, type ComputedRef, type InjectionKey } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { isAlive } from '../../sessions/state/session-state.ts';
 import { runningWriters } from '../../sessions/words/shared-topics.ts';
-import { sameValue } from '../../formats/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
 import type { GraphProblem, TopicAdvice } from '../model/live/graph-problem.ts';
 import { isMissing, type Surroundings } from '../model/live/own-problems.ts';
@@ -106,15 +107,13 @@ export function provideNoProblems(): void {
 }
 
 export function useGraphProblems(): LiveProblems {
-  const live = inject(PROBLEMS);
-  if (!live) throw new Error('This part needs the graph page above it.');
-  return live;
+  return injectOrThrow(PROBLEMS, 'the graph page above it');
 }
 
 const isSame = (a: Surroundings, b: Surroundings): boolean =>
   isSameSet(a.modules, b.modules) &&
   isSameSet(a.nodes, b.nodes) &&
-  sameValue([...a.writers], [...b.writers]);
+  isSameValue([...a.writers], [...b.writers]);
 
 function isSameSet(
   a: ReadonlySet<string> | undefined,

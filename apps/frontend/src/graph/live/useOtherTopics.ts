@@ -1,12 +1,11 @@
 import { formatsFit } from '@ubii/pm-sandbox';
-import { parseDataFormat } from '@ubii/proto';
+import { isSameValue, parseDataFormat } from '@ubii/proto';
 import { computed } from 'vue';
 import { isClientId } from '../../connection/display-names.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { rootLabel } from '../../topics/names/topic-path.ts';
 import { useFindPublisher } from '../../topics/names/useFindPublisher.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
-import { sameValue } from '../../formats/same-value.ts';
 import { topicNodeId } from '../model/make-node.ts';
 import { portOf } from '../model/port-format.ts';
 import { wiresOf } from '../model/wires-of.ts';
@@ -27,7 +26,7 @@ export function useOtherTopics(editor: GraphEditor): (topic: string) => OtherTop
       .map(({ topic, dataFormat: format }) => ({ topic, format }));
     const isOwn = ({ topic }: OtherTopic): boolean => rootLabel(topic) === client.id;
     const next = [...all.filter(isOwn), ...all.filter((one) => !isOwn(one))];
-    return before !== undefined && sameValue(before, next) ? before : next;
+    return before !== undefined && isSameValue(before, next) ? before : next;
   });
   return (topic) => {
     const node = topicNodeId(topic);

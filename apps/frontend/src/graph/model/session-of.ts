@@ -1,6 +1,5 @@
-import type { IOMapping, Session } from '@ubii/proto';
+import { isSameValue, type IOMapping, type Session } from '@ubii/proto';
 import { editorDataText } from './editor-data-text.ts';
-import { sameValue } from '../../formats/same-value.ts';
 import { parseEditorData } from './editor-data.ts';
 import { graphOf } from './graph-of.ts';
 import type { Graph, ModuleNode } from './graph.ts';
@@ -17,7 +16,7 @@ import { writeMapping } from './write-mapping.ts';
  */
 export function sessionOf(graph: Graph, shown: Session): Session {
   const { aside: wasAside } = parseEditorData(shown.extension?.editorJson ?? '');
-  if (wasAside.modules.length > 0 && sameValue(graphOf(shown), graph)) return shown;
+  if (wasAside.modules.length > 0 && isSameValue(graphOf(shown), graph)) return shown;
   const base = restored(shown, wasAside);
   const before = new Map(readModules(base).map((module) => [module.nodeId, module]));
   const nodes = inOrderOf([...before.keys()], graph);

@@ -1,6 +1,6 @@
 import { ClientState, type Client } from '@ubii/proto';
 import { counted } from '@ubii/words';
-import { clientKind } from '../../clients/client-facts.ts';
+import { clientKind } from '../../clients/model/client-facts.ts';
 
 /** What is known of a client besides itself. */
 export interface HereContext {

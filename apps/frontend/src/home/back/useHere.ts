@@ -1,6 +1,6 @@
 import { ClientState, type Client } from '@ubii/proto';
 import { computed, type ComputedRef } from 'vue';
-import { awaySinceMs } from '../../clients/client-facts.ts';
+import { awaySinceMs } from '../../clients/model/client-facts.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useMarks } from '../../marks/useMarks.ts';
 import type { PlayerIdentity } from '../../players/player-identity.ts';

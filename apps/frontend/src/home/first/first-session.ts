@@ -65,6 +65,8 @@ export function ownSession(clientId: string): Init<Session> {
     name: 'Mirror my pointer',
     description: 'Mirrors the pointer of a browser. Replace its module, and see what follows.',
     tags: ['example', TAG, clientId],
+    // Not stored: it ends with the master.
+    extension: { startWithMaster: false },
     ...mirror({
       pointer: exampleTopic(clientId, POINTER_COMPONENT),
       mirrored: componentTopic(clientId, PAD_DEVICE, 'mirrored'),

@@ -4,7 +4,7 @@ import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useRole } from '../../connection/useRole.ts';
 import { useDevice } from '../../devices/useDevice.ts';
-import { usePageSession } from '../../sessions/own/usePageSession.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
 import { PAD_COMPONENTS, PAD_DEVICE, padSession, padTopics } from './first-session.ts';
 import { withPlace, type Place } from './trail.ts';
 
@@ -23,11 +23,13 @@ export function usePadSession() {
   const clientId = shallowRef('');
   watch(isConnected, (connected) => connected && (clientId.value = client.id), { immediate: true });
   const isViewer = computed(() => role.value === 'viewer');
-  const page = usePageSession(() =>
-    clientId.value === '' || isViewer.value
-      ? undefined
-      : { place: 'master', session: padSession(clientId.value, name.value) },
-  );
+  const page = useOwnedSession({
+    life: 'page',
+    spec: () =>
+      clientId.value === '' || isViewer.value
+        ? undefined
+        : { place: 'master', session: padSession(clientId.value, name.value) },
+  });
   const topics = computed(() => padTopics(clientId.value));
 
   const sent = shallowRef<readonly Place[]>([]);

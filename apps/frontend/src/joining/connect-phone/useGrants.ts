@@ -1,7 +1,8 @@
 import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, type AccessGrant, type RevokedWork } from '@ubii/proto';
+import type { AccessGrant, RevokedWork } from '@ubii/proto';
 import { computed, ref, shallowRef, watch, type Ref } from 'vue';
 import { usePoll } from '../../connection/poll.ts';
+import { tryRequest, type RequestError } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { isOpen, reusable, type GrantChoice } from './grant-choices.ts';
 import { useGrantSecrets } from './grant-secrets.ts';
@@ -35,20 +36,19 @@ export function useGrants(
   );
   const secret = computed(() => (current.value ? secrets.get(current.value.id) : undefined));
 
-  async function attempt(act: () => Promise<void>): Promise<void> {
-    try {
-      await act();
-      error.value = '';
-    } catch (cause) {
-      if (cause instanceof ConnectionError) return; // Shown by the connection's state.
-      if (!(cause instanceof ServiceError)) throw cause;
-      if (cause.code === 'unimplemented' || cause.code === 'not_found') isUnsupported.value = true;
-      error.value = cause.message;
-    }
+  function refuse(cause: RequestError): void {
+    if (cause instanceof ConnectionError) return; // Shown by the connection's state.
+    if (cause.code === 'unimplemented' || cause.code === 'not_found') isUnsupported.value = true;
+    error.value = cause.message;
   }
+  const request = (work: () => Promise<void>): Promise<void> =>
+    tryRequest(async () => {
+      await work();
+      error.value = '';
+    }, refuse);
 
   const refresh = (): Promise<void> =>
-    attempt(async () => {
+    request(async () => {
       const { elements } = await client.call('accessGrantList');
       grants.value = elements;
       secrets.keep(new Set(elements.filter((one) => isOpen(one, nowMs())).map(({ id }) => id)));
@@ -79,7 +79,7 @@ export function useGrants(
   }
 
   const revoke = (grant: AccessGrant, work: RevokedWork): Promise<void> =>
-    attempt(async () => {
+    request(async () => {
       mayMake.value = false; // Otherwise the next refresh creates a replacement.
       await client.call('accessGrantRevoke', {
         grantId: grant.id,
@@ -95,7 +95,7 @@ export function useGrants(
     computed(() => isConnected.value && isAdmin.value && !isUnsupported.value),
   );
   watch([choice, mayMake, isReachable], () => {
-    if (mayMake.value && isAdmin.value && isConnected.value) void attempt(make);
+    if (mayMake.value && isAdmin.value && isConnected.value) void request(make);
   });
   // Show new devices at once.
   watch(clients.list, (list, before) => {

@@ -1,6 +1,7 @@
 import { ConnectionError } from '@ubii/client-web';
-import { AccessRole, ServiceError } from '@ubii/proto';
+import { AccessRole } from '@ubii/proto';
 import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+import { tryRequest, type RequestError } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 
 const MINUTE_MS = 60_000;
@@ -49,20 +50,22 @@ export function useProgramCode(kind: Readonly<Ref<SecretKind>>): ProgramCode {
     making = wanted;
     problem.value = undefined;
     try {
-      const role = AccessRole.ACCESS_ROLE_PARTICIPANT;
-      const made = await client.call('accessGrantCreate', { ...INVITATIONS[wanted], role });
-      secrets.value = { ...secrets.value, [wanted]: made[wanted] };
-      if (wanted === 'token') {
-        token = { text: made.token, untilMs: Date.now() + INVITATIONS.token.lifetimeMs };
-      }
-    } catch (cause) {
-      if (cause instanceof ConnectionError) return; // It is made when the master is back.
-      if (!(cause instanceof ServiceError)) throw cause;
-      if (cause.code === 'permission_denied') isForbidden.value = true;
-      else problem.value = cause.message;
+      await tryRequest(async () => {
+        const role = AccessRole.ACCESS_ROLE_PARTICIPANT;
+        const made = await client.call('accessGrantCreate', { ...INVITATIONS[wanted], role });
+        secrets.value = { ...secrets.value, [wanted]: made[wanted] };
+        if (wanted === 'token') {
+          token = { text: made.token, untilMs: Date.now() + INVITATIONS.token.lifetimeMs };
+        }
+      }, refuse);
     } finally {
       making = undefined;
     }
+  }
+  function refuse(cause: RequestError): void {
+    if (cause instanceof ConnectionError) return; // It is made when the master is back.
+    if (cause.code === 'permission_denied') isForbidden.value = true;
+    else problem.value = cause.message;
   }
 
   function makeMissing(): void {

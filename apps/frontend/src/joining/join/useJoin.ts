@@ -1,7 +1,8 @@
 import { clientRole, ConnectionError, joinProblem } from '@ubii/client-web';
-import { ServiceError, type Mark } from '@ubii/proto';
+import type { Mark } from '@ubii/proto';
 import { computed, onScopeDispose, shallowRef, watch } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { rememberStart, startPath } from '../../install/start-path.ts';
 import { ANOTHER } from '../../locations/join-location.ts';
@@ -91,20 +92,19 @@ export function useJoin(beforeLeaving: () => void) {
 
   async function check(question: Check): Promise<void> {
     const { token, asClient } = question;
-    try {
-      const answer = await (asClient ? client.call('joinCheck', { token }) : checkToken(token));
-      const { masterName, target, isJoined } = answer;
-      const role = clientRole(answer.role);
-      const problem = joinProblem(answer.problem);
-      dispatch({
-        type: 'checked',
-        check: question,
-        reply: { masterName, role, problem, target, isJoined, marks: offeredMarks(answer) },
-      });
-    } catch (cause) {
-      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
-      dispatch({ type: 'unanswered', check: question, message: cause.message });
-    }
+    const answer = await tryRequest(
+      () => (asClient ? client.call('joinCheck', { token }) : checkToken(token)),
+      ({ message }) => dispatch({ type: 'unanswered', check: question, message }),
+    );
+    if (answer === undefined) return;
+    const { masterName, target, isJoined } = answer;
+    const role = clientRole(answer.role);
+    const problem = joinProblem(answer.problem);
+    dispatch({
+      type: 'checked',
+      check: question,
+      reply: { masterName, role, problem, target, isJoined, marks: offeredMarks(answer) },
+    });
   }
 
   async function settle(joining: Promise<unknown>): Promise<void> {

@@ -8,7 +8,7 @@ import type { PictureHabits } from '../../devices/camera/picture-habits.ts';
 import { usePictures } from '../../devices/camera/usePictures.ts';
 import { useDevice } from '../../devices/useDevice.ts';
 import type { PictureSources } from '../../examples/pictures/usePictureSource.ts';
-import { usePageSession } from '../../sessions/own/usePageSession.ts';
+import { useOwnedSession } from '../../sessions/own/useOwnedSession.ts';
 import {
   CALIBRATION_COMPONENTS,
   CALIBRATION_DEVICE,
@@ -68,19 +68,22 @@ export function useCalibration(sources: PictureSources) {
       device.publishTaken('image', picture, ageMs, { immediate: true, expiryMs }),
     end: () => device.end('image'),
   });
-  const session = usePageSession(() => {
-    const squareMetres = Number(board.squareMm) / 1000;
-    if (!isOn.value || !device.isRegistered.value || !(squareMetres > 0)) return undefined;
-    const printed = {
-      columns: Number(board.columns),
-      rows: Number(board.rows),
-      squareMetres,
-      markerMetres: squareMetres * MARKER_PART,
-    };
-    return {
-      place: 'tab',
-      session: calibrationSession(name.value, printed, (one) => device.topicOf(one)!),
-    };
+  const session = useOwnedSession({
+    life: 'page',
+    spec: () => {
+      const squareMetres = Number(board.squareMm) / 1000;
+      if (!isOn.value || !device.isRegistered.value || !(squareMetres > 0)) return undefined;
+      const printed = {
+        columns: Number(board.columns),
+        rows: Number(board.rows),
+        squareMetres,
+        markerMetres: squareMetres * MARKER_PART,
+      };
+      return {
+        place: 'tab',
+        session: calibrationSession(name.value, printed, (one) => device.topicOf(one)!),
+      };
+    },
   });
 
   function startOver(): void {

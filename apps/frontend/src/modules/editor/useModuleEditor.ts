@@ -1,20 +1,21 @@
 import { ConnectionError } from '@ubii/client-web';
-import { ModuleOrigin, ServiceError, type ProcessingModule } from '@ubii/proto';
+import { ModuleOrigin, type ProcessingModule } from '@ubii/proto';
 import { computed, ref, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 import { usePoll } from '../../connection/poll.ts';
+import { tryRequest, useAttempt, type RequestError } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { dropDraft, keepDraft, readDraft } from './draft/draft-store.ts';
-import { draftProblems, isFatalProblem, type DraftProblems } from './draft/draft-problems.ts';
-import { editedModule, type EditedModule } from './draft/edited-module.ts';
+import { dropDraft, keepDraft, readDraft } from '../draft/draft-store.ts';
+import { draftProblems, isFatalProblem, type DraftProblems } from '../draft/draft-problems.ts';
+import { editedModule, type EditedModule } from '../draft/edited-module.ts';
 import {
   draftKey,
   draftOf,
   isSameDraft,
   moduleOf,
   type ModuleDraft,
-} from './draft/module-draft.ts';
-import { reconcile } from './draft/reconcile.ts';
-import { keepSame } from './keep-same.ts';
+} from '../draft/module-draft.ts';
+import { reconcile } from '../draft/reconcile.ts';
+import { keepSame } from './code/keep-same.ts';
 
 /** Interval of requests, milliseconds, to notice changed files on the master's disk. */
 const INTERVAL_MS = 1000;
@@ -62,8 +63,7 @@ export function useModuleEditor(
   const isGone = ref(false);
   const isKnown = ref(false);
   const isReadonly = ref(false);
-  const failure = shallowRef<string>();
-  const isSaving = ref(false);
+  const { problem: failure, isBusy: isSaving, attempt } = useAttempt();
 
   const module = editedModule(() => draft.value);
   const baseKey = computed(() => base.value && draftKey(base.value));
@@ -112,7 +112,7 @@ export function useModuleEditor(
 
   async function refresh(): Promise<void> {
     const name = base.value?.name ?? address();
-    try {
+    await tryRequest(async () => {
       const { elements } = await client.call('processingModuleDatabaseGet', { name });
       const found = elements[0];
       const origin = found?.extension?.origin;
@@ -122,12 +122,12 @@ export function useModuleEditor(
         isKnown.value = true;
         isReadonly.value = false;
       } else look(found && draftOf(found));
-    } catch (cause) {
-      if (cause instanceof ConnectionError) return;
-      if (!(cause instanceof ServiceError)) throw cause;
-      if (cause.code === 'not_found') look(undefined);
-      else failure.value = cause.message;
-    }
+    }, handleRefusal);
+  }
+  function handleRefusal(cause: RequestError): void {
+    if (cause instanceof ConnectionError) return;
+    if (cause.code === 'not_found') look(undefined);
+    else failure.value = cause.message;
   }
   usePoll(refresh, INTERVAL_MS, isConnected);
 
@@ -171,9 +171,7 @@ export function useModuleEditor(
     async save() {
       const mine = draft.value;
       if (!mine || [...problems.value.keys()].some(isFatalProblem)) return undefined;
-      failure.value = undefined;
-      isSaving.value = true;
-      try {
+      return attempt(async () => {
         const before = base.value?.name;
         const saved = await client.call('processingModuleDatabaseSave', moduleOf(mine));
         if (before !== undefined && before !== saved.name && !isGone.value) {
@@ -188,13 +186,7 @@ export function useModuleEditor(
           draft.value = { ...stored, code: mine.code };
         dropDraft(address());
         return saved;
-      } catch (cause) {
-        if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-        failure.value = cause.message;
-        return undefined;
-      } finally {
-        isSaving.value = false;
-      }
+      });
     },
   };
 }

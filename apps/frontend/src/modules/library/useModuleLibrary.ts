@@ -1,7 +1,7 @@
-import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type ProcessingModule } from '@ubii/proto';
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { usePoll } from '../../connection/poll.ts';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { moduleEntries, type ModuleEntry } from './module-entry.ts';
 
@@ -23,14 +23,15 @@ export function useModuleLibrary(): ModuleLibrary {
   const error = shallowRef<ServiceError>();
 
   async function refresh(): Promise<void> {
-    try {
-      modules.value = (await client.call('processingModuleDatabaseGetList')).elements;
-      error.value = undefined;
-    } catch (cause) {
-      if (cause instanceof ConnectionError) return;
-      if (!(cause instanceof ServiceError)) throw cause;
-      error.value = cause;
-    }
+    const reply = await tryRequest(
+      () => client.call('processingModuleDatabaseGetList'),
+      (cause) => {
+        if (cause instanceof ServiceError) error.value = cause;
+      },
+    );
+    if (reply === undefined) return;
+    modules.value = reply.elements;
+    error.value = undefined;
   }
   usePoll(refresh, INTERVAL_MS, isConnected);
 

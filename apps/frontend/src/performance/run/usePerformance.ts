@@ -1,7 +1,8 @@
 import { ServiceError } from '@ubii/proto';
 import { systemClock } from '@ubii/timing/system';
 import { useEventListener } from '@vueuse/core';
-import { inject, onScopeDispose, provide, shallowRef, watch, type InjectionKey } from 'vue';
+import { onScopeDispose, provide, shallowRef, watch, type InjectionKey } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import { randomUuid } from '../../connection/random-uuid.ts';
 import { sendAtPageHide } from '../../connection/send-at-page-hide.ts';
 import { useConnection } from '../../connection/useConnection.ts';
@@ -34,9 +35,7 @@ export interface Performance {
 const PERFORMANCE: InjectionKey<Performance> = Symbol('performance');
 
 export function usePerformance(): Performance {
-  const performance = inject(PERFORMANCE);
-  if (!performance) throw new Error('usePerformance() needs providePerformance() on the page.');
-  return performance;
+  return injectOrThrow(PERFORMANCE, 'providePerformance() on the page above it');
 }
 
 /** Reason why a test ended early. */

@@ -1,9 +1,7 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ReplayState, ServiceError, fromJson, type Recording, type Replay } from '@ubii/proto';
+import { ReplayState, fromJson, type Recording, type Replay } from '@ubii/proto';
 import { callWorker, type WorkerPeer } from '@ubii/worker-rpc/browser';
 import {
   computed,
-  inject,
   onScopeDispose,
   provide,
   shallowRef,
@@ -13,8 +11,10 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { useReplays } from '../../connection/useReplays.ts';
+import { useReplays } from '../../connection/live/useReplays.ts';
 import { writtenTopics } from '../../sessions/words/shared-topics.ts';
 import { masterFile } from '../files/readable-file.ts';
 import { useMayRecord } from '../rights/useMayRecord.ts';
@@ -51,9 +51,7 @@ export interface Rerun {
 const RERUN: InjectionKey<Rerun> = Symbol('rerun');
 
 export function useRerun(): Rerun {
-  const rerun = inject(RERUN);
-  if (!rerun) throw new Error('This part needs an opened recording above it.');
-  return rerun;
+  return injectOrThrow(RERUN, 'an opened recording above it');
 }
 
 /** Starts a worker for one comparison. */
@@ -78,23 +76,16 @@ export function provideRerun(
   let span: Span | undefined;
   let cancelCompare = (): void => undefined;
 
-  async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
-    try {
-      return await work();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      state.value = { status: 'failed', message: cause.message };
-      return undefined;
-    }
-  }
+  const request = <T>(work: () => Promise<T>): Promise<T | undefined> =>
+    tryRequest(work, ({ message }) => (state.value = { status: 'failed', message }));
   async function finish(replay: Replay): Promise<void> {
     const { session, recordingId, problem } = replay;
     if (session === undefined) return;
     state.value = { status: 'comparing', outputs: 0 };
     // Its recording is closed then.
-    const isStopped = await attempt(() => client.call('replayStop', { id: replay.id }));
+    const isStopped = await request(() => client.call('replayStop', { id: replay.id }));
     if (isStopped === undefined) return;
-    const request = {
+    const compared = {
       recordedFile: masterFile(recordingId, client),
       rerunFile: masterFile(session.comparisonRecordingId, client),
       ...{ inputPrefix: session.inputPrefix, outputPrefix: session.outputPrefix, outputs, span },
@@ -104,7 +95,7 @@ export function provideRerun(
     });
     cancelCompare = () => worker.close();
     try {
-      const comparison = await worker.calls.compare(request);
+      const comparison = await worker.calls.compare(compared);
       const { recordedModules } = session;
       state.value = { status: 'done', comparison, recordedModules, problem };
     } catch (error) {
@@ -120,7 +111,7 @@ export function provideRerun(
       state.value = { status: 'failed', message: 'The run was stopped before its end.' };
     else if (now.state === ReplayState.REPLAY_STATE_FAILED) {
       state.value = { status: 'failed', message: now.problem };
-      void attempt(() => client.call('replayStop', { id }));
+      void request(() => client.call('replayStop', { id }));
     } else if (isOver(now)) void finish(now);
     else state.value = { status: 'running', replay: now };
   });
@@ -131,7 +122,7 @@ export function provideRerun(
     cancelCompare();
     if (before?.status === 'running') {
       const { id } = before.replay;
-      void attempt(() => client.call('replayStop', { id }));
+      void request(() => client.call('replayStop', { id }));
     }
   }
   onScopeDispose(close);
@@ -147,7 +138,7 @@ export function provideRerun(
       const { rate, loop } = opened.player.value;
       outputs = outputsOf(session);
       span = loop;
-      const replay = await attempt(() =>
+      const replay = await request(() =>
         client.call('replayStart', {
           ...{ clientId: client.id, recordingId: recording.value?.id ?? '', sessionId: id, rate },
           ...(loop && { span: { fromMs: loop.fromMs, untilMs: loop.untilMs } }),

@@ -1,5 +1,6 @@
-import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ServiceError, type Recording } from '@ubii/proto';
+import type { UbiiClient } from '@ubii/client-web';
+import type { Recording } from '@ubii/proto';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import type { Toasts } from '../../ui/toasts/toasts.ts';
 import KeptToast from './KeptToast.vue';
 
@@ -11,13 +12,10 @@ export interface KeepPorts {
 
 /** Keeps the last minutes as a recording, and offers its name to be edited. @returns undefined when that failed */
 export async function keepFlight({ client, toasts }: KeepPorts): Promise<Recording | undefined> {
-  try {
-    const recording = await client.call('flightRecorderKeep', { clientId: client.id });
-    toasts.showBody(KeptToast, { recording });
-    return recording;
-  } catch (cause) {
-    if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-    toasts.show(`Nothing was kept. ${cause.message}`);
-    return undefined;
-  }
+  const recording = await tryRequest(
+    () => client.call('flightRecorderKeep', { clientId: client.id }),
+    ({ message }) => toasts.show(`Nothing was kept. ${message}`),
+  );
+  if (recording) toasts.showBody(KeptToast, { recording });
+  return recording;
 }

@@ -1,7 +1,7 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, type FlightRecorder } from '@ubii/proto';
+import type { FlightRecorder } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { usePoll } from '../../connection/poll.ts';
+import { refusalSentence, useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 
 /** The flight recorder as the master describes it, asked for while the page is seen. */
@@ -16,17 +16,11 @@ const INTERVAL_MS = 2000;
 export function useFlightRecorder(): FlightRecorderView {
   const { client, isConnected } = useConnection();
   const flight = shallowRef<FlightRecorder>();
-  const problem = shallowRef<string>();
+  const { problem, attempt } = useAttempt({ sentenceOf: refusalSentence, keepsProblem: true });
   usePoll(
     async () => {
-      try {
-        flight.value = await client.call('flightRecorderGet');
-        problem.value = undefined;
-      } catch (cause) {
-        if (cause instanceof ConnectionError) return;
-        if (!(cause instanceof ServiceError)) throw cause;
-        problem.value = cause.message;
-      }
+      const reply = await attempt(() => client.call('flightRecorderGet'));
+      if (reply) flight.value = reply;
     },
     INTERVAL_MS,
     () => isConnected.value,

@@ -10,7 +10,6 @@ import {
 } from '@ubii/proto';
 import {
   computed,
-  inject,
   provide,
   shallowRef,
   watch,
@@ -18,6 +17,7 @@ import {
   type InjectionKey,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import { useTopic } from '../../connection/live/useTopic.ts';
 import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
@@ -60,9 +60,7 @@ const NONE: RecordingList = { elements: [], sizeBytes: 0, maxBytes: 0, freeBytes
 const RECORDINGS: InjectionKey<Recordings> = Symbol('recordings');
 
 export function useRecordings(): Recordings {
-  const recordings = inject(RECORDINGS);
-  if (!recordings) throw new Error('This part needs the page of recordings above it.');
-  return recordings;
+  return injectOrThrow(RECORDINGS, 'the page of recordings above it');
 }
 
 export function provideRecordings(): Recordings {

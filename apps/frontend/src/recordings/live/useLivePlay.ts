@@ -1,7 +1,6 @@
 import { ReplayAction, type Recording, type Replay } from '@ubii/proto';
 import {
   computed,
-  inject,
   provide,
   shallowRef,
   watch,
@@ -10,9 +9,10 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { useReplays } from '../../connection/useReplays.ts';
+import { useReplays } from '../../connection/live/useReplays.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import { createFollowedPlayer } from './followed-player.ts';
 import { liveRequest, type LiveChoice } from './live-choice.ts';
@@ -45,9 +45,7 @@ export interface LivePlay {
 const LIVE_PLAY: InjectionKey<LivePlay> = Symbol('live play');
 
 export function useLivePlay(): LivePlay {
-  const live = inject(LIVE_PLAY);
-  if (!live) throw new Error('This part needs an opened recording above it.');
-  return live;
+  return injectOrThrow(LIVE_PLAY, 'an opened recording above it');
 }
 
 /**

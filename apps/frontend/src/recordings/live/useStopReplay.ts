@@ -1,5 +1,4 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 
@@ -8,11 +7,9 @@ export function useStopReplay(): (id: string) => Promise<void> {
   const { client } = useConnection();
   const toasts = useToasts();
   return async (id) => {
-    try {
-      await client.call('replayStop', { id });
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      toasts.show(`Not stopped. ${cause.message}`);
-    }
+    await tryRequest(
+      () => client.call('replayStop', { id }),
+      ({ message }) => toasts.show(`Not stopped. ${message}`),
+    );
   };
 }

@@ -1,6 +1,6 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, type Init, type PersonalLabel } from '@ubii/proto';
+import type { Init, PersonalLabel } from '@ubii/proto';
 import { shallowRef, watch, type ShallowRef } from 'vue';
+import { useAttempt } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 
 /** Labels of personal data at the master. */
@@ -16,28 +16,20 @@ export interface PersonalLabels {
 export function usePersonalData(): PersonalLabels {
   const { client, isConnected } = useConnection();
   const labels = shallowRef<readonly PersonalLabel[]>();
-  const problem = shallowRef<string>();
+  const { problem, attempt } = useAttempt({ keepsProblem: true });
 
-  async function attempt(
+  async function take(
     call: () => Promise<{ readonly labels: readonly PersonalLabel[] }>,
   ): Promise<boolean> {
-    try {
-      labels.value = (await call()).labels;
-      problem.value = undefined;
-      return true;
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      problem.value = cause.message;
-      return false;
-    }
+    const reply = await attempt(call);
+    if (reply) labels.value = reply.labels;
+    return reply !== undefined;
   }
-  watch(
-    isConnected,
-    (connected) => connected && void attempt(() => client.call('personalDataGet')),
-    { immediate: true },
-  );
+  watch(isConnected, (connected) => connected && void take(() => client.call('personalDataGet')), {
+    immediate: true,
+  });
   return {
     ...{ labels, problem },
-    save: (next) => attempt(() => client.call('personalDataSet', { labels: [...next] })),
+    save: (next) => take(() => client.call('personalDataSet', { labels: [...next] })),
   };
 }

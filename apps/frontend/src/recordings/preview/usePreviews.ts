@@ -2,7 +2,6 @@ import { callWorker, type WorkerPeer } from '@ubii/worker-rpc/browser';
 import { useIntersectionObserver } from '@vueuse/core';
 import {
   computed,
-  inject,
   onBeforeUnmount,
   provide,
   shallowRef,
@@ -11,6 +10,7 @@ import {
   type InjectionKey,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import type { PreviewRequest, PreviewWorker } from './preview-messages.ts';
 import { PreviewStore, type PreviewState } from './preview-store.ts';
 
@@ -32,9 +32,7 @@ export function providePreviews(open = openPreviewWorker): PreviewStore {
 }
 
 export function usePreviews(): PreviewStore {
-  const store = inject(PREVIEWS);
-  if (!store) throw new Error('This part needs the page of recordings above it.');
-  return store;
+  return injectOrThrow(PREVIEWS, 'the page of recordings above it');
 }
 
 /** The preview of a recording, which is read while its element is on screen. @param request undefined for none */

@@ -1,5 +1,5 @@
-import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
+import type { UbiiClient } from '@ubii/client-web';
+import { tryRequest } from '../../connection/useAttempt.ts';
 import type { Toasts } from '../../ui/toasts/toasts.ts';
 import MarkedToast from './MarkedToast.vue';
 
@@ -11,11 +11,9 @@ export interface MarkPorts {
 
 /** Marks this moment in all that is being recorded, and offers the text of the marker to be edited. */
 export async function markNow({ client, toasts }: MarkPorts): Promise<void> {
-  try {
-    const marker = await client.call('recordingMark', { clientId: client.id });
-    toasts.showBody(MarkedToast, { marker });
-  } catch (cause) {
-    if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-    toasts.show(`Not marked. ${cause.message}`);
-  }
+  const marker = await tryRequest(
+    () => client.call('recordingMark', { clientId: client.id }),
+    ({ message }) => toasts.show(`Not marked. ${message}`),
+  );
+  if (marker) toasts.showBody(MarkedToast, { marker });
 }

@@ -1,6 +1,5 @@
 import {
   computed,
-  inject,
   provide,
   shallowRef,
   watch,
@@ -8,6 +7,7 @@ import {
   type InjectionKey,
   type Ref,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 import type { OpenedPlayer } from '../opened/opened-player.ts';
 import type { PlacedGap, PlacedMarker } from '../reading/recording-messages.ts';
 import type { UnreadActivity } from '../timeline/draw/draw-activity.ts';
@@ -56,9 +56,7 @@ export interface Timeline {
 export const TIMELINE: InjectionKey<Timeline> = Symbol('timeline');
 
 export function useTimeline(): Timeline {
-  const timeline = inject(TIMELINE);
-  if (!timeline) throw new Error('This part needs an opened recording above it.');
-  return timeline;
+  return injectOrThrow(TIMELINE, 'an opened recording above it');
 }
 
 /** A loop is at least this long, milliseconds: shorter ones are clicks. */

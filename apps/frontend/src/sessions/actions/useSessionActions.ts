@@ -1,9 +1,9 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, SessionState, type Init, type Session } from '@ubii/proto';
+import { SessionState, type Init, type Session } from '@ubii/proto';
 import { counted } from '@ubii/words';
 import { until } from '@vueuse/core';
-import { shallowRef, type ShallowRef } from 'vue';
+import type { ComputedRef } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
+import { useAttemptByKey } from '../../connection/useAttempt.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { sessionState, type LifeAction } from '../state/session-state.ts';
@@ -19,9 +19,9 @@ export interface SessionActions {
   /** For callers that need the reply, such as a text whose problems are shown beside it. */
   readonly calls: SessionCalls;
   /** Error messages, kept until the next action on the session. */
-  readonly failures: Readonly<ShallowRef<Failures>>;
+  readonly failures: ComputedRef<Failures>;
   /** Ids of sessions with a pending request. */
-  readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
+  readonly busy: ComputedRef<ReadonlySet<string>>;
   act(session: Session, action: LifeAction): Promise<void>;
   /** Stops sessions at once, and offers to start them again. */
   stopAll(sessions: readonly Session[]): Promise<void>;
@@ -41,8 +41,7 @@ export interface SessionActions {
 export function useSessionActions(): SessionActions {
   const { client, sessions } = useConnection();
   const toasts = useToasts();
-  const failures = shallowRef<Failures>(new Map());
-  const busy = shallowRef<ReadonlySet<string>>(new Set());
+  const { problems: failures, busy, attempt, dismiss } = useAttemptByKey();
 
   async function whenStopped(id: string): Promise<void> {
     const hasEnded = (): boolean => {
@@ -52,27 +51,6 @@ export function useSessionActions(): SessionActions {
     await until(() => sessions.list.value && hasEnded()).toBe(true, { timeout: STOP_MS });
   }
   const calls = createSessionCalls(client, sessions, whenStopped, randomUuid);
-
-  function fail(id: string, text: string | undefined): void {
-    const next = new Map(failures.value);
-    if (text === undefined) next.delete(id);
-    else next.set(id, text);
-    failures.value = next;
-  }
-
-  async function attempt<T>(id: string, intent: () => Promise<T>): Promise<T | undefined> {
-    fail(id, undefined);
-    busy.value = new Set([...busy.value, id]);
-    try {
-      return await intent();
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      fail(id, cause.message);
-      return undefined;
-    } finally {
-      busy.value = new Set([...busy.value].filter((other) => other !== id));
-    }
-  }
 
   async function remove(
     session: Session,
@@ -115,6 +93,6 @@ export function useSessionActions(): SessionActions {
     update: async (session, changes) =>
       void (await attempt(session.id, () => calls.update(session, changes))),
     remove,
-    dismiss: (id) => fail(id, undefined),
+    dismiss,
   };
 }

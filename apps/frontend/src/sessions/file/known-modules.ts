@@ -1,14 +1,10 @@
-import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { ServiceError, type ProcessingModule } from '@ubii/proto';
+import type { UbiiClient } from '@ubii/client-web';
+import type { ProcessingModule } from '@ubii/proto';
+import { tryRequest } from '../../connection/useAttempt.ts';
 
 /** Returns all modules of the master and the nodes; `undefined` when the master does not reply. */
 export async function knownModules(
   client: Pick<UbiiClient, 'call'>,
 ): Promise<readonly ProcessingModule[] | undefined> {
-  try {
-    return (await client.call('processingModuleDatabaseGetList')).elements;
-  } catch (cause) {
-    if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
-    return undefined;
-  }
+  return (await tryRequest(() => client.call('processingModuleDatabaseGetList')))?.elements;
 }

@@ -14,7 +14,7 @@ it('puts all modules on the node', () => {
   });
 });
 
-it('a module that runs keeps its id, also on another node; what is not wanted any more is left out', () => {
+it('a module that runs keeps its id, also on another node [SE-15]; what is not wanted any more is left out', () => {
   const known = fromJson('ubii.sessions.Session', {
     id: 's1',
     processingModules: [

@@ -1,6 +1,6 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** `tab`: this tab; `master`; or the client id of a node. */
+/** `tab`: this tab; `master`; the client id of a node; empty: the master chooses. */
 export type ModulePlace = string;
 
 /** A session that a page wants to run, and its node. */

@@ -74,7 +74,7 @@ export function useCommands(): ComputedRef<Command[]> {
   async function startExample(entry: GalleryEntry): Promise<void> {
     await gallery.start(entry);
     // There one can try again.
-    if (gallery.failures.value.has(entry.id)) await router.push('/examples');
+    if (gallery.of(entry).trouble.value !== undefined) await router.push('/examples');
   }
   const startable = GALLERY.map((entry): Command => ({
     id: `start ${entry.id}`,

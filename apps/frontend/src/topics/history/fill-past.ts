@@ -1,5 +1,4 @@
-import { decodeRecord, type FlightRecord, type TopicRecord } from '@ubii/proto';
-import { sameValue } from '../../formats/same-value.ts';
+import { decodeRecord, isSameValue, type FlightRecord, type TopicRecord } from '@ubii/proto';
 import type { KeptRecord } from './record-log.ts';
 import type { TopicHistory } from './topic-history.ts';
 
@@ -45,7 +44,7 @@ export async function fillPast(
 
 function isSame(record: TopicRecord, { timestampMs, clientId, value }: KeptRecord): boolean {
   if (timestampMs === undefined || record.timestampMs !== timestampMs) return false;
-  return record.clientId === clientId && sameValue(record.value, value);
+  return record.clientId === clientId && isSameValue(record.value, value);
 }
 
 async function inTurns<T>(

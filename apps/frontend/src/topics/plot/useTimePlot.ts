@@ -1,3 +1,4 @@
+import { isSameValue } from '@ubii/proto';
 import { useElementSize, usePreferredContrast } from '@vueuse/core';
 import type uPlot from 'uplot';
 import { onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
@@ -156,7 +157,7 @@ export function useTimePlot(
       height: Math.max(1, Math.floor(height.value) - TOP - BOTTOM),
       axes: axesOf,
     };
-    if (JSON.stringify(next) !== JSON.stringify(box.value)) box.value = next;
+    if (!isSameValue(next, box.value)) box.value = next;
   }
 
   watch([library, frame, probe, shape, isDrawable], make, { flush: 'post', immediate: true });

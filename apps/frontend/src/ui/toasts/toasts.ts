@@ -1,5 +1,4 @@
 import {
-  inject,
   markRaw,
   onScopeDispose,
   readonly,
@@ -9,6 +8,7 @@ import {
   type InjectionKey,
   type ShallowRef,
 } from 'vue';
+import { injectOrThrow } from '../../context/inject-or-throw.ts';
 
 /** Short message with at most one action. Not for errors that need a reaction. */
 export interface Toast {
@@ -71,9 +71,7 @@ export function provideToasts(app: App, toasts: Toasts): void {
 }
 
 export function useToasts(): Toasts {
-  const toasts = inject(TOASTS);
-  if (!toasts) throw new Error('useToasts() needs provideToasts() at the root of the app.');
-  return toasts;
+  return injectOrThrow(TOASTS, 'provideToasts() at the root of the app');
 }
 
 /** Toasts of a place, dismissed when the calling component is unmounted. */

@@ -1,6 +1,7 @@
 import {
   encode,
   fromJson,
+  isSameValue,
   ModuleVersionOrigin,
   toJson,
   type JsonObject,
@@ -182,9 +183,9 @@ function readModule(json: JsonObject): ProcessingModule | undefined {
 
 /** Whether two modules are the same, wherever they are and run. */
 export function isSame(a: ProcessingModule, b: ProcessingModule): boolean {
-  const text = (module: ProcessingModule): string =>
-    JSON.stringify(toJson('ubii.processing.ProcessingModule', contentOf(module)));
-  return text(a) === text(b);
+  const plain = (module: ProcessingModule): JsonObject =>
+    toJson('ubii.processing.ProcessingModule', contentOf(module));
+  return isSameValue(plain(a), plain(b));
 }
 
 /** Returns the stored part of a module, without its place and state. */

@@ -1,5 +1,6 @@
 import { useSessionStorage } from '@vueuse/core';
-import { computed, inject, provide, watch, type InjectionKey } from 'vue';
+import { computed, provide, watch, type InjectionKey } from 'vue';
+import { injectOrThrow } from '../../../context/inject-or-throw.ts';
 import { useRoute } from 'vue-router';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { useOwnPointer } from '../../../graph/editor/templates/own-pointer.ts';
@@ -53,7 +54,5 @@ export function providePageInputs(): void {
 }
 
 export function usePageInputs(): PageInputs {
-  const inputs = inject(PAGE_INPUTS);
-  if (inputs === undefined) throw new Error('Page inputs are provided by the shell.');
-  return inputs;
+  return injectOrThrow(PAGE_INPUTS, 'the page inputs of the shell');
 }

@@ -32,9 +32,6 @@ export function hoverTarget(element: Element | null): HoverTarget | undefined {
     : { kind: 'port', ref: { node, port } };
 }
 
-export const isSameTarget = (a: HoverTarget | undefined, b: HoverTarget | undefined): boolean =>
-  a === b || (a !== undefined && b !== undefined && JSON.stringify(a) === JSON.stringify(b));
-
 export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | undefined {
   if (target.kind === 'wire') {
     const wire = graph.wires.get(target.wire);

@@ -1,6 +1,7 @@
+import { isSameValue } from '@ubii/proto';
 import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
-import { hoverTarget, isSameTarget, type HoverTarget } from './hover-target.ts';
+import { hoverTarget, type HoverTarget } from './hover-target.ts';
 
 /** Time a pointer must rest before values are requested, milliseconds. */
 const REST_MS = 300;
@@ -48,9 +49,9 @@ export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | 
   useEventListener(container, 'pointerover', (event) => {
     if (event.pointerType === 'touch' || event.buttons !== 0) return;
     const target = hoverTarget(event.target as Element);
-    if (!isSameTarget(target, pressed)) pressed = undefined;
+    if (!isSameValue(target, pressed)) pressed = undefined;
     if (target === undefined || pressed !== undefined) hide();
-    else if (!isSameTarget(target, next))
+    else if (!isSameValue(target, next))
       wait(target, event, Math.max(REST_MS, calmUntil - event.timeStamp));
   });
   useEventListener(container, 'pointerleave', hide);

@@ -1,8 +1,8 @@
-import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, type Session } from '@ubii/proto';
+import type { Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter, type RouteLocationRaw } from 'vue-router';
 import { randomUuid } from '../../../connection/random-uuid.ts';
+import { tryRequest } from '../../../connection/useAttempt.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { newTextLocation } from '../../../locations/session-location.ts';
 import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
@@ -53,13 +53,10 @@ export function useSessionImport({ calls, isAsking, locationOf }: ImportOptions)
 
   /** @returns undefined when the master refused it; its text is then open with the reasons */
   async function made(session: Session): Promise<Session | undefined> {
-    try {
-      return await calls.create(sessionCopy(sessionSpec(session), randomUuid));
-    } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      await edit(sessionText(sessionSpec(session)));
-      return undefined;
-    }
+    const spec = sessionSpec(session);
+    const created = await tryRequest(() => calls.create(sessionCopy(spec, randomUuid)));
+    if (created === undefined) await edit(sessionText(spec));
+    return created;
   }
 
   async function createAll(files: readonly PreparedFile[]): Promise<void> {

@@ -77,7 +77,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
 
   /** Creates a session and shows it. @returns undefined when the master refused it; the reason is shown */
   async function make(spec: Init<Session>): Promise<Session | undefined> {
-    const made = await saving.attempt(() => actions.calls.create(spec));
+    const made = await saving.request(() => actions.calls.create(spec));
     if (made) await router.push(sessionLocation(made.id));
     return made;
   }

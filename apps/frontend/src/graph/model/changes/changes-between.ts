@@ -1,5 +1,5 @@
 import { identityChanges, moduleIdentity, type IdentityField } from '@ubii/pm-sandbox';
-import type { IOMapping, ProcessingModule, Session } from '@ubii/proto';
+import { isSameValue, type IOMapping, type ProcessingModule, type Session } from '@ubii/proto';
 import { modeWords } from '../../../sessions/words/mode-words.ts';
 import { graphOf } from '../graph-of.ts';
 import {
@@ -8,7 +8,6 @@ import {
   type MappedModule,
   type OutputTarget,
 } from '../read-mappings.ts';
-import { sameValue } from '../../../formats/same-value.ts';
 import { wishedNode } from './wished-node.ts';
 
 /** Effect of a change on a running session [SE-15]: applied live, a module starts, restarts or ends, or none. */
@@ -70,7 +69,7 @@ function* moduleChanges(old: MappedModule, next: MappedModule): Iterable<Session
   if (spreadersOf(old) !== spreadersOf(next)) {
     yield about(module, 'live', `The muxers or demuxers of ${name} change.`);
   }
-  if (!sameValue(notes(old.module), notes(module))) {
+  if (!isSameValue(notes(old.module), notes(module))) {
     yield about(module, 'none', `The details of ${name} change.`);
   }
 }
@@ -178,7 +177,7 @@ function* sessionChanges(running: Session, edited: Session): Iterable<SessionCha
     authors,
     editable,
   ];
-  if (!sameValue(said(old), said(next)))
+  if (!isSameValue(said(old), said(next)))
     yield session('none', 'The details of the session change.');
   if ((running.extension?.editorJson ?? '') !== (edited.extension?.editorJson ?? '')) {
     yield session('none', 'Layout changed.');

@@ -1,8 +1,8 @@
+import { isSameValue } from '@ubii/proto';
 import { plural } from '@ubii/words';
 
 import { nodeName, portName } from '../commands/command-label.ts';
 import type { Graph, GraphNode } from '../graph.ts';
-import { sameValue } from '../../../formats/same-value.ts';
 import { wishedNode } from './wished-node.ts';
 
 /** A change of a graph, in words, and its node. */
@@ -18,13 +18,13 @@ export function graphNews(before: Graph, after: Graph): GraphNews[] {
   const news = [...nodeNews(before, after), ...wireNews(before, after)];
   if (before.details.name !== after.details.name) {
     news.push({ words: `renamed the session to ${after.details.name}`, node: undefined });
-  } else if (!sameValue(before.details, after.details)) {
+  } else if (!isSameValue(before.details, after.details)) {
     news.push({ words: 'changed the details of the session', node: undefined });
   }
   if (news.length > 0) return news;
   const moved = [...after.nodes.values()].filter((node) => {
     const old = before.nodes.get(node.id);
-    return old === undefined || !sameValue(look(old), look(node));
+    return old === undefined || !isSameValue(look(old), look(node));
   });
   if (moved.length > 0) {
     const words = plural(
@@ -36,7 +36,7 @@ export function graphNews(before: Graph, after: Graph): GraphNews[] {
   }
   const led = [...after.wires.values()].find(
     ({ id, points, via }) =>
-      !sameValue(before.wires.get(id)?.points, points) || before.wires.get(id)?.via !== via,
+      !isSameValue(before.wires.get(id)?.points, points) || before.wires.get(id)?.via !== via,
   );
   return led === undefined ? [] : [{ words: 'rerouted wires', node: led.to.node }];
 }
@@ -52,7 +52,7 @@ function* nodeNews(before: Graph, after: Graph): Iterable<GraphNews> {
   for (const [id, node] of after.nodes) {
     const old = before.nodes.get(id);
     if (old === undefined) yield { words: `added ${nodeName(node)}`, node: id };
-    else if (!sameValue(essence(old), essence(node))) {
+    else if (!isSameValue(essence(old), essence(node))) {
       yield { words: `changed ${nodeName(node)}`, node: id };
     }
   }

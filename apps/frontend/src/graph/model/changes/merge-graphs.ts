@@ -1,3 +1,4 @@
+import { isSameValue } from '@ubii/proto';
 import { nodeName, portName } from '../commands/command-label.ts';
 import { replaceValue } from '../commands/connect.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
@@ -9,7 +10,6 @@ import { breakLoops } from '../nesting.ts';
 import { wiresAt } from '../wires-of.ts';
 import type { Conflict } from './conflict.ts';
 import { mergeNode } from './merge-node.ts';
-import { sameValue } from '../../../formats/same-value.ts';
 import { mergeMembers, threeWay } from './three-way.ts';
 
 /** Result of merging the changes of two users. */
@@ -84,7 +84,7 @@ function mergedNode(
 function sameNode(a: GraphNode, b: GraphNode): boolean {
   const { position: _p, size: _s, isCollapsed: _c, frame: _f, ports: _o, ...ours } = a;
   const { position: _q, size: _t, isCollapsed: _d, frame: _g, ports: _r, ...others } = b;
-  return sameValue(ours, others);
+  return isSameValue(ours, others);
 }
 
 const removedByThem = (node: GraphNode): Conflict => ({
@@ -133,7 +133,7 @@ function mergeWires(
       }
       const points = threeWay(origin.points, m.points, t.points).value;
       const merged = { ...m, via: via.value, points };
-      wires.set(id, sameValue(merged, t) ? t : merged);
+      wires.set(id, isSameValue(merged, t) ? t : merged);
     } else {
       // Keep wires that one user added, drop wires that one user removed.
       const wire = m ?? t;

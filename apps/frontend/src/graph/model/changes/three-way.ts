@@ -1,4 +1,4 @@
-import { sameValue } from '../../../formats/same-value.ts';
+import { isSameValue } from '@ubii/proto';
 
 /** Result of a three-way merge of one value. */
 export type ThreeWay<T> =
@@ -8,9 +8,9 @@ export type ThreeWay<T> =
 
 /** Takes the changed value; when both users changed it, keeps the own one. */
 export function threeWay<T>(base: T, mine: T, theirs: T): ThreeWay<T> {
-  if (sameValue(mine, theirs)) return { kind: 'same', value: mine };
-  if (sameValue(base, mine)) return { kind: 'theirs', value: theirs };
-  if (sameValue(base, theirs)) return { kind: 'mine', value: mine };
+  if (isSameValue(mine, theirs)) return { kind: 'same', value: mine };
+  if (isSameValue(base, mine)) return { kind: 'theirs', value: theirs };
+  if (isSameValue(base, theirs)) return { kind: 'mine', value: mine };
   return { kind: 'conflict', value: mine };
 }
 

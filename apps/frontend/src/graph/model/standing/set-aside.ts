@@ -1,9 +1,8 @@
-import { toJson, type JsonObject, type JsonValue, type Session } from '@ubii/proto';
+import { isSameValue, toJson, type JsonObject, type JsonValue, type Session } from '@ubii/proto';
 import type { IOMapping, ProcessingModule, TopicInputMapping } from '@ubii/proto';
 import * as v from 'valibot';
 import { storedValue } from '../../../json/read-stored.ts';
 import { message } from '../../../json/schemas.ts';
-import { sameValue } from '../../../formats/same-value.ts';
 import type { Standing } from '../graph.ts';
 
 /** Input with a replaced mapping while a module is bypassed. */
@@ -61,7 +60,7 @@ function withoutDetours(mapping: IOMapping, detours: readonly Detour[]): IOMappi
     ...mapping,
     // Keep mappings that were changed in the meantime.
     inputMappings: mapping.inputMappings.map(
-      (one) => own.find(({ now }) => sameValue(now, one))?.was ?? one,
+      (one) => own.find(({ now }) => isSameValue(now, one))?.was ?? one,
     ),
   };
 }

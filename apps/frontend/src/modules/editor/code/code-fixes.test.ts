@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { moduleOf } from '../draft/module-draft.ts';
-import { TEMPLATES } from '../draft/templates.ts';
+import { moduleOf } from '../../draft/module-draft.ts';
+import { TEMPLATES } from '../../draft/templates.ts';
 import { applyFix, codeFixes } from './code-fixes.ts';
 import { typeWords } from './type-words.ts';
 

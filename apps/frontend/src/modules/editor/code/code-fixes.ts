@@ -1,7 +1,7 @@
 import { parseDataFormat } from '@ubii/proto';
-import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
-import { offsetOf, splitText, type TextPlace } from '../text/module-text.ts';
-import { bodyOffset } from '../text/return-place.ts';
+import type { IoDraft, ModuleDraft } from '../../draft/module-draft.ts';
+import { offsetOf, splitText, type TextPlace } from '../../text/module-text.ts';
+import { bodyOffset } from '../../text/return-place.ts';
 import type { CodeMark } from './code-mark.ts';
 
 /** Change that a message about the code names. */

@@ -1,4 +1,4 @@
-import type { TextPlace } from '../text/module-text.ts';
+import type { TextPlace } from '../../text/module-text.ts';
 
 /** Mark at a position of the text. */
 export interface CodeMark extends TextPlace {

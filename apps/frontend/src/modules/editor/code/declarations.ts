@@ -1,6 +1,6 @@
 import { parseDataFormat } from '@ubii/proto';
-import { defaultProblem } from '../draft/io-default.ts';
-import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
+import { defaultProblem } from '../../draft/io-default.ts';
+import type { IoDraft, ModuleDraft } from '../../draft/module-draft.ts';
 
 /** TypeScript declarations visible to every module, in terms of the data formats. [PM-10] to [PM-14] */
 const COMMON = `

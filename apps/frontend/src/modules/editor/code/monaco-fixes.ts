@@ -1,5 +1,5 @@
-import type { ModuleDraft } from '../draft/module-draft.ts';
-import type { TextPlace } from '../text/module-text.ts';
+import type { ModuleDraft } from '../../draft/module-draft.ts';
+import type { TextPlace } from '../../text/module-text.ts';
 import { codeFixes, type CodeFix } from './code-fixes.ts';
 import { monaco } from './monaco.ts';
 

@@ -1,6 +1,6 @@
-import type { ModuleDraft } from '../draft/module-draft.ts';
-import { CALLBACKS, type TextPlace } from '../text/module-text.ts';
-import { resultPlace } from '../text/return-place.ts';
+import type { ModuleDraft } from '../../draft/module-draft.ts';
+import { CALLBACKS, type TextPlace } from '../../text/module-text.ts';
+import { resultPlace } from '../../text/return-place.ts';
 import type { CodeMark, TypeMark } from './code-mark.ts';
 import { monaco } from './monaco.ts';
 import { typeWords } from './type-words.ts';

@@ -1,4 +1,4 @@
-import type { ModuleText } from '../text/module-text.ts';
+import type { ModuleText } from '../../text/module-text.ts';
 
 const ARROW = /^(?:async\s+)?\(?\s*([\w$]+)\s*\)?\s*=>\s*\{/;
 const FUNCTION = /^(?:async\s+)?function\s*[\w$]*\s*\(\s*([\w$]+)\s*\)\s*\{/;

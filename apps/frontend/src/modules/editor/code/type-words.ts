@@ -1,6 +1,6 @@
 import { exampleOf, undeclaredName } from '@ubii/pm-sandbox';
 import { parseDataFormat } from '@ubii/proto';
-import type { ModuleDraft } from '../draft/module-draft.ts';
+import type { ModuleDraft } from '../../draft/module-draft.ts';
 
 const NAMED = /types of 'outputs\.([^']+)' are incompatible/;
 const MISFIT = /^Type '(.+)' is not assignable to type '(OutputValue|OutputList)<"(\w+)">/;

@@ -2,9 +2,9 @@ import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { parseModule } from '@ubii/pm-sandbox';
 import { watchDebounced } from '@vueuse/core';
 import { computed, shallowRef, type ComputedRef } from 'vue';
-import type { EditedModule } from '../draft/edited-module.ts';
-import { moduleOf } from '../draft/module-draft.ts';
-import { placeInText } from '../text/module-text.ts';
+import type { EditedModule } from '../../draft/edited-module.ts';
+import { moduleOf } from '../../draft/module-draft.ts';
+import { placeInText } from '../../text/module-text.ts';
 import type { CodeMark } from './code-mark.ts';
 
 const DELAY_MS = 250;

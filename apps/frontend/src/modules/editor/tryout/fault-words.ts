@@ -1,5 +1,5 @@
 import type { CodeMark } from '../code/code-mark.ts';
-import type { TextPlace } from '../text/module-text.ts';
+import type { TextPlace } from '../../text/module-text.ts';
 
 /** Texts shown for a problem of the module in the try-out. */
 export interface FaultWords {

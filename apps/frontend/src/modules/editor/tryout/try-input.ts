@@ -7,8 +7,8 @@ import {
   type JsonValue,
 } from '@ubii/proto';
 import { capitalised } from '@ubii/words';
-import { initialJson, neutralJson } from '../draft/io-default.ts';
-import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
+import { initialJson, neutralJson } from '../../draft/io-default.ts';
+import type { IoDraft, ModuleDraft } from '../../draft/module-draft.ts';
 
 /** Source of an input's values in the try-out. */
 export interface TryInput {

@@ -4,8 +4,8 @@ import type { ModuleFault, SandboxResult } from '@ubii/pm-sandbox';
 import { decodeRecord, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
 import { FakeClock, settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { moduleOf, type ModuleDraft } from '../draft/module-draft.ts';
-import { TEMPLATES } from '../draft/templates.ts';
+import { moduleOf, type ModuleDraft } from '../../draft/module-draft.ts';
+import { TEMPLATES } from '../../draft/templates.ts';
 import { leavesOf, newTryInput, recordsOf, tryMapping, withLeaf } from './try-input.ts';
 import { TryRun, type TryStatus } from './try-run.ts';
 

@@ -17,8 +17,8 @@ import { useTopic } from '../../../connection/live/useTopic.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { withEvent } from '../../../sessions/live/event-log.ts';
 import { sparkNumbers } from '../../../topics/values/value-series.ts';
-import type { EditedModule } from '../draft/edited-module.ts';
-import { moduleOf } from '../draft/module-draft.ts';
+import type { EditedModule } from '../../draft/edited-module.ts';
+import { moduleOf } from '../../draft/module-draft.ts';
 import { newTryInput, recordsOf, tryMapping, type TryInput } from './try-input.ts';
 import { TryRun, type TryStatus } from './try-run.ts';
 

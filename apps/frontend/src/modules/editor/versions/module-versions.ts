@@ -1,11 +1,7 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import {
-  ModuleVersionOrigin,
-  ServiceError,
-  type ModuleVersion,
-  type ProcessingModule,
-} from '@ubii/proto';
-import type { ModuleDraft } from '../draft/module-draft.ts';
+import { ModuleVersionOrigin, type ModuleVersion, type ProcessingModule } from '@ubii/proto';
+import { tryRequest, type RequestError } from '../../../connection/useAttempt.ts';
+import type { ModuleDraft } from '../../draft/module-draft.ts';
 
 /** Earlier versions of a module, or the reason why there are none. */
 export type VersionList =
@@ -25,29 +21,29 @@ export const VERSION_ORIGINS: Readonly<Record<ModuleVersionOrigin, string>> = {
   [ModuleVersionOrigin.FOUND]: 'initial version',
 };
 
+const NO_VERSIONS = 'No versions yet. The next save creates one.';
+
 /** Newest first. */
 export async function listVersions(client: UbiiClient, name: string): Promise<VersionList> {
-  try {
-    const { elements } = await client.call('moduleVersionList', { name });
-    if (elements.length === 0)
-      return { kind: 'none', sentence: 'No versions yet. The next save creates one.' };
-    return { kind: 'list', versions: [...elements].sort((a, b) => b.number - a.number) };
-  } catch (cause) {
-    if (cause instanceof ConnectionError) {
-      return {
-        kind: 'none',
-        sentence: 'The master, which stores the versions, cannot be reached.',
-      };
-    }
-    if (!(cause instanceof ServiceError)) throw cause;
-    const isOld = cause.code === 'unimplemented';
-    const sentence =
-      cause.code === 'not_found'
-        ? 'No versions yet. The next save creates one.'
-        : isOld
-          ? 'This master does not store versions.'
-          : cause.message;
-    return { kind: 'none', sentence };
+  let sentence = NO_VERSIONS;
+  const reply = await tryRequest(
+    () => client.call('moduleVersionList', { name }),
+    (cause) => (sentence = whyNone(cause)),
+  );
+  if (reply === undefined || reply.elements.length === 0) return { kind: 'none', sentence };
+  return { kind: 'list', versions: [...reply.elements].sort((a, b) => b.number - a.number) };
+}
+
+function whyNone(cause: RequestError): string {
+  if (cause instanceof ConnectionError)
+    return 'The master, which stores the versions, cannot be reached.';
+  switch (cause.code) {
+    case 'not_found':
+      return NO_VERSIONS;
+    case 'unimplemented':
+      return 'This master does not store versions.';
+    default:
+      return cause.message;
   }
 }
 

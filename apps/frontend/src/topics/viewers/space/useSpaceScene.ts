@@ -72,21 +72,21 @@ export function useSpaceScene<Input>(
       close();
       if (!element) return;
       state.value = 'loading';
-      const attempt = opening;
+      const mine = opening;
       element.addEventListener('webglcontextlost', (event) => {
         // Otherwise the browser does not restore the context.
         event.preventDefault();
-        if (attempt === opening) state.value = 'lost';
+        if (mine === opening) state.value = 'lost';
       });
       element.addEventListener('webglcontextrestored', () => {
-        if (attempt !== opening) return;
+        if (mine !== opening) return;
         state.value = 'loading';
         redraw();
       });
-      onCleanup(() => attempt === opening && close());
+      onCleanup(() => mine === opening && close());
       try {
         const loaded = await load();
-        if (attempt !== opening) return;
+        if (mine !== opening) return;
         scene = loaded.open(element);
       } catch {
         state.value = 'failed';

@@ -1,6 +1,6 @@
-import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type Session, type SessionProblem } from '@ubii/proto';
 import { computed, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
+import { tryRequest, type RequestError } from '../../../../connection/useAttempt.ts';
 import {
   problemsOnLines,
   readSessionText,
@@ -33,7 +33,7 @@ export function useTextCheck(text: Readonly<Ref<string>>): TextCheck {
     return readSessionText(text.value).problems;
   });
 
-  function refused(cause: ServiceError | ConnectionError): readonly TextProblem[] {
+  function refused(cause: RequestError): readonly TextProblem[] {
     const problems = cause instanceof ServiceError ? cause.details['problems'] : undefined;
     if (isProblems(problems)) return problemsOnLines(text.value, problems);
     return [{ isError: true, message: cause.message, line: undefined, path: '' }];
@@ -51,11 +51,10 @@ export function useTextCheck(text: Readonly<Ref<string>>): TextCheck {
       }
       isTrying.value = true;
       try {
-        return await use(read.session);
-      } catch (cause) {
-        if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-        refusal.value = refused(cause);
-        return undefined;
+        return await tryRequest(
+          () => use(read.session),
+          (cause) => (refusal.value = refused(cause)),
+        );
       } finally {
         isTrying.value = false;
       }

@@ -1,7 +1,7 @@
 import { REPLAYS_TOPIC, type Replay } from '@ubii/proto';
 import { shallowRef, watch, type ShallowRef } from 'vue';
-import { useTopic } from './live/useTopic.ts';
-import { useConnection } from './useConnection.ts';
+import { useTopic } from './useTopic.ts';
+import { useConnection } from '../useConnection.ts';
 
 /** Recordings that the master plays into live topics now; none while disconnected. [RP-7] */
 export function useReplays(): Readonly<ShallowRef<readonly Replay[]>> {

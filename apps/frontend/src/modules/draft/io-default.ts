@@ -1,7 +1,7 @@
 import { constantRecord } from '@ubii/pm-sandbox';
 import { DATA_FORMATS, isMessageType, parseDataFormat, toJson, type JsonValue } from '@ubii/proto';
-import { defaultText } from '../../../formats/default-text.ts';
-import { fieldKind, isTypable, valueOf } from '../../../formats/value-parts.ts';
+import { defaultText } from '../../formats/default-text.ts';
+import { fieldKind, isTypable, valueOf } from '../../formats/value-parts.ts';
 import type { IoDraft } from './module-draft.ts';
 
 /** One record member as `defaultFromText` writes it, complete or not. */

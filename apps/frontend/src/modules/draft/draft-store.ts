@@ -1,6 +1,6 @@
 import * as v from 'valibot';
-import { readStored } from '../../../json/read-stored.ts';
-import { finite, textOrNone } from '../../../json/schemas.ts';
+import { readStored } from '../../json/read-stored.ts';
+import { finite, textOrNone } from '../../json/schemas.ts';
 import type { ModuleDraft } from './module-draft.ts';
 
 /** Unsaved changes, and the version they are based on. */

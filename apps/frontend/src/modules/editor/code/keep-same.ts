@@ -1,3 +1,5 @@
+import { isSameValue } from '@ubii/proto';
+
 /**
  * Returns the previous value if the next one is equal, so that what depends on it is not drawn again with each key.
  * @param plain returns a value as plain data, for comparison
@@ -7,7 +9,5 @@ export function keepSame<T>(
   next: T,
   plain: (value: T) => unknown = (value) => value,
 ): T {
-  return before !== undefined && JSON.stringify(plain(before)) === JSON.stringify(plain(next))
-    ? before
-    : next;
+  return before !== undefined && isSameValue(plain(before), plain(next)) ? before : next;
 }

@@ -1,7 +1,7 @@
 import { RECORDING_STATUS_TOPIC, type Recording } from '@ubii/proto';
 import { shallowRef, watch, type ShallowRef } from 'vue';
-import { useTopic } from './live/useTopic.ts';
-import { useConnection } from './useConnection.ts';
+import { useTopic } from './useTopic.ts';
+import { useConnection } from '../useConnection.ts';
 
 /** Recordings that run now; none while disconnected. [RC-8] */
 export function useRunningRecordings(): Readonly<ShallowRef<readonly Recording[]>> {

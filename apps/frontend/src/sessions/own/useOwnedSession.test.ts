@@ -7,7 +7,8 @@ import { CONNECTION } from '../../connection/connection.ts';
 import { TAB_NODE } from '../../tab-node/tab-node.ts';
 import { createToasts, provideToasts } from '../../ui/toasts/toasts.ts';
 import type { SessionPlan } from './planned-session.ts';
-import { usePageSession, type PageSession } from './usePageSession.ts';
+import type { PageLife, PageSession } from './page-session.ts';
+import { useOwnedSession } from './useOwnedSession.ts';
 
 let unmount: () => void = () => undefined;
 afterEach(() => unmount());
@@ -18,7 +19,7 @@ const planOn = (place: string): SessionPlan => ({
 });
 
 /** Mounts a page with a session, on a mock master that keeps the sessions it receives. */
-function setup(first?: SessionPlan) {
+function setup(first?: SessionPlan, isKept?: PageLife['isKept']) {
   const list = shallowRef<readonly Session[]>([]);
   const done: string[] = [];
   const releases: string[] = [];
@@ -57,7 +58,12 @@ function setup(first?: SessionPlan) {
   const wrapper = mount(
     defineComponent({
       setup() {
-        page = usePageSession(() => plan.value, onFailure);
+        page = useOwnedSession({
+          life: 'page',
+          spec: () => plan.value,
+          onFailure,
+          ...(isKept && { isKept }),
+        });
         return () => h('p');
       },
     }),
@@ -92,11 +98,11 @@ function setup(first?: SessionPlan) {
       await flushPromises();
     },
     leave: () => wrapper.unmount(),
-    refuse: (error: Error) => (refusal = error),
+    refuse: (error: Error | undefined) => (refusal = error),
   };
 }
 
-describe('usePageSession', () => {
+describe('useOwnedSession for a page', () => {
   it('starts with a plan, moves with it, and ends without one', async () => {
     const { page, plan, done, releases } = setup();
     await flushPromises();
@@ -128,6 +134,24 @@ describe('usePageSession', () => {
     expect(done.at(-1)).toBe('remove s1');
   });
 
+  it('starts again when asked to, as it is planned now, once', async () => {
+    const { page, plan, done } = setup(planOn('master'));
+    await flushPromises();
+    plan.value = planOn('lab');
+    await page.restart();
+    await flushPromises();
+    expect(done).toEqual(['start master', 'remove s1', 'start lab']);
+  });
+
+  it('leaves a session that is to be kept', async () => {
+    const { plan, done, leave } = setup(planOn('master'), ({ id }) => id === 's1');
+    await flushPromises();
+    leave();
+    plan.value = undefined;
+    await flushPromises();
+    expect(done).toEqual(['start master']);
+  });
+
   it('says why a plan could not be carried out, and keeps what runs', async () => {
     const { page, plan, refuse, onFailure } = setup(planOn('master'));
     await flushPromises();
@@ -137,6 +161,10 @@ describe('usePageSession', () => {
     expect(page.trouble.value).toBe('That node cannot run it.');
     expect(onFailure).toHaveBeenCalledOnce();
     expect(page.session.value?.id).toBe('s1');
+    refuse(undefined);
+    plan.value = planOn('master');
+    await flushPromises();
+    expect(page.trouble.value).toBeUndefined();
   });
 
   it('starts its session again after a restart of the master, and tells the user', async () => {
