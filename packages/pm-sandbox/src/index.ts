@@ -84,7 +84,6 @@ export {
   SessionPatterns,
   type PatternTimes,
 } from './runtime/binding/session-patterns.ts';
-export { isSameValue } from './reconciler/same-value.ts';
 export { InstanceKeeper } from './reconciler/instance-keeper.ts';
 export {
   hasSameCode,

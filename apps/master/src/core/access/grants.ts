@@ -1,3 +1,4 @@
+import { isSameValue } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import { Hook } from '../hooks/hook.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
@@ -34,10 +35,7 @@ export interface NewGrant {
 }
 
 function areSame(a: Grant, b: Grant): boolean {
-  return (
-    JSON.stringify({ ...grantToJson(a), isOver: false }) ===
-    JSON.stringify({ ...grantToJson(b), isOver: false })
-  );
+  return isSameValue({ ...grantToJson(a), isOver: false }, { ...grantToJson(b), isOver: false });
 }
 
 /** Every grant that is kept, found by id, token and code [AC-10] [AC-19]. */

@@ -1,5 +1,10 @@
-import { hasSameCode, isSameValue } from '@ubii/pm-sandbox';
-import { ServiceError, type ProcessingModule, type Session as SessionMessage } from '@ubii/proto';
+import { hasSameCode } from '@ubii/pm-sandbox';
+import {
+  isSameValue,
+  ServiceError,
+  type ProcessingModule,
+  type Session as SessionMessage,
+} from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import { quote } from '../texts/quote.ts';

@@ -1,5 +1,4 @@
-import { isSameValue } from '@ubii/pm-sandbox';
-import type { Session as SessionMessage, SessionProblem } from '@ubii/proto';
+import { isSameValue, type Session as SessionMessage, type SessionProblem } from '@ubii/proto';
 import type { GrantId } from '../access/grant.ts';
 import type { DraftModule } from './complete-modules.ts';
 import { sortProblems } from './problems.ts';
