@@ -1,7 +1,14 @@
-import type { GameId, Hud, Room, Seat } from '../sim/index.ts';
-import { GAMES, playersOf, type Game } from '../sim/index.ts';
+import {
+  GAMES,
+  playersOf,
+  type GameId,
+  type Hud,
+  type Room,
+  type Seat,
+  type Game,
+} from '../sim/index.ts';
 import type { RoundState } from '../modules/index.ts';
-import { readJson } from './read-json.ts';
+import { readJson } from './protocol.ts';
 
 /** The round as who does not play it sees it on a phone: what the big screen says in words. */
 export interface LiveRound {

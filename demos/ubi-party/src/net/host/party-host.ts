@@ -10,8 +10,7 @@ import {
   type Seat,
   toRoom,
 } from '../../sim/index.ts';
-import { PhotoBoard } from '../photos/photo-board.ts';
-import type { RoomView } from '../room-view.ts';
+import { PhotoBoard } from './photo-board.ts';
 import {
   LIVE_TOPIC,
   phoneOf,
@@ -19,25 +18,24 @@ import {
   ROUND_TOPIC,
   SEATS_TOPIC,
   settingTopic,
-} from '../topics.ts';
+  type RoomView,
+} from '../protocol.ts';
 import { Audience } from './audience.ts';
 import { Crowding } from './crowding.ts';
-import { DelayWatch } from './delay-watch.ts';
+import { DelayWatch } from './phone-delays.ts';
 import { GameSessions } from './game-sessions.ts';
-import { EMPTY_MEMORY } from './host-memory.ts';
-import type { PartyHostOptions } from './party-host-options.ts';
-import { PhoneWishes } from './phone-wishes.ts';
+import { EMPTY_MEMORY, type PartyHostOptions } from './party-host-options.ts';
+import { PhoneRequests } from './phone-requests.ts';
 import { Presence } from './presence.ts';
-import { RoomTeller, sinceMsOf } from './room-teller.ts';
-import { RoundLeader } from './round-leader.ts';
-import { publishSettings, settingTopics } from './setting-topics.ts';
+import { RoomPublisher, sinceMsOf } from './room-publisher.ts';
+import { RoundLeader, publishSettings, settingTopics } from './round-leader.ts';
 
 const TICK_MS = 250;
 const SAVE_STATE_MS = 1000;
 
 /**
- * Leads a party: knows the room, starts the session of each game, and tells everybody. It is where the big screen is,
- * or in a program without a screen. What it knows is stored, and told on topics.
+ * Leads a party: keeps the room, starts the session of each game, and publishes both. It runs in the page of the big screen,
+ * or in a program without a screen. Its state is stored, and published on topics.
  */
 export class PartyHost {
   readonly #options: PartyHostOptions;
@@ -46,9 +44,9 @@ export class PartyHost {
   readonly #photos: PhotoBoard;
   readonly #presence = new Presence();
   readonly #delays: DelayWatch;
-  readonly #teller: RoomTeller;
+  readonly #publisher: RoomPublisher;
   readonly #rounds: RoundLeader;
-  readonly #wishes: PhoneWishes;
+  readonly #requests: PhoneRequests;
   readonly #audience: Audience;
   readonly #ends: (() => void)[] = [];
   readonly #storedSinceMs: number;
@@ -75,7 +73,7 @@ export class PartyHost {
     const { client, clock, drawByte } = options;
     const keys = (): string[] => this.#room.players.flatMap(({ key }) => key ?? []);
     this.#delays = new DelayWatch({ client, clock, keys });
-    this.#teller = new RoomTeller({
+    this.#publisher = new RoomPublisher({
       client,
       clock,
       handleSuperseded: (byId) => {
@@ -98,7 +96,7 @@ export class PartyHost {
       room: () => this.#room,
       remove: (key) => this.#decide(key, { type: 'leave', key }),
     });
-    this.#wishes = new PhoneWishes({
+    this.#requests = new PhoneRequests({
       client,
       drawByte,
       nowMs: () => this.#nowMs(),
@@ -118,7 +116,7 @@ export class PartyHost {
     const { id } = this.#client;
     const { hidden } = this.#photos;
     const { round } = this.#rounds;
-    const { sinceMs } = this.#teller;
+    const { sinceMs } = this.#publisher;
     return {
       room: this.#room,
       hostId: id,
@@ -131,27 +129,27 @@ export class PartyHost {
 
   /** Begins to lead, with what was stored. The client is connected. */
   async start(): Promise<void> {
-    const rooms = this.#teller.open();
+    const rooms = this.#publisher.open();
     this.#ends.push(() => rooms.close());
     try {
       this.#adopt(await rooms.before);
-      if (!this.#isClosed) await this.#hearPhones();
+      if (!this.#isClosed) await this.#listenToPhones();
     } catch (cause) {
       if (!this.#isClosed) throw cause;
     }
     if (this.#isClosed) return;
-    this.#teller.lead();
+    this.#publisher.lead();
     const stopState = this.#client.onState(({ status }) => {
       if (status === 'connected') void this.#handleConnected();
     });
     const stopTicks = this.#options.clock.every(TICK_MS, () => this.#tick());
     this.#ends.push(stopState, stopTicks, this.#delays.start());
     await this.#handleConnected();
-    this.#tell();
+    this.#publish();
   }
 
-  async #hearPhones(): Promise<void> {
-    const wishes = this.#wishes.open();
+  async #listenToPhones(): Promise<void> {
+    const requests = this.#requests.open();
     const audience = this.#audience.open();
     const here = this.#client.subscribe({ glob: '/*/party/here' }, { format: 'double' });
     here.onRecord(({ topic, value }) => {
@@ -159,11 +157,11 @@ export class PartyHost {
       if (key !== undefined) this.#handleHere(key, value);
     });
     this.#ends.push(
-      () => wishes.close(),
+      () => requests.close(),
       () => audience.close(),
       () => void here.close(),
     );
-    await Promise.all([wishes.ready, audience.ready, here.ready]);
+    await Promise.all([requests.ready, audience.ready, here.ready]);
   }
 
   /** Number of cheers dropped by the rate limit and not shown. */
@@ -171,7 +169,7 @@ export class PartyHost {
     return this.#audience.dropped;
   }
 
-  /** Applies an event of the host itself; those of leading phones arrive as wishes. @throws RoomRefusal */
+  /** Applies an event of the host itself; those of leading phones arrive as requests. @throws RoomRefusal */
   apply(event: RoomEvent): void {
     this.#become(nextRoom(this.#room, event, this.#nowMs()));
   }
@@ -179,13 +177,13 @@ export class PartyHost {
   /** A code with which another phone takes a seat over; undefined for a seat without a person. */
   offerSeat(seat: Seat): string | undefined {
     const key = this.#room.players.find((player) => player.seat === seat)?.key;
-    return key === undefined ? undefined : this.#wishes.offer(key);
+    return key === undefined ? undefined : this.#requests.offer(key);
   }
 
   /** Changes a setting of a game for everybody, now. */
   setSetting(game: GameId, setting: string, value: number): void {
     const event = { type: 'set-setting', by: 'host', game, setting, value } as const;
-    // A slider changes many times a second: the next tick saves it and tells others
+    // A slider changes many times a second: the next tick saves and publishes it
     this.#room = nextRoom(this.#room, event, this.#nowMs());
     this.#client.publish(settingTopic(game, setting), 'double', value);
   }
@@ -202,7 +200,7 @@ export class PartyHost {
     this.#save();
   }
 
-  /** Leads no longer. The sessions and what was told stay, so that another screen can go on. */
+  /** Leads no longer. The sessions and the retained topics stay, so that another screen can continue. */
   close(): void {
     if (this.#isClosed) return;
     this.#isClosed = true;
@@ -227,14 +225,14 @@ export class PartyHost {
   #decide(key: string, event: RoomEvent): void {
     this.apply(event);
     if (event.type === 'leave' || event.type === 'away') this.#presence.forget(key);
-    else if (this.#personOf(key)) this.#presence.hear(key, 0, this.#nowMs());
+    else if (this.#personOf(key)) this.#presence.record(key, 0, this.#nowMs());
   }
 
   /** Clients without a place are not remembered: there may be any number of them. */
   #handleHere(key: string, lagMs: number): void {
     const one = this.#personOf(key);
     if (!one) return;
-    this.#presence.hear(key, lagMs, this.#nowMs());
+    this.#presence.record(key, lagMs, this.#nowMs());
     if (one.awaySinceMs !== undefined) this.apply({ type: 'back', key });
   }
 
@@ -262,7 +260,7 @@ export class PartyHost {
     const isNew = await this.#sessions.open(game);
     if (this.#isClosed) return;
     if (isNew && phase === 'play') this.#rounds.resume(this.#nowMs());
-    this.#tell();
+    this.#publish();
   }
 
   #become(room: Room): void {
@@ -270,7 +268,7 @@ export class PartyHost {
     if (room === before) return;
     this.#room = room;
     if (room.phase !== before.phase) this.#enter(room);
-    this.#tell();
+    this.#publish();
     this.#save();
   }
 
@@ -281,7 +279,7 @@ export class PartyHost {
       this.#rounds.clear();
       this.#audience.clear();
       this.#listenTo(game);
-      void this.#sessions.open(game).then(() => this.#tell());
+      void this.#sessions.open(game).then(() => this.#publish());
     }
     if (room.phase === 'podium') this.#photos.close();
     if (room.phase === 'countdown') this.#rounds.plan(game, room, room.endsAtMs ?? this.#nowMs());
@@ -300,7 +298,7 @@ export class PartyHost {
 
   #handlePhotos(): void {
     this.#options.listener.handlePhotos?.(this.#photos.photos);
-    this.#tell();
+    this.#publish();
   }
 
   #handleState(game: GameId, state: RoundState): void {
@@ -321,15 +319,15 @@ export class PartyHost {
     this.apply({ type: 'time' });
     this.#presence.tidy(nowMs);
     if (this.#room !== this.#savedRoom) this.#save();
-    this.#tell();
+    this.#publish();
   }
 
-  #tell(): void {
-    if (this.#isClosed || this.#teller.sinceMs === undefined) return;
-    this.#rounds.tellSeats(this.#room, (key) => this.#delays.delays.of(key));
+  #publish(): void {
+    if (this.#isClosed || this.#publisher.sinceMs === undefined) return;
+    this.#rounds.publishSeats(this.#room, (key) => this.#delays.delays.of(key));
     this.#rounds.setSession((game) => this.#sessions.idOf(game));
     const view = this.view;
-    if (this.#teller.tell(view)) this.#options.listener.handleView?.(view);
+    if (this.#publisher.publish(view)) this.#options.listener.handleView?.(view);
   }
 
   #save(): void {
@@ -337,7 +335,7 @@ export class PartyHost {
     const { round, state } = this.#rounds;
     const room = this.#room;
     this.#savedRoom = room;
-    const { sinceMs } = this.#teller;
+    const { sinceMs } = this.#publisher;
     const { all: arePhotosHidden } = this.#photos.hidden;
     this.#options.storage.save({
       room,

@@ -1,41 +1,41 @@
 import type { Seat } from '../../sim/index.ts';
 
-/** A phone that was not heard of for so long is away, milliseconds; it speaks once a second. */
+/** A phone without a message for this long is away, milliseconds; phones send one each second. */
 export const AWAY_AFTER_MS = 3000;
-/** Phones that are remembered: more than can play. */
+/** More phones than can play. */
 const MAX_PHONES = 128;
 
 /** Time of the last message and round-trip time of each phone. */
 export class Presence {
-  readonly #heard = new Map<string, { readonly atMs: number; readonly lagMs: number }>();
+  readonly #seen = new Map<string, { readonly atMs: number; readonly lagMs: number }>();
 
-  /** @param lagMs what the phone measured; anything */
-  hear(key: string, lagMs: number, nowMs: number): void {
-    if (!this.#heard.has(key) && this.#heard.size >= MAX_PHONES) return;
+  /** @param lagMs measured by the phone; not checked yet */
+  record(key: string, lagMs: number, nowMs: number): void {
+    if (!this.#seen.has(key) && this.#seen.size >= MAX_PHONES) return;
     const isLag = Number.isFinite(lagMs) && lagMs >= 0;
-    this.#heard.set(key, { atMs: nowMs, lagMs: isLag ? Math.min(lagMs, 60_000) : 0 });
+    this.#seen.set(key, { atMs: nowMs, lagMs: isLag ? Math.min(lagMs, 60_000) : 0 });
   }
 
   forget(key: string): void {
-    this.#heard.delete(key);
+    this.#seen.delete(key);
   }
 
   isHere(key: string, nowMs: number): boolean {
-    const heard = this.#heard.get(key);
-    return heard !== undefined && nowMs - heard.atMs < AWAY_AFTER_MS;
+    const seen = this.#seen.get(key);
+    return seen !== undefined && nowMs - seen.atMs < AWAY_AFTER_MS;
   }
 
-  /** Forgets who has been silent for minutes. */
+  /** Forgets phones that have sent nothing for 10 minutes. */
   tidy(nowMs: number): void {
-    for (const [key, { atMs }] of this.#heard) {
-      if (nowMs - atMs > 10 * 60_000) this.#heard.delete(key);
+    for (const [key, { atMs }] of this.#seen) {
+      if (nowMs - atMs > 10 * 60_000) this.#seen.delete(key);
     }
   }
 
   /**
-   * Round trips of those who are here, by seat, whole milliseconds.
+   * Round trips of the present phones, by seat, whole milliseconds.
    *
-   * @param measuredOf what was measured from here; what the phone says counts as long as there is nothing
+   * @param measuredOf the measurement of the master; without one, the value of the phone is used
    */
   lags(
     players: readonly { readonly seat: Seat; readonly key?: string }[],
@@ -45,7 +45,7 @@ export class Presence {
     const lags: Record<Seat, number> = {};
     for (const { seat, key } of players) {
       if (key !== undefined && this.isHere(key, nowMs))
-        lags[seat] = Math.round(measuredOf(key) ?? this.#heard.get(key)!.lagMs);
+        lags[seat] = Math.round(measuredOf(key) ?? this.#seen.get(key)!.lagMs);
     }
     return lags;
   }

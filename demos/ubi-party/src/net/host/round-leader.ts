@@ -1,19 +1,41 @@
-import type { Subscription, UbiiClient } from '@ubii/client-web';
+import type { UbiiClient, Subscription } from '@ubii/client-web';
+
 import type { PhoneDelay, RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
 import {
+  GAMES,
   PACES,
   playersOf,
   STEPS_PER_SECOND,
-  type GameId,
   type Room,
+  type GameId,
   type Seat,
 } from '../../sim/index.ts';
-import { readJson } from '../read-json.ts';
-import type { RoundView } from '../room-view.ts';
-import { ROUND_TOPIC, SEATS_TOPIC, stateTopic } from '../topics.ts';
-import type { HostMemory } from './host-memory.ts';
+import {
+  settingTopic,
+  readJson,
+  ROUND_TOPIC,
+  SEATS_TOPIC,
+  stateTopic,
+  type RoundView,
+} from '../protocol.ts';
+import type { HostMemory } from './party-host-options.ts';
 
-/** The round goes on so long after a restart of its module, milliseconds. */
+/** Publishes the settings that differ from the default of their game: a restarted master has lost them. */
+export function publishSettings(client: UbiiClient, { settings }: Room): void {
+  for (const [game, values] of Object.entries(settings)) {
+    for (const [name, value] of Object.entries(values))
+      client.publish(settingTopic(game, name), 'double', value);
+  }
+}
+
+/** The topics of all settings: one that was changed back to its default has a value, too. */
+export function settingTopics(): string[] {
+  return Object.values(GAMES).flatMap(({ id, settings }) =>
+    Object.keys(settings).map((name) => settingTopic(id, name)),
+  );
+}
+
+/** The round continues this long after a restart of its module, milliseconds. */
 const RESUME_IN_MS = 3000;
 
 export interface RoundLeaderOptions {
@@ -23,7 +45,7 @@ export interface RoundLeaderOptions {
   handleState(game: GameId, state: RoundState): void;
 }
 
-/** Leads the module of a game: tells it the round and who sits where, and follows its state. */
+/** Controls the module of a game: publishes the round, its seats and settings, and follows its state. */
 export class RoundLeader {
   readonly #options: RoundLeaderOptions;
   readonly #client: UbiiClient;
@@ -72,7 +94,7 @@ export class RoundLeader {
     this.#publishPlan(undefined);
   }
 
-  /** The module was started again: it goes on from the newest state that came here. */
+  /** The module was started again: it continues from the newest state that came here. */
   resume(nowMs: number): void {
     const round = this.#round;
     if (!round) return;
@@ -97,8 +119,8 @@ export class RoundLeader {
     this.#round = { ...round, ...(sessionId !== undefined && { sessionId }) };
   }
 
-  /** Tells the module who plays now: phones that are there, with what their way takes, and bots. */
-  tellSeats(room: Room, delayOf: (key: string) => PhoneDelay | undefined): void {
+  /** Publishes who plays now: the present phones with their delays, and bots. */
+  publishSeats(room: Room, delayOf: (key: string) => PhoneDelay | undefined): void {
     const clients: Record<Seat, string> = {};
     const delays: Record<Seat, PhoneDelay> = {};
     const bots: Seat[] = [];

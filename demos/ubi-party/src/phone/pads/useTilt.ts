@@ -1,6 +1,6 @@
 import { useEventListener } from '@vueuse/core';
 import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
-import { steeringOfTilt, tiltOf } from './tilt.ts';
+import { steeringOfTilt, tiltOf } from './steering-inputs.ts';
 
 /**
  * `ask`: the browser wants a tap first (iOS). `silent`: nothing came yet, such as on a laptop or over plain HTTP.

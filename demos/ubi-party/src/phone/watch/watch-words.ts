@@ -1,8 +1,7 @@
 import { counted, plural } from '@ubii/words';
 
 import type { Player, Room } from '../../sim/index.ts';
-import { gameTexts, nextGame } from '../round/game-of.ts';
-import { placeTable } from '../round/place-table.ts';
+import { gameTexts, nextGame, placeTable } from '../round/useStanding.ts';
 
 /** The states of a player, shown behind the name before a round. */
 export function statusOf(player: Player, { leader }: Room): string[] {

@@ -9,11 +9,11 @@ import {
 } from 'three';
 import { placeAt, type Track } from '../../../sim/index.ts';
 import type { Paints } from '../../light/paints.ts';
-import { scatter } from '../../motion/ease.ts';
-import { merged } from '../../toys/crown.ts';
+import { scatter } from '../../motion/motion.ts';
+import { merged } from '../../toys/piece-parts.ts';
 import { buildArch, buildMarble, disposeToys, placer, WOOD } from '../../toys/toy-box.ts';
 import { buildBlock, buildCone, buildCylinder, buildTurned } from '../../toys/turned.ts';
-import { beside } from './road-geometry.ts';
+import { beside } from './road.ts';
 import { boundsOf, freeSpots, offRoad, pillarsOf, type Spot } from './scenery.ts';
 
 const GREENS = ['#3a9158', '#2f8350', '#4aa062'] as const;
