@@ -1,8 +1,11 @@
-import { Channels, type Channel, type ChannelSource } from './channels.ts';
-import { FLIGHT_TARGET } from './flight-target.ts';
+import { Channels, StandingValues, type Channel, type ChannelSource } from './channels.ts';
+import {
+  FLIGHT_TARGET,
+  spansFrom,
+  type RecordSpans,
+  type SharedRecords,
+} from './shared-records.ts';
 import { RingWriter, type ReleasedEntry, type ReleaseListener } from './ring-writer.ts';
-import { spansFrom, type RecordSpans, type SharedRecords } from './shared-records.ts';
-import { StandingValues } from './standing-values.ts';
 
 /** Records of more bytes are large. */
 const MAX_SMALL_BYTES = 16 * 1024;

@@ -1,6 +1,5 @@
 import { parseJsonText, replaceInJson } from './json-texts.ts';
-import { normalForms, normalOf } from './normal-form.ts';
-import type { MappedText } from './mapped-text.ts';
+import { normalForms, normalOf, type MappedText } from './normal-form.ts';
 
 /** A text to be found. */
 export interface KnownText {

@@ -1,17 +1,15 @@
 import type { ChunkIndex } from '@mcap/core';
 import { timesOf } from '../mcap/file-index.ts';
-import { readMetadata } from '../mcap/metadata-record.ts';
-import { expectMcap, indexBytesOf, readIndex } from '../mcap/read-index.ts';
+import { readMetadata } from '../mcap/stored-part.ts';
+import { expectMcap, indexBytesOf, readIndex } from '../mcap/open-file.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { Marker } from '../records/recording-event.ts';
 import { headerFromMetadata, PROFILE, type RecordingHeader } from '../records/recording-header.ts';
 import type { RecordedTopic } from '../records/recording-summary.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
-import { ChannelChunks } from './channel-chunks.ts';
-import { activityOf } from './chunk-activity.ts';
-import { markersOf, readEvents } from './recorded-events.ts';
-import { withMarkers } from './recorded-times.ts';
+import { ChannelChunks, activityOf } from './channel-chunks.ts';
+import { markersOf, readEvents, withMarkers } from './recorded-events.ts';
 import { StoredFile } from './stored-file.ts';
 import { channelsOf, type FileChannels } from './topics-of.ts';
 

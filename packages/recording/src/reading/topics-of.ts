@@ -1,7 +1,7 @@
 import type { Channel } from '@mcap/core';
 import type { FileIndex } from '../mcap/file-index.ts';
 import type { EventKind } from '../records/recording-event.ts';
-import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
+import { RECORD_SCHEMA_NAME } from '../records/event-schemas.ts';
 import type { ForeignChannel } from '../records/recorded-record.ts';
 import type { RecordedTopic } from '../records/recording-summary.ts';
 import { eventKindOf } from './recorded-events.ts';

@@ -12,7 +12,7 @@ import {
   type Session,
 } from '@ubii/proto';
 import type { RecordedComponent, RecordingEvent } from '../records/recording-event.ts';
-import { nsOf } from './nanoseconds.ts';
+import { nsOf } from '../records/recorded-record.ts';
 
 const CLIENT_STATES: Readonly<Record<number, string>> = {
   [ClientState.ACTIVE]: 'active',

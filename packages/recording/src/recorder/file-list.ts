@@ -1,5 +1,5 @@
 import { RecordingKind, RecordingState, ServiceError, type Recording } from '@ubii/proto';
-import { changeRecording } from '../repair/change-recording.ts';
+import { changeRecording } from '../repair/repair-recording.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import { boundFacts } from './bound-facts.ts';
@@ -15,9 +15,8 @@ import type {
 import { formatHeader, parseFacts } from './file-facts.ts';
 import { MarkerList } from './marker-list.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
-import type { OpenFile, RecordingFolder } from './recording-folder.ts';
+import { listRejected, type OpenFile, type RecordingFolder } from './recording-folder.ts';
 import { pageOf } from './recording-page.ts';
-import { listRejected } from './rejected-file.ts';
 
 /** What the list works with. */
 export interface FileListContext {

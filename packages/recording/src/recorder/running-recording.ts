@@ -1,7 +1,6 @@
 import { RecordingKind, RecordingState, type Recording } from '@ubii/proto';
-import { changeRecording } from '../repair/change-recording.ts';
+import { changeRecording, repairRecording } from '../repair/repair-recording.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
-import { repairRecording } from '../repair/repair-recording.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import { READING_LIMITS } from '../storage/reading-limits.ts';

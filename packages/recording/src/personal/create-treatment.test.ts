@@ -9,21 +9,19 @@ import {
   type RecordInit,
 } from '@ubii/proto';
 import { expect, it } from 'vitest';
+
 import { xdfOf } from '../export/xdf/xdf.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
+import { MemoryFile } from '../testing/memory-file.ts';
 import { recorded } from '../testing/recorded.ts';
 import { SAMPLE_HEADER, SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
-import { MemoryFile } from '../testing/memory-file.ts';
-import { createTreatment } from './create-treatment.ts';
+import { createTreatment, type Treatment } from './create-treatment.ts';
 import { findPeople, type KnownPeople } from './known-people.ts';
 import { SHARING_RULES, type PersonalRules } from './personal-rules.ts';
-import { createPseudonymKey } from './pseudonym-key.ts';
-import { Pseudonyms } from './pseudonyms.ts';
-import { TreatedReader } from './treated-reader.ts';
-import { treatRecording } from './treat-recording.ts';
-import type { Treatment } from './treatment.ts';
+import { createPseudonymKey, Pseudonyms } from './pseudonyms.ts';
+import { TreatedReader, treatRecording } from './treated-reader.ts';
 
 const { PERSONAL_TREATMENT_DROP, PERSONAL_TREATMENT_PSEUDONYM, PERSONAL_TREATMENT_ROUND } =
   PersonalTreatment;

@@ -1,7 +1,26 @@
-import { RecordingError } from '../records/recording-error.ts';
 import { LruCache } from '../reading/lru-cache.ts';
-import { expectReadable } from '../storage/expect-readable.ts';
+import { RecordingError } from '../records/recording-error.ts';
+import { expectReadable } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
+
+/** Reads a file that the user chose, or any other `Blob`. */
+export class BlobSource implements RecordingSource {
+  readonly #blob: Blob;
+
+  constructor(blob: Blob) {
+    this.#blob = blob;
+  }
+
+  size(): Promise<bigint> {
+    return Promise.resolve(BigInt(this.#blob.size));
+  }
+
+  async read(offset: bigint, length: bigint): Promise<Uint8Array> {
+    expectReadable(offset, length, BigInt(this.#blob.size));
+    const slice = this.#blob.slice(Number(offset), Number(offset + length));
+    return new Uint8Array(await slice.arrayBuffer());
+  }
+}
 
 /** Small reads get the block around them: magic, header and metadata lie together, and events in small chunks. */
 const BLOCK_BYTES = 16n * 1024n;

@@ -1,8 +1,8 @@
 import { PersonalTreatment } from '@ubii/proto';
 import { expect, it } from 'vitest';
+
 import { SAMPLE_HEADER } from '../testing/sample-records.ts';
-import { labelsOf, parsePersonalRules } from './parse-rules.ts';
-import { SHARING_RULES } from './personal-rules.ts';
+import { labelsOf, parsePersonalRules, SHARING_RULES } from './personal-rules.ts';
 
 const JSON_LABEL = '{"topicPattern":"/a","treatment":"PERSONAL_TREATMENT_ROUND","step":5}';
 const LABEL = {

@@ -1,7 +1,8 @@
 import { expect, it } from 'vitest';
+
 import type { RecordedDevice, RecordingEvent } from '../records/recording-event.ts';
 import { recordedDevice, SAMPLE_START_NS } from '../testing/index.ts';
-import { devicesInSpan } from './devices-in-span.ts';
+import { devicesInSpan } from './recorded-devices.ts';
 
 const at = (ms: number): bigint => SAMPLE_START_NS + BigInt(ms) * 1_000_000n;
 const told = (ms: number, device: RecordedDevice): RecordingEvent<'device'> => ({
