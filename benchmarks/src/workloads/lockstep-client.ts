@@ -1,8 +1,7 @@
 import type { MasterProcess } from '@ubii/harness';
 import { encodeRecord, type EmptyRecord, type TopicRecord } from '@ubii/proto';
-import { joinMaster } from '../brokers/ubii.ts';
-import { OPCODE } from '../load/frame-reader.ts';
-import { clientFrame } from '../load/frames.ts';
+import { joinMaster } from '../brokers/brokers.ts';
+import { OPCODE, clientFrame } from '../load/frames.ts';
 import { RecordReceiver } from '../load/record-receiver.ts';
 
 const ANSWER_TIMEOUT_MS = 5_000;

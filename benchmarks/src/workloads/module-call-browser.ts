@@ -2,7 +2,7 @@ import type { PagePayload, PageSubject } from '../calls-page/calls-page.ts';
 import { openBrowserPage, type BrowserPage } from '../calls-page/browser-page.ts';
 import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
 import { descendantPids } from '../cpu-time.ts';
-import { IN_CHROMIUM } from '../browser/in-chromium.ts';
+import { IN_CHROMIUM } from '../browser/chromium.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type {
   FigureInfo,

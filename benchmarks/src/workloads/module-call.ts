@@ -2,8 +2,7 @@ import type { Callee } from '../calls/call-series.ts';
 import { measureCalls, warmUp } from '../calls/measure-calls.ts';
 import { bareCallee, moduleCallee, openModule } from '../calls/module-callee.ts';
 import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
-import { startBareWorker } from '../modules/bare-worker.ts';
-import { startNodeSandboxes } from '../modules/node-sandboxes.ts';
+import { startBareWorker, startNodeSandboxes } from '../modules/node-sandboxes.ts';
 import type { FigureInfo, Subject, Workload } from '../measuring/workload.ts';
 
 const REFERENCE = 'bare worker';

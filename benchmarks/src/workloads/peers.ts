@@ -1,4 +1,4 @@
-import { brokerSubjects } from '../brokers/open-brokers.ts';
+import { brokerSubjects } from '../brokers/brokers.ts';
 import { PEERS } from '../brokers/peers.ts';
 import type { Access } from '../brokers/target.ts';
 import { createRecordRing } from '../load/record-ring.ts';

@@ -2,13 +2,12 @@ import { ExpectedState } from '../faults/expected-state.ts';
 import { Workload } from '../faults/workload.ts';
 import { pause } from '../pause.ts';
 import type { Random } from '../random.ts';
-import { findDisagreement, findValueDisagreement } from './agreement.ts';
+import { findDisagreement, findValueDisagreement, settle } from './agreement.ts';
 import type { TestCluster } from './cluster.ts';
 import { ConnectionWatch } from './connection-watch.ts';
 import type { PublisherRow, ReceptionRow } from './clients/reception.ts';
-import type { Fault } from './faults/fault.ts';
+import type { Fault } from './faults.ts';
 import { judge } from './judge.ts';
-import { settle } from './settle.ts';
 
 /** Pattern of the topics that pools publish on. */
 export const POOL_TOPICS = '^/pool/';

@@ -1,8 +1,9 @@
 import { runInThisContext } from 'node:vm';
+
 import type { TopicRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { TICKER_HERTZ, TICKER_MODULE } from './ticker-module.ts';
-import { TickerWatch } from './ticker-watch.ts';
+
+import { TICKER_HERTZ, TICKER_MODULE, TickerWatch } from './ticker.ts';
 
 const INTERVAL_MS = 1000 / TICKER_HERTZ;
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { FrameError, FrameReader } from './frame-reader.ts';
-import { clientFrame, serverFrame } from './frames.ts';
+
+import { FrameError, FrameReader, clientFrame, serverFrame } from './frames.ts';
 
 function readAll(chunks: readonly Buffer[]): { payloads: string[]; isAtBoundary: boolean } {
   const payloads: string[] = [];

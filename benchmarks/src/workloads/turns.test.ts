@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
-import { findTurns, type CpuProfile } from './longest-turns.ts';
+
+import { findTurns, type CpuProfile } from './turns.ts';
 
 const frame = (functionName: string, url = 'file:///master/main.js') => ({
   ...{ functionName, url, lineNumber: 0, columnNumber: 0 },

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { Random } from '../random.ts';
-import { judgeGrowth, median } from './growth.ts';
+import { judgeGrowth, median } from './measure.ts';
 
 const TOLERANCE = { relative: 0.1, absolute: 5 };
 

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import { warmed } from './warmed.ts';
-import type { Measurement, MeasureOptions, Subject } from './workload.ts';
+
+import { warmed, type Measurement, type MeasureOptions, type Subject } from './workload.ts';
 
 const OPTIONS = { warmUpMs: 10, measureMs: 3_000 };
 

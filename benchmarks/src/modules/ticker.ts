@@ -1,12 +1,108 @@
-import type { EmptyRecord, TopicRecord } from '@ubii/proto';
+import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import {
+  encodeRecord,
+  type Init,
+  type ProcessingModule,
+  type EmptyRecord,
+  type TopicRecord,
+} from '@ubii/proto';
+
+import { startBrokerProcess } from '../brokers/broker-process.ts';
 import { median, percentile } from '../statistics.ts';
-import { isTickerSum, TICKER_HERTZ } from './ticker-module.ts';
+
+/** Frequency of the ticker module, Hz. */
+export const TICKER_HERTZ = 60;
+
+/** Sines it adds up in each run: some microseconds of work. */
+const SINES = 50;
+
+/**
+ * A module that says which run it is, when the run began on the clock of the first one, and the result
+ * of a little work.
+ */
+export const TICKER_MODULE = {
+  name: 'benchmark-ticker',
+  onProcessingStringified: `(deltaTime, inputs, state) => {
+    state.run = state.run === undefined ? 0 : state.run + 1;
+    state.elapsed = (state.elapsed || 0) + deltaTime;
+    let sum = 0;
+    for (let i = 0; i < ${SINES}; i += 1) sum += Math.sin(state.elapsed + i);
+    return { outputs: { out: { vector3: { x: state.run, y: state.elapsed, z: sum } } } };
+  }`,
+  outputs: [{ internalName: 'out', messageFormat: 'vector3' }],
+  processingMode: { frequency: { hertz: TICKER_HERTZ } },
+} satisfies Init<ProcessingModule>;
+
+/** Room for the last digit of a sine: engines differ in it. */
+const TOLERANCE = 1e-9;
+
+/** True when `sum` is what the module makes of `elapsedMs`. */
+function isTickerSum(elapsedMs: number, sum: number): boolean {
+  let expected = 0;
+  for (let i = 0; i < SINES; i += 1) expected += Math.sin(elapsedMs + i);
+  return Math.abs(sum - expected) < TOLERANCE;
+}
+
+/** Values that are replaced; the first one says where they are. */
+const PLACEHOLDER = { x: 1.2345678901234567, y: 2, z: 3 };
+const TIMESTAMP_MS = 1_750_000_000_000;
+
+/** A process with one bare worker that does what the ticker modules do, see ticker-host.mjs. */
+export interface TickerHost {
+  readonly pid: number;
+  /** Whoever connects gets the records; the tickers run as long as it is connected. */
+  readonly url: string;
+  stop(): Promise<void>;
+}
+
+/** @param topics one for each ticker */
+export async function startTickerHost(
+  topics: readonly string[],
+  profileDir: string | undefined,
+): Promise<TickerHost> {
+  const folder = await mkdtemp(join(tmpdir(), 'ubii-bench-ticker-'));
+  const file = join(folder, 'setting.json');
+  await writeFile(
+    file,
+    JSON.stringify({
+      source: TICKER_MODULE.onProcessingStringified,
+      hertz: TICKER_HERTZ,
+      records: topics.map(template),
+    }),
+  );
+  const process = await startBrokerProcess({
+    name: 'ticker-host',
+    args: [fileURLToPath(new URL('./ticker-host.mjs', import.meta.url)), file],
+    profileDir,
+  });
+  return {
+    pid: process.pid,
+    url: String(process.endpoints['url']),
+    stop: async () => {
+      await process.stop();
+      await rm(folder, { recursive: true, force: true });
+    },
+  };
+}
+
+function template(topic: string): { base64: string; offset: number } {
+  const bytes = Buffer.from(
+    encodeRecord({ topic, format: 'vector3', value: PLACEHOLDER, timestampMs: TIMESTAMP_MS }),
+  );
+  const double = Buffer.alloc(8);
+  double.writeDoubleLE(PLACEHOLDER.x);
+  return { base64: bytes.toString('base64'), offset: bytes.indexOf(double) };
+}
 
 const INTERVAL_MS = 1000 / TICKER_HERTZ;
 const MAX_SENTENCES = 5;
 
 /** Regularity of the runs, over all tickers. */
-export interface TickerRegularity {
+interface TickerRegularity {
   readonly runs: number;
   /** Runs that were due and left out. */
   readonly leftOut: number;
