@@ -10,7 +10,7 @@ import {
   stateEvents,
   type SoundEvent,
 } from './sound-events.ts';
-import { notesOf } from './event-notes.ts';
+import { notesOf } from './sound-engine.ts';
 
 const player = (seat: number, more: Partial<Player> = {}): Player => ({
   ...{ seat, key: `k${seat}`, name: 'P', isReady: false, isWaiting: false, points: 0, ...more },

@@ -1,6 +1,6 @@
 import type { UbiiClient } from '@ubii/client-web';
 
-import { isPace, RoomRefusal, type RoomEvent } from '../../sim/index.ts';
+import { isPace, RoomRefusal, type RoomEvent, type Room } from '../../sim/index.ts';
 import {
   phoneOf,
   phoneTopic,
@@ -8,6 +8,7 @@ import {
   type PhoneAction,
   type HostReply,
 } from '../protocol.ts';
+import { Crowding } from './crowding.ts';
 import { RequestLimit } from './request-limit.ts';
 
 const MAX_CHARACTERS = 1000;
@@ -121,22 +122,27 @@ interface PhoneRequestsOptions {
   readonly nowMs: () => number;
   /** A random integer from 0 to 255. */
   readonly drawByte: () => number;
-  hasSeat(key: string): boolean;
+  readonly room: () => Room;
   /** @throws RoomRefusal with a sentence for the player */
-  decide(key: string, event: RoomEvent): void;
-  /** Evicts one client of a crowded address for a client that was refused a place. @returns whether it did. Never rejects */
-  makeRoom(key: string, as: 'join' | 'watch'): Promise<boolean>;
+  readonly decide: (key: string, event: RoomEvent) => void;
 }
 
 /** Receives requests of phones, each at a limited rate, and sends the answers. */
 export class PhoneRequests {
   readonly #options: PhoneRequestsOptions;
   readonly #offers: SeatOffers;
+  readonly #crowding: Crowding;
   readonly #limit = new RequestLimit();
 
   constructor(options: PhoneRequestsOptions) {
     this.#options = options;
     this.#offers = new SeatOffers(options.drawByte);
+    const { client, room, decide } = options;
+    this.#crowding = new Crowding({
+      client,
+      room,
+      remove: (key) => decide(key, { type: 'leave', key }),
+    });
   }
 
   /** @returns when requests arrive, and what ends it */
@@ -164,7 +170,7 @@ export class PhoneRequests {
     const reply = this.#answer(key, request);
     const { type } = request.wish;
     if ('refusal' in reply && (type === 'join' || type === 'watch')) {
-      void this.#options.makeRoom(key, type).then((isMade) => {
+      void this.#crowding.makeRoom(key, type).then((isMade) => {
         this.#reply(key, isMade ? this.#answer(key, request) : reply);
       });
     } else this.#reply(key, reply);
@@ -187,7 +193,9 @@ export class PhoneRequests {
   }
 
   #offerOwn(key: string): string {
-    if (!this.#options.hasSeat(key)) throw new RoomRefusal('This phone has no seat.');
+    const { players } = this.#options.room();
+    if (!players.some((player) => player.key === key))
+      throw new RoomRefusal('This phone has no seat.');
     return this.offer(key);
   }
 

@@ -11,6 +11,8 @@ import {
   type Seat,
 } from '../../sim/index.ts';
 import {
+  LIVE_TOPIC,
+  ROOM_TOPIC,
   settingTopic,
   readJson,
   ROUND_TOPIC,
@@ -18,6 +20,7 @@ import {
   stateTopic,
   type RoundView,
 } from '../protocol.ts';
+import { GameSessions } from './game-sessions.ts';
 import type { HostMemory } from './party-host-options.ts';
 
 /** Publishes the settings that differ from the default of their game: a restarted master has lost them. */
@@ -28,11 +31,12 @@ export function publishSettings(client: UbiiClient, { settings }: Room): void {
   }
 }
 
-/** The topics of all settings: one that was changed back to its default has a value, too. */
-export function settingTopics(): string[] {
-  return Object.values(GAMES).flatMap(({ id, settings }) =>
-    Object.keys(settings).map((name) => settingTopic(id, name)),
+/** All topics of a party that the master retains; a setting that was changed back to its default has a value, too. */
+export function retainedTopics(): string[] {
+  const settings = Object.values(GAMES).flatMap((game) =>
+    Object.keys(game.settings).map((name) => settingTopic(game.id, name)),
   );
+  return [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, LIVE_TOPIC, ...settings];
 }
 
 /** The round continues this long after a restart of its module, milliseconds. */
@@ -43,6 +47,8 @@ export interface RoundLeaderOptions {
   /** A random integer from 0 to 255. */
   readonly drawByte: () => number;
   handleState(game: GameId, state: RoundState): void;
+  /** @param sentence why a session failed */
+  readonly handleTrouble: (sentence: string) => void;
 }
 
 /** Controls the module of a game: publishes the round, its seats and settings, and follows its state. */
@@ -53,10 +59,13 @@ export class RoundLeader {
   #state: RoundState | undefined;
   #states: Subscription<'string'> | undefined;
   #seatsText = '';
+  readonly #sessions: GameSessions;
+  #isClosed = false;
 
   constructor(options: RoundLeaderOptions, { round, state }: Pick<HostMemory, 'round' | 'state'>) {
     this.#options = options;
     this.#client = options.client;
+    this.#sessions = new GameSessions(options.client, options.handleTrouble);
     this.#round = round;
     this.#state = state;
   }
@@ -75,11 +84,24 @@ export class RoundLeader {
     this.#round = round;
   }
 
-  /** Follows the states of a game. */
-  listenTo(game: GameId): void {
-    this.close();
-    this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
-    this.#states.onRecord(({ value }) => this.#handleState(game, value));
+  /** A game is explained: opens its session, and follows its states. */
+  async prepare(game: GameId): Promise<void> {
+    this.#clear();
+    this.#follow(game);
+    await this.#sessions.open(game);
+  }
+
+  /** Opens the session again after a lost connection: the master may have lost it, and with it the round. */
+  async continue(game: GameId, isPlaying: boolean): Promise<void> {
+    this.#follow(game);
+    const isNew = await this.#sessions.open(game);
+    if (isNew && isPlaying && !this.#isClosed) this.#resume(this.#client.masterTime.nowMs());
+  }
+
+  /** No game is played: removes the sessions. */
+  end(): Promise<void> {
+    this.#clear();
+    return this.#sessions.removeAll();
   }
 
   /** Says when the round starts, and with whom. */
@@ -95,7 +117,7 @@ export class RoundLeader {
   }
 
   /** The module was started again: it continues from the newest state that came here. */
-  resume(nowMs: number): void {
+  #resume(nowMs: number): void {
     const round = this.#round;
     if (!round) return;
     const { step = 0, state } = this.#state?.id === round.id ? this.#state : {};
@@ -105,16 +127,10 @@ export class RoundLeader {
     this.#publishPlan(state === undefined ? undefined : { step, state });
   }
 
-  /** There is no round. */
-  clear(): void {
-    this.#round = undefined;
-    this.#state = undefined;
-  }
-
-  /** In which session it is played. */
-  setSession(idOf: (game: GameId) => string | undefined): void {
+  /** Notes in which session the round is played. */
+  updateSession(): void {
     const round = this.#round;
-    const sessionId = round && idOf(round.game as GameId);
+    const sessionId = round && this.#sessions.idOf(round.game as GameId);
     if (!round || sessionId === round.sessionId) return;
     this.#round = { ...round, ...(sessionId !== undefined && { sessionId }) };
   }
@@ -140,6 +156,22 @@ export class RoundLeader {
   }
 
   close(): void {
+    this.#isClosed = true;
+    this.#stopFollowing();
+  }
+
+  #clear(): void {
+    this.#round = undefined;
+    this.#state = undefined;
+  }
+
+  #follow(game: GameId): void {
+    this.#stopFollowing();
+    this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
+    this.#states.onRecord(({ value }) => this.#handleState(game, value));
+  }
+
+  #stopFollowing(): void {
     void this.#states?.close();
     this.#states = undefined;
   }
