@@ -56,7 +56,7 @@ interface Measured {
 
 /**
  * Measures the workloads, group after group. Every round has one measurement of every subject, so
- * what disturbs the machine for a while disturbs all of them.
+ * a disturbance of the machine affects all.
  *
  * @param say called with one line about each step
  */
@@ -151,7 +151,7 @@ async function measureOrFail(subject: Subject, options: RunOptions): Promise<Mea
   }
 }
 
-/** The subjects, each round beginning with another one: nobody always follows the same neighbour. */
+/** The subjects, each round beginning with another one: no subject always follows the same neighbour. */
 function rotated(subjects: readonly Subject[], round: number): Subject[] {
   const first = round % subjects.length;
   return [...subjects.slice(first), ...subjects.slice(0, first)];

@@ -110,7 +110,7 @@ export function accessToAll(cluster: RunningCluster): Access {
   };
 }
 
-/** Waits until a master knows what others have told so far: all others answer this, after what they told. [CU-29] */
+/** Waits until a master has the messages of all others so far: they answer this call after their earlier messages. [CU-29] */
 async function passOthers(master: MasterProcess): Promise<void> {
   await master.call({ topic: SERVICES.topicList.topic });
 }

@@ -16,7 +16,7 @@ export abstract class RestReader {
     this.#rest = end === bytes.length ? NOTHING : Buffer.from(bytes.subarray(end));
   }
 
-  /** Reads the messages that are whole. @returns where the last of them ends */
+  /** Reads the messages that are whole. @returns where the last one ends */
   protected abstract readMessages(bytes: Buffer): number;
 }
 

@@ -25,7 +25,7 @@ export class PassWatch {
     this.#input = input;
   }
 
-  /** Returns false for a record of somebody else. */
+  /** Returns false for a record of another client. */
   handleRecord({ topic, value }: TopicRecord | EmptyRecord): boolean {
     const place = this.#places.get(topic);
     if (place === undefined) return false;

@@ -132,7 +132,7 @@ export class TickerWatch {
     );
   }
 
-  /** True when each of them has run. */
+  /** True when each module has run. */
   get haveAllBegun(): boolean {
     return [...this.#tickers.values()].every(({ nextRun }) => nextRun > 0);
   }
@@ -141,7 +141,7 @@ export class TickerWatch {
     const ticker = this.#tickers.get(topic);
     if (ticker === undefined) return this.#report(`a record on ${topic}`);
     const { x: run, y: elapsedMs, z: sum } = value as { x: number; y: number; z: number };
-    // The newest value of the time before, sent again to whoever subscribes.
+    // The newest value of the time before, sent again to new subscribers.
     if (ticker.nextRun === 0 && run !== 0) return;
     if (run !== ticker.nextRun) {
       this.#report(`run ${run} of ${topic} where ${ticker.nextRun} was to come`);

@@ -26,7 +26,7 @@ const MEASURED_BATCHES = 1_000;
 const STALL_MS = 2_000;
 const TOPIC_DATA_RECORD_TAG = 0x12;
 
-/** Records of topics that are new, or that were published before, while another client subscribes to patterns that match none of them. */
+/** Records of topics that are new, or that were published before, while another client subscribes to patterns that match none. */
 function amongPatterns(
   name: string,
   title: string,

@@ -29,7 +29,7 @@ const INPUT = 4711;
 const LOOP_SHARE = 1 / 4;
 const UNKNOWN = Number.NaN;
 
-/** Passes over the modules of some nodes, beside the round trip of the slowest of them. */
+/** Passes over the modules of some nodes, beside the round trip of the slowest node. */
 export function lockstep(modules: number, nodes: number): Workload {
   return {
     name: `lockstep-${modules}-on-${nodes}`,

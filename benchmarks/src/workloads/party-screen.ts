@@ -67,7 +67,7 @@ export const partyScreen: Workload = {
     const bare = await parts.get('bare screen', serveBareScreen);
     const url = `${master.url.replace(/\/$/, '')}/party`;
     const party = await parts.get('party', () => HostedParty.open(master));
-    // The round goes on without a page: the bare page has the same load beside it.
+    // The round continues without a page: the bare page has the same load beside it.
     const first = await browser.open(url, false);
     await party.play();
     await first.close();

@@ -3,7 +3,7 @@ export function capitalised(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-const rules = new Intl.PluralRules('en');
+const rules = /* @__PURE__ */ new Intl.PluralRules('en');
 
 /**
  * Returns the form of a word, or of a part of a sentence, for a number of things.

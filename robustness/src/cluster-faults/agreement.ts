@@ -76,7 +76,7 @@ export async function accountOf(
   };
 }
 
-/** How masters differ from the first one of them, in words. Empty when they agree. */
+/** Sentences about how masters differ from the first one. Empty when they agree. */
 export async function findDisagreement(cluster: TestCluster, topics: RegExp): Promise<string[]> {
   const indexes = cluster.present;
   const accounts = await Promise.all(indexes.map((index) => accountOf(cluster, index, topics)));

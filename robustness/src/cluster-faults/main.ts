@@ -98,7 +98,7 @@ async function runInNetwork(): Promise<void> {
   const node = [process.execPath, '--import', import.meta.resolve('tsx')];
   const own = [fileURLToPath(import.meta.url), ...process.argv.slice(2)];
   const command = ['netns', 'exec', network.hub, ...node, ...own, '--network', String(process.pid)];
-  // The channel tells the run when this process is gone.
+  // The channel closes when this process ends.
   const child = spawn('ip', command, { stdio: ['inherit', 'inherit', 'inherit', 'ipc'] });
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) {
     process.on(signal, () => child.kill(signal));

@@ -180,7 +180,7 @@ async function fuzzOneMaster(
   }
 }
 
-/** The one input of a batch that does harm by itself; all of them when it takes more than one. */
+/** The one input of a batch that does harm alone; the whole batch when it takes more than one. */
 async function narrow(
   entrance: Entrance,
   program: string,

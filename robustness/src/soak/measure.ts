@@ -60,7 +60,7 @@ const TIMEOUT_MS = 60_000;
 
 /**
  * The measured quantities with their tolerated increase: the larger of a share and an amount. At rest, counts have the
- * amount alone, because nobody comes and goes then.
+ * amount alone, because no client comes or goes then.
  */
 export const QUANTITIES = {
   heapBytes: { title: 'heap after collection', isBytes: true, relative: 0.1, absolute: 6 << 20 },

@@ -39,7 +39,7 @@ export function isWatched(room: Room): boolean {
   return room.spectators.some(isHere) || playersOf(room).length < room.players.length;
 }
 
-/** Undefined for a state that is none: whoever may publish may publish anything. */
+/** Undefined for an invalid state: any client that may publish can publish any value. */
 export function liveRoundOf(game: GameId, state: RoundState, room: Room): LiveRound | undefined {
   const nameOf = (seat: Seat): string =>
     room.players.find((player) => player.seat === seat)?.name ?? '';

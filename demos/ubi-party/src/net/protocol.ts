@@ -27,7 +27,7 @@ export const LIVE_TOPIC = '/party/live';
 export const PLAYER_READS = [ROOM_TOPIC, LIVE_TOPIC] as const;
 /** The state of the running round, JSON, 60 times a second. */
 export const stateTopic = (game: string): string => `/party/${game}/state`;
-/** A setting of a game that anybody may change while it runs, a number; 1 is as it is meant. */
+/** A setting of a game that any client may change while it runs, a number; 1 is the default. */
 export const settingTopic = (game: string, setting: string): string => `/party/${game}/${setting}`;
 
 /** Components of every phone, also of one that only watches. `reply` is received, the others are published. */

@@ -205,7 +205,7 @@ export interface TablePiece {
   readonly isOut: boolean;
 }
 
-/** Numbers that people change while a game runs: 1 is as the game is meant. */
+/** Numbers that people change while a game runs: 1 is the default. */
 export type GameSettings = Readonly<Record<string, number>>;
 
 /** Groups seats that have the same score, the highest score first. */

@@ -93,7 +93,7 @@ const HILL_BEATS = [0, 1.5, 2, 3, 3.5] as const;
 const HILL_STRENGTHS = [0.8, 0.35, 0.6, 0.4, 0.3] as const;
 const QUIET = 0.22;
 
-/** A felt drum, one bar for each player up to eight; the last bars are quiet, one for each who is out. */
+/** A felt drum, one bar for each player up to eight; the last bars are quiet, one for each player that is out. */
 function hillTune(players: number, out: number): Tune {
   const bars = Math.min(HILL_BARS, Math.max(2, players));
   const quiet = Math.ceil((out * bars) / Math.max(1, players));

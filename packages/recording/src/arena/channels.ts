@@ -1,4 +1,4 @@
-/** Who publishes on which topic, with the value that stood before the oldest record. */
+/** A publisher on a topic, with the retained value before the oldest record. */
 export interface Channel {
   readonly number: number;
   readonly topic: string;
@@ -80,7 +80,7 @@ export class Channels {
     return named;
   }
 
-  /** All of them. */
+  /** All channels. */
   list(): NamedChannel[] {
     return this.#byNumber.filter((channel) => channel !== undefined).map(nameOf);
   }

@@ -132,12 +132,12 @@ export class RecordMemory {
     this.#limit();
   }
 
-  /** Tells what was read for files. */
+  /** Notes which records were read for files. */
   markRead({ small, large }: RecordSpans): void {
     this.#readTo = { small: small.to, large: large.to };
   }
 
-  /** What was written since then. */
+  /** Records written since then. */
   since(read: RecordSpans): RecordSpans {
     return spansFrom(this.spans, read);
   }

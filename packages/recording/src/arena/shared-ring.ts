@@ -92,13 +92,13 @@ export class RingReader {
     }
   }
 
-  /** Where reading goes on: at the oldest entry when what comes before it was overwritten. */
+  /** Position where reading continues: at the oldest entry when earlier ones were overwritten. */
   #begin(position: number): number {
     const tail = this.#tail();
     return position < tail ? tail : position;
   }
 
-  /** What was read before this call was read before the tail. */
+  /** Earlier reads happened before the read of the tail. */
   #tail(): number {
     return Number(Atomics.add(this.#sharedTail, 0, 0n));
   }

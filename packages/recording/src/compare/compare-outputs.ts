@@ -24,7 +24,7 @@ export interface CompareOptions extends Abortable {
   readonly inputs: readonly string[];
   /** Topic of the run on which an input topic was played. */
   readonly mapInput: (topic: string) => string;
-  /** What was played. @default all */
+  /** The part that was played. @default all */
   readonly span?: ComparedSpan | undefined;
   /** Outputs further apart than this do not belong together, milliseconds. */
   readonly toleranceMs: number;
@@ -55,7 +55,7 @@ async function* playedRecords(
 /** Moments whose offset changes by less are not kept, nanoseconds. */
 const KEPT_NS = 100_000n;
 
-/** Tells when a moment of a run was in the recording: as long after the last input as it was in the run. */
+/** Maps times of a run to times of the recording: as long after the last input as in the run. */
 class InputTimes {
   readonly #rerunNs: bigint[] = [];
   /** Time of the run minus time of the recording. */
@@ -143,7 +143,7 @@ export async function compareOutputs(
   let count = 0;
   const onPair = (pair: OutputPair): boolean => {
     signal?.throwIfAborted();
-    // The run goes on for a moment after its last input.
+    // The run continues for a moment after its last input.
     if (pair.recorded === undefined && pair.rerun!.timeNs > untilNs) return false;
     if (++count % PROGRESS_OUTPUTS === 0) onProgress?.(count);
     return true;

@@ -52,7 +52,7 @@ export type CutSource = Pick<
   'summary' | 'records' | 'latestOfEachAt' | 'events' | 'foreignParts'
 >;
 
-/** What is cut out, and who is told. */
+/** What is cut out, and callbacks. */
 export interface CutOptions extends Partial<SpanNs> {
   /** @default all */
   readonly topics?: readonly string[] | undefined;

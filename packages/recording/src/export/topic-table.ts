@@ -33,7 +33,7 @@ function join(path: string, member: string): string {
   return path === '' ? member : `${path}.${member}`;
 }
 
-/** Columns of one table; what a longer list holds beyond them is left out and told. */
+/** Columns of one table; elements of a longer list are left out and reported. */
 const MAX_COLUMNS = 1024;
 
 export interface TableColumn {

@@ -168,7 +168,7 @@ class RuleTreatment implements Treatment {
       masterName: name(masterName, 'master'),
       name: isKept ? text(header.name) : 'Shared recording',
       notes: isKept ? text(header.notes) : '',
-      // Tells clients, invitations and devices by name.
+      // Names clients, invitations and devices.
       selection: '{}',
     };
   }

@@ -31,7 +31,7 @@ export interface LabelledTexts {
   readonly texts: ReadonlyMap<string, string | undefined>;
   /** How many are not among them because they do not tell enough. [PD-18] */
   readonly short: number;
-  /** There are more of them than can be searched for. [PD-18] */
+  /** There are more texts than can be searched for. [PD-18] */
   readonly isIncomplete: boolean;
 }
 
@@ -114,10 +114,10 @@ export interface KnownPeople {
   readonly foreignTopics: ReadonlySet<string>;
 }
 
-/** Data formats that tell names. */
+/** Data formats with names. */
 const NAMING = new Set(['client', 'device', 'deviceList']);
 
-/** Finds what a recording tells of people. Reads its events, and records of clients, of devices and of labelled topics. */
+/** Finds names and ids of people in a recording. Reads its events, and records of clients, of devices and of labelled topics. */
 export async function findPeople(
   reader: EventsReader,
   labels: readonly PersonalLabel[],
@@ -142,8 +142,8 @@ export async function findPeople(
       deviceNames.add(value.name);
     } else if (kind === 'clock') ids.add(value.clientId);
   }
-  const telling = topics.filter(({ isRaw, format }) => !isRaw && NAMING.has(format));
-  for await (const { record } of reader.records({ topics: telling.map(({ topic }) => topic) })) {
+  const naming = topics.filter(({ isRaw, format }) => !isRaw && NAMING.has(format));
+  for await (const { record } of reader.records({ topics: naming.map(({ topic }) => topic) })) {
     const decoded = decodeSafely(record);
     if (decoded?.format === 'client') {
       ids.add(decoded.value.id);

@@ -66,11 +66,11 @@ function byStart(a: ChunkIndex, b: ChunkIndex): number {
 const INDEX_HEAD_BYTES = 15n;
 const INDEX_ENTRY_BYTES = 16n;
 
-/** Messages of each channel in a chunk, as the places of its message indexes tell; empty where there are none. */
+/** Messages of each channel in a chunk, computed from the places of its message indexes; empty without indexes. */
 function countsOf(chunk: ChunkIndex): Map<number, number> {
   const { chunkStartOffset, chunkLength, messageIndexLength, messageIndexOffsets } = chunk;
   const places = [...messageIndexOffsets];
-  // Usually they are in order, and a long recording has a million of them.
+  // Usually they are in order, and a long recording has a million.
   if (places.some(([, offset], i) => i > 0 && offset < places[i - 1]![1]))
     places.sort(([, a], [, b]) => (a < b ? -1 : 1));
   const end = chunkStartOffset + chunkLength + messageIndexLength;

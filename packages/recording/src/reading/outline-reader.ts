@@ -23,7 +23,7 @@ export interface TopicOutline extends RecordedTopic {
   readonly activity: Float32Array;
 }
 
-/** What the index of a recording tells: when how much was recorded. */
+/** The content of the index of a recording: how much was recorded when. */
 export interface RecordingOutline {
   readonly header: RecordingHeader;
   /** As in the summary: nanoseconds since the Unix epoch, 0 without records. */

@@ -37,7 +37,7 @@ export function devicesInSpan(
   return [...found.values()];
 }
 
-/** Tells whether a value from outside, which may be anything, is a device. */
+/** Returns whether any value from outside is a device. */
 export function isRecordedDevice(value: unknown): value is RecordedDevice {
   return isEventValue('device', value);
 }

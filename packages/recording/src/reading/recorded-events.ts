@@ -42,7 +42,7 @@ export function eventKindOf(channel: Channel, schemaName: string): EventKind | u
 /**
  * Reads all events of some channels.
  *
- * @throws RecordingError when a chunk of them is broken, or they are too many for the memory [RC-43]
+ * @throws RecordingError when a chunk of events is broken, or there are too many events for the memory [RC-43]
  */
 export async function readEvents(
   file: StoredFile,

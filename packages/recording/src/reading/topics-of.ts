@@ -18,7 +18,7 @@ export interface FileChannels {
   readonly topics: readonly RecordedTopic[];
 }
 
-/** Tells channels of records and of events apart. */
+/** Separates channels of records from channels of events. */
 export function channelsOf(index: FileIndex): FileChannels {
   const records = new Map<number, Channel>();
   const events = new Map<number, EventKind>();

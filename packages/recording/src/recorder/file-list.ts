@@ -81,7 +81,7 @@ export class FileList {
     return this.values().reduce((sum, { sizeBytes }) => sum + sizeBytes, 0);
   }
 
-  /** @param page of topics and markers; default: none of them @throws ServiceError when there is none of this id */
+  /** @param page of topics and markers; default: neither @throws ServiceError when there is none of this id */
   async get(id: string, page?: RecordingPage): Promise<KeptRecording> {
     await this.scan();
     return this.#ofListed(id, async ({ facts: { makerId }, recording }) => {
@@ -204,7 +204,7 @@ export class FileList {
     return { selection, ...pageOf(id, summary, page, limits) };
   }
 
-  /** What the sender of an upload hears. The file of a node stays at the node. */
+  /** The answer to the sender of an upload. The file of a node stays at the node. */
   async #refuse(
     job: RecordingJob,
     { kind, reason }: Exclude<Verdict, { kind: 'accepted' }>,

@@ -126,7 +126,7 @@ export class FlightRecorder {
     if (this.#cancelDrop === undefined) this.#waitForDrop();
   }
 
-  /** Tells that a topic has no value any more. [RC-33] */
+  /** Records that a topic has no value any more. [RC-33] */
   forget(topic: string): void {
     this.#pass();
     this.#memory?.endTopic(topic, this.#presentMs);

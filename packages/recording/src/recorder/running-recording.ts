@@ -124,7 +124,7 @@ export class RunningRecording {
     }
   }
 
-  /** What was recorded of each topic so far. */
+  /** Statistics of each topic so far. */
   get topics(): readonly DescribedTopic[] {
     return this.#writer.topics;
   }

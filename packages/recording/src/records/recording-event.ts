@@ -114,7 +114,7 @@ export const EVENT_TOPICS: Readonly<Record<EventKind, string>> = {
   gap: '/recording/gaps',
 };
 
-/** Names whose state an event tells: a later event with the same key replaces it. Undefined for markers and gaps. */
+/** Key of the state that an event sets: a later event with the same key replaces it. Undefined for markers and gaps. */
 export function stateKey({ kind, value }: RecordingEvent): string | undefined {
   switch (kind) {
     case 'session':

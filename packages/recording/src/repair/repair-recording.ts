@@ -7,7 +7,7 @@ import type { RecordingHeader } from '../records/recording-header.ts';
 import type { RecordingFile } from '../storage/recording-storage.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
 
-/** What was saved of a damaged file. */
+/** Result of the repair of a damaged file. */
 export interface Repair {
   /** From the first record to the last that is whole, nanoseconds. */
   readonly durationNs: bigint;

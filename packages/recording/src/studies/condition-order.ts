@@ -48,7 +48,7 @@ export function orderOfConditions(
 }
 
 /**
- * Rows of a Williams design: a Latin square, or two of them for an odd number, in which each number follows each other one
+ * Rows of a Williams design: a Latin square, or two for an odd number, in which each number follows each other one
  * equally often.
  *
  * Source: E. J. Williams, Experimental designs balanced for the estimation of residual effects of treatments, Australian Journal

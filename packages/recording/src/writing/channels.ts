@@ -52,7 +52,7 @@ export class Channels {
     return count;
   }
 
-  /** What was written of each topic and publisher so far. */
+  /** Statistics of each topic and publisher so far. */
   get recordTopics(): WrittenTopic[] {
     return [...this.#records.values()].flatMap((byClient) =>
       [...byClient.values()].map(({ id, topic, metadata }) => ({

@@ -93,7 +93,7 @@ export class RecordingWriter {
     };
   }
 
-  /** What was written so far; topics with messages of other programs are left out. */
+  /** Statistics of the records written so far; topics with messages of other programs are left out. */
   get topics(): readonly WrittenTopic[] {
     return this.#channels.recordTopics;
   }

@@ -8,7 +8,7 @@ import { finding, type Attack } from '../attack.ts';
 
 const TIMEOUT_MS = 5_000;
 
-/** Whether somebody is answered by the master within 5 s. */
+/** Whether the master answers a new connection within 5 s. */
 async function canOpen(caller: Outsider): Promise<boolean> {
   const late = new Promise<boolean>((resolve) => {
     setTimeout(() => resolve(false), TIMEOUT_MS).unref();

@@ -56,7 +56,7 @@ async function guess(stranger: Outsider, times: number): Promise<void> {
     const asked = stranger
       .call({ topic: '/services/ubii/join_check', joinCheckRequest: { token } })
       .catch(() => {});
-    // Whoever is slowed down is told nothing for a while: an attacker does not wait.
+    // A slowed client gets no answer for a while: an attacker does not wait.
     await Promise.race([asked, pause(300)]);
   }
 }

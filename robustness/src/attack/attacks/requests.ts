@@ -37,7 +37,7 @@ function wrap(session: Buffer): Buffer {
   return Buffer.concat([Buffer.from(`{"topic":"${topic}","session":`), session, Buffer.from('}')]);
 }
 
-/** The aim of the issue: a body of nobody delays records for longer. A busy machine adds its own delays. */
+/** The aim of the issue: a body of an unknown sender delays records for longer. A busy machine adds its own delays. */
 const MAX_DELAY_MS = 25;
 const MAX_PEAK_BYTES = 400 * 1024 * 1024;
 

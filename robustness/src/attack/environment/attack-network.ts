@@ -101,7 +101,7 @@ export class Dialer {
     });
   }
 
-  /** @throws Error when nobody takes the connection */
+  /** @throws Error when the connection is refused */
   async dial(host: string, port: number, from: string): Promise<Socket> {
     const child = this.#child;
     if (child === undefined) return dialLoopback(port);

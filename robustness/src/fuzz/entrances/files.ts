@@ -93,7 +93,7 @@ export const files: Entrance = {
     for (const [folder, extension, service] of PLACES) {
       const file = join(master.dataDir, folder, `fuzz${extension}`);
       writeFileSync(file, input);
-      // Storing another document makes the master look at the folder now, not when the system tells it.
+      // Storing another document makes the master look at the folder now, not when the system reports the change.
       await master.ask({
         topic: '/services/processing_module/database/save',
         processingModule: { ...MODULE, name: 'neighbour', language: 2 },

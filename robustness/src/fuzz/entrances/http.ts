@@ -20,7 +20,7 @@ const BEARERS = [
   `Bearer ${'A'.repeat(43)}`,
   `Bearer ${Buffer.from('{"c":"x","g":"y","e":1}').toString('base64url')}.${'A'.repeat(43)}`,
 ];
-/** As a phone behind a proxy: nobody this machine knows. */
+/** As a phone behind a proxy: not a client of this machine. */
 const STRANGER = 'X-Forwarded-For: 198.51.100.7';
 
 /** Requests of callers without a role: bearer tokens and join credentials. */
@@ -171,7 +171,7 @@ const METHODS = [
   '',
 ];
 const VERSIONS = ['HTTP/1.1', 'HTTP/1.0', 'HTTP/2.0', 'HTTP/0.9', 'HTTP/9.9', 'http/1.1', ''];
-/** The beginning of a TLS handshake, as the port of HTTPS tells by its first byte. */
+/** The beginning of a TLS handshake, which the port of HTTPS recognizes by its first byte. */
 const TLS_HELLO = Buffer.from('160301020001000001fc0303', 'hex');
 
 /** Request line, headers and framing, on the port as it is. */

@@ -9,7 +9,7 @@ import type { Entrance } from '../entrance.ts';
 import { joined, mutateBytes } from '../mutate-bytes.ts';
 import { mutateJson } from '../mutate-json.ts';
 
-/** A certificate for `localhost` that nobody trusts, and its key: for tests alone. */
+/** A certificate for `localhost` that no client trusts, and its key: for tests alone. */
 const CERTIFICATE_PEM = `-----BEGIN CERTIFICATE-----
 MIIBlTCCATugAwIBAgIUIifbZeQyBnD7PITLSWkMvoOuVlswCgYIKoZIzj0EAwIw
 FDESMBAGA1UEAwwJbG9jYWxob3N0MCAXDTI2MTEyMjIwMjY0MVoYDzIxMjYxMDI5
@@ -30,7 +30,7 @@ xL3Q8mIUz0dGYSZXKrz7L099N5/wcZzghJ12aI0/T4uYeNrZs6gBO7f1
 -----END PRIVATE KEY-----
 `;
 
-/** Files that a master reads when it starts, and how they are told. */
+/** Files that a master reads when it starts, and the options that name them. */
 const FILES = [
   { path: 'resume-token.key', content: 'aGVsbG8gaGVsbG8gaGVsbG8gaGVsbG8gaGVsbG8gaGU=\n' },
   { path: 'grants/one.json', content: '' },

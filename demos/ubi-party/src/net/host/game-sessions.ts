@@ -68,7 +68,7 @@ function muxer(inputName: string, component: 'stick' | 'button' | 'pressed' | 'a
   };
 }
 
-/** The sessions of the games on the master: one at a time, so that nothing runs that nobody plays. */
+/** The sessions of the games on the master: one at a time, so that no unused session runs. */
 export class GameSessions {
   readonly #client: UbiiClient;
   readonly #handleTrouble: (sentence: string) => void;

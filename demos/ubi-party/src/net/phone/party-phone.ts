@@ -53,7 +53,7 @@ export class PartyPhone implements PhoneLink {
     this.#clock = clock;
     this.#shownPhoto = new ShownPhoto(client, clock);
     this.#devices = new PhoneDevices(client);
-    // Of another start of the page, numbers go on: an old answer is for nobody
+    // Numbers continue after a reload of the page, so that an old reply matches no request
     this.#number = Math.floor(clock.nowMs());
   }
 

@@ -14,7 +14,7 @@ interface Asks {
 
 export interface Tilt {
   readonly access: Readonly<ShallowRef<TiltAccess>>;
-  /** To be called at once in the handler of a tap. Does nothing where nobody has to be asked. */
+  /** To be called at once in the handler of a tap. Does nothing where no permission is needed. */
   ask(): Promise<void>;
   /** Straight ahead is how the phone is held now. */
   recentre(): void;

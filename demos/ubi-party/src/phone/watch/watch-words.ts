@@ -26,7 +26,7 @@ export function winnersOf(room: Room): string {
   return `${names.join(' and ')} ${plural(names.length, 'wins', 'win')}`;
 }
 
-/** One sentence on what goes on, for who watches. */
+/** One sentence about the current phase, for spectators. */
 export function watchSentence(room: Room, game: string | undefined, playing: number): string {
   const { title } = gameTexts(game);
   const next = nextGame(room)?.title;

@@ -23,7 +23,7 @@ import {
 const EVERY = 8 * STEPS_PER_SECOND;
 const LASTS = 5 * STEPS_PER_SECOND;
 
-/** Lays out the next power when it is time, and gives it to the first who is there. */
+/** Lays out the next power when it is time, and gives it to the first piece that reaches it. */
 function stepPowers(state: HillState, controls: ReadControls): void {
   countVotes(state, controls);
   if (!state.offer && state.step >= state.nextOfferAt) layOut(state);

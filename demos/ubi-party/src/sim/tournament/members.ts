@@ -56,13 +56,13 @@ export function isFull({ isLocked, players, spectators }: Room, as: 'join' | 'wa
   return !isLocked && players.filter(({ key }) => key !== undefined).length >= MAX_SEATS;
 }
 
-/** Why nobody can get a seat now, one sentence; undefined: somebody can. Bots leave when people come. */
+/** Why no seat is available, one sentence; undefined: a seat is available. A person replaces a bot. */
 export function whyNoSeat(room: Room): string | undefined {
   if (room.isLocked) return 'The game is locked. Ask the host to let you in.';
   return isFull(room, 'join') ? `All ${MAX_SEATS} seats are taken.` : undefined;
 }
 
-/** A reaction of somebody who plays or watches; undefined: of nobody here, at no time for it, or of no known kind. */
+/** A reaction of a player or spectator; undefined for other clients, in other phases, and for unknown kinds. */
 export function cheerOf(room: Room, key: string, kind: string): Cheer | undefined {
   const isTime = room.phase === 'play' || room.phase === 'podium';
   if (!isTime || !isCheer(kind)) return undefined;
@@ -74,7 +74,7 @@ export function cheerOf(room: Room, key: string, kind: string): Cheer | undefine
 
 const isCheer = (kind: string): kind is CheerKind => (CHEERS as readonly string[]).includes(kind);
 
-/** A seat is kept so long for who is away, milliseconds. */
+/** The seat of an absent player is kept this long, milliseconds. */
 export const KEPT_FOR_MS = 2 * 60_000;
 
 /** Assigns a seat: a known player keeps theirs; a new player gets the first free one, or that of a bot. */
@@ -98,7 +98,7 @@ export function join(room: Room, key: string, name: string): Room {
   return seated({ ...others, leader: room.leader ?? seat }, player);
 }
 
-/** The lead passes on to the next person who is there. */
+/** The lead passes to the next present person. */
 export function remove(room: Room, isGone: (player: Player) => boolean): Room {
   const players = room.players.filter((player) => !isGone(player));
   const { leader, ...rest } = room;
@@ -171,14 +171,14 @@ function changed(room: Room, key: string, change: Partial<Player>): Room {
 type Person = Pick<Player, 'key' | 'awaySinceMs'>;
 
 /**
- * Returns whose place a new client gets where all places are taken: one of the address that has most of them, if that has at
- * least two more than the address of the new client. Of those, first who is away, then the last one. So places are shared
- * out between addresses, and nobody gains by joining again.
+ * Returns the client whose place a new client gets when all places are taken: one of the address with the most places, if it has
+ * at least two more than the address of the new client. An absent client gives its place first, else the last one. Places are
+ * divided between addresses, and joining again has no advantage.
  *
  * @param people who have a place, in their order
  * @param asker key of the client that asks
  * @param addresses what clients of one address share, by key; clients without one neither give nor get a place
- * @returns the key of who gives the place; undefined: nobody
+ * @returns the key of the client that gives its place; undefined: none
  */
 export function crowderOf(
   people: readonly Person[],

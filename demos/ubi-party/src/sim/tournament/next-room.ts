@@ -42,19 +42,19 @@ function pointsOf(places: Places): Record<Seat, number> {
 /** The greatest setting that modules accept. */
 const MAX_SETTING = 5;
 
-/** Changes a setting of a game. Values as the game is meant are not kept. */
+/** Changes a setting of a game. Default values are not kept. */
 function setSetting(room: Room, game: string, setting: string, value: number): Room {
-  const meant = Object.hasOwn(GAMES, game)
+  const defaults = Object.hasOwn(GAMES, game)
     ? (GAMES[game as keyof typeof GAMES].settings as GameSettings)
     : {};
-  if (!Object.hasOwn(meant, setting) || !Number.isFinite(value))
+  if (!Object.hasOwn(defaults, setting) || !Number.isFinite(value))
     throw new RoomRefusal('This game does not have this setting.');
   const { [game]: before = {}, ...others } = room.settings;
   const { [setting]: _, ...rest } = before;
   const kept = Math.min(MAX_SETTING, Math.max(0, value));
-  const changed = kept === meant[setting] ? rest : { ...rest, [setting]: kept };
-  const isAsMeant = Object.keys(changed).length === 0;
-  return { ...room, settings: isAsMeant ? others : { ...others, [game]: changed } };
+  const changed = kept === defaults[setting] ? rest : { ...rest, [setting]: kept };
+  const hasDefaults = Object.keys(changed).length === 0;
+  return { ...room, settings: hasDefaults ? others : { ...others, [game]: changed } };
 }
 
 export const MIN_PLAYERS = 2;

@@ -36,11 +36,11 @@ export function readingMs(
 /** A person or a bot with a seat. */
 export interface Player {
   readonly seat: Seat;
-  /** The client that plays; a bot has none. Who has the key of a seat has the seat. */
+  /** The client that plays; a bot has none. The client with the key of a seat has the seat. */
   readonly key?: string;
   readonly name: string;
   readonly isReady: boolean;
-  /** Milliseconds since the Unix epoch, master's clock, since when nothing is heard of them. */
+  /** Since when the person is absent, milliseconds since the Unix epoch, master's clock; undefined: present. */
   readonly awaySinceMs?: number;
   /** Came while a round was played, and plays from the next one on. */
   readonly isWaiting: boolean;
@@ -68,13 +68,13 @@ export interface RoundResult {
   readonly points: Readonly<Record<Seat, number>>;
 }
 
-/** All that a tournament is, as plain data: stored, it goes on after a reload or a restart. */
+/** The state of a tournament, as plain data: a stored one continues after a reload or a restart. */
 export interface Room {
   readonly phase: Phase;
   /** When the phase ends by itself, milliseconds since the Unix epoch, master's clock. */
   readonly endsAtMs?: number;
   readonly players: readonly Player[];
-  /** They do not count: neither for rounds nor for who is ready. */
+  /** Spectators count neither for rounds nor for readiness. */
   readonly spectators: readonly Spectator[];
   /** Seat of the leading phone: the first to join, or one named by the host or the leader. */
   readonly leader?: Seat;
@@ -85,7 +85,7 @@ export interface Room {
   /** The games of the tournament, in their order. */
   readonly games: readonly string[];
   readonly results: readonly RoundResult[];
-  /** Settings that are not as their game is meant, by game and name. */
+  /** Settings that differ from the default of their game, by game and name. */
   readonly settings: Readonly<Record<string, GameSettings>>;
   /** Pace of reading and answering, for everybody. */
   readonly pace: Pace;
@@ -104,7 +104,7 @@ export const EMPTY_ROOM: Room = {
   pace: 'normal',
 };
 
-/** A room as it was stored or told, perhaps by an earlier version. */
+/** A room that was stored or published, perhaps by an earlier version. */
 export function toRoom(room: Partial<Room>): Room {
   return { ...EMPTY_ROOM, ...room };
 }
@@ -140,7 +140,7 @@ export type RoomEvent =
   | { readonly type: 'hand-over'; readonly key: string; readonly to: string }
   | { readonly type: 'ready'; readonly key: string; readonly isReady: boolean }
   | { readonly type: 'kick' | 'lead'; readonly by: Asker; readonly seat: Seat }
-  /** Removes somebody who watches. */
+  /** Removes a spectator. */
   | { readonly type: 'dismiss'; readonly by: Asker; readonly key: string }
   | { readonly type: 'lock' | 'hide-code'; readonly by: Asker; readonly on: boolean }
   | { readonly type: 'set-teams'; readonly by: Asker; readonly teams: number }

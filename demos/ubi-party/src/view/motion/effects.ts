@@ -29,7 +29,7 @@ interface BitStart {
   readonly lifeS: number;
 }
 
-/** Small things that fly and fall: one drawing for all of them. The newest replaces the oldest. */
+/** Small things that fly and fall: one draw call for all. The newest replaces the oldest. */
 export class FlyingBits {
   readonly mesh: InstancedMesh;
   readonly #most: number;

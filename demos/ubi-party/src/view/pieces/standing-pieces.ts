@@ -67,7 +67,7 @@ export class StandingPieces {
     this.#set = new PieceSet(root, kit, stand);
   }
 
-  /** @param drops whether who is new drops in; else it is there */
+  /** @param drops whether new pieces drop in */
   show(standings: readonly Standing[], drops: boolean): void {
     const seats = new Set<Seat>();
     for (const goal of standings) {
@@ -172,7 +172,7 @@ export class StandingPieces {
   }
 }
 
-/** A small turn of its own for each seat: nobody stands like on parade. */
+/** A small turn of its own for each seat: pieces are not aligned exactly. */
 export function yawOf(seat: Seat, most = 0.2): number {
   return (scatter(seat, 7) - 0.5) * 2 * most;
 }

@@ -14,7 +14,7 @@ interface Outline {
 
 type Corner = readonly [x: number, y: number];
 
-/** Of all shapes about the same, so that nobody is larger: the height of a circle of radius 1.05. */
+/** About the same for all shapes, so that no player is larger: the height of a circle of radius 1.05. */
 const OUTLINES: Readonly<Record<ShapeName, () => Outline>> = {
   circle: () => ({ shape: disc(1.05, 1.05), letter: { x: 0, y: 1.05, size: 1.45 } }),
   triangle: () => ({

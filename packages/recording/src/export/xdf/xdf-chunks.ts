@@ -5,7 +5,7 @@ export interface StreamFacts {
   readonly type: string;
   readonly channels: readonly string[];
   readonly format: 'double64' | 'string';
-  /** Who published: identifies the stream in other recordings. */
+  /** The publisher: identifies the stream in other recordings. */
   readonly sourceId: string;
   readonly host: string;
 }

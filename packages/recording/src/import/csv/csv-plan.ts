@@ -6,7 +6,7 @@ import type { BufferedSource } from '../buffered-source.ts';
 import { hasPaths } from '../value-from-paths.ts';
 import { csvRows, delimiterOf, type CsvRow, type Delimiter } from './csv-rows.ts';
 
-/** How a column tells times. */
+/** How a column states times. */
 export type TimeUnit = 's' | 'ms' | 'us' | 'ns' | 'iso';
 
 /** Decimals of a nanosecond. */
@@ -213,7 +213,7 @@ export function numberIn(cell: string, delimiter: Delimiter): number | undefined
   return Number.isNaN(number) ? undefined : number;
 }
 
-/** Formats of rows that are told by the names of their columns. */
+/** Formats of rows that follow from the names of their columns. */
 const ROW_FORMATS = [
   ...['vector2', 'vector3', 'vector4', 'color', 'pose2D', 'pose3D', 'matrix3x2', 'matrix4x4'],
 ] as const satisfies readonly DataFormat[];

@@ -85,7 +85,7 @@ export class Offer {
 
 const SIZE = 0.62;
 
-/** A small toy beside the token tells which power a piece has. At most a few have one: their toys are kept. */
+/** A small toy beside the token shows which power a piece has. At most a few have one: their toys are kept. */
 export class PowerMarks {
   readonly #root: Group;
   readonly #paints: Paints;

@@ -106,7 +106,7 @@ function buildNeckOfHill(): BufferGeometry {
 
 const DANGER = [new Color('#ef7a5e'), new Color('#f7cfc4')] as const;
 const CALM = [new Color('#e9f4f4'), new Color('#d9e9ec')] as const;
-/** Blocks on the table are in the shade of the hour: nobody takes them for ground. */
+/** Blocks on the table are in the shade of the hour: they differ from the ground. */
 const FALLEN = new Color('#5a4f74');
 const CORE = RINGS.at(-1)!.inner;
 

@@ -42,7 +42,7 @@ interface CloseIn {
   readonly z: number;
 }
 
-/** On the last lap of the first, around those who still drive, as far as all of them stay in the picture. */
+/** On the last lap of the first, around the carts that still drive, as long as all stay in the picture. */
 export function closeIn({ carts }: RaceState, track: Track, halfWidth: number): CloseIn {
   const driving = carts.filter(({ finishedAt }) => finishedAt === undefined);
   const seen = driving.length > 0 ? driving : carts;

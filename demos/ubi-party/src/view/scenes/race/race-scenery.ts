@@ -44,7 +44,7 @@ export class RaceScenery {
     disposeToys(this.root);
   }
 
-  /** Behind the start line: it hides nobody on the grid. */
+  /** Behind the start line: it hides no cart on the grid. */
   #addArch(track: Track): void {
     const at = 3.2;
     const { direction } = placeAt(track, at);
@@ -103,7 +103,7 @@ export class RaceScenery {
     }
   }
 
-  /** Somebody left it at the front right: it tells how large all of this is. */
+  /** A pencil at the front right shows the scale of the scene. */
   #addPencil(track: Track): void {
     const { maxX, minY } = boundsOf(track);
     const pencil = new Group();
