@@ -1,6 +1,7 @@
 import type { TopicRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { PassWatch } from './pass-watch.ts';
+
+import { PassWatch } from './lockstep-client.ts';
 
 const output = (topic: string, pass: number, input = 7): TopicRecord => ({
   topic,
