@@ -23,7 +23,7 @@ class Patience {
     this.#say = say;
   }
 
-  /** Resolves when little else is running, or when there is no patience left. */
+  /** Resolves when little else is running, or after a timeout. */
   async waitForQuiet(): Promise<void> {
     let hasSaid = false;
     while (this.#leftMs > 0) {

@@ -16,7 +16,7 @@ new WebSocket(location.href.replace('http', 'ws')).onmessage = ({ data }) => JSO
 requestAnimationFrame(function frame() { requestAnimationFrame(frame); });
 </script>`;
 
-/** The minimum that shows a press: a page that gets it in one message. */
+/** The minimum that shows a press: a page that gets one message. */
 interface BareScreen extends Part {
   readonly url: string;
   press(seat: number, isDown: boolean): void;

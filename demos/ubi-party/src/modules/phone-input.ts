@@ -4,7 +4,7 @@ import type { PhoneDelay } from './round.ts';
 /** For a phone without a measurement: most connections in a room are faster. */
 export const UNKNOWN_DELAY: PhoneDelay = { leastMs: 0, mostMs: 100 };
 
-/** A time that a phone claims, and the one that counts; both milliseconds since the Unix epoch. */
+/** The time that a phone sent, and the time that counts; both milliseconds since the Unix epoch. */
 export interface JudgedTime {
   readonly claimedMs: number;
   readonly judgedMs: number;
