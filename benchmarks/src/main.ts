@@ -1,14 +1,46 @@
+import { execFileSync } from 'node:child_process';
+import { cpus, loadavg } from 'node:os';
 import { join, relative, resolve } from 'node:path';
+
 import { callerFolder, runProgram } from '@ubii/program';
-import { describeCommit, describeMachine, loadAverage } from './machine.ts';
-import { benchmarkProgram, createOptions } from './options.ts';
-import type { Options, RunOptions } from './options.ts';
-import { compareRuns } from './report/compare-runs.ts';
-import { formatRun } from './report/format-run.ts';
-import { faultsOf, type RunResult } from './report/results.ts';
-import { readRun, writeRun } from './report/results-file.ts';
+
+import { CAN_PLACE } from './cpu-placement.ts';
+import { benchmarkProgram, createOptions, type Options, type RunOptions } from './options.ts';
+import { compareRuns, formatRun } from './report/format-results.ts';
+import { readRun, writeRun, faultsOf, type RunResult } from './report/results.ts';
 import { runWorkloads } from './run.ts';
 import { WORKLOADS } from './workloads/index.ts';
+
+/** Load average of the last minute, two decimals. */
+function loadAverage(): number {
+  return Math.round((loadavg()[0] ?? 0) * 100) / 100;
+}
+
+/** Properties of the machine that influence the figures. */
+function describeMachine(loadBefore: number): RunResult['machine'] {
+  const processors = cpus();
+  return {
+    node: process.versions.node,
+    cores: processors.length,
+    cpu: processors[0]?.model ?? 'unknown',
+    loadAverage: [loadBefore, loadAverage()],
+    isPlaced: CAN_PLACE,
+  };
+}
+
+/** The commit that was measured; `unknown` outside a repository. */
+function describeCommit(): RunResult['commit'] {
+  try {
+    const git = (...args: string[]): string =>
+      execFileSync('git', args, { cwd: import.meta.dirname, encoding: 'utf8' }).trim();
+    return {
+      hash: git('rev-parse', 'HEAD'),
+      isDirty: git('status', '--porcelain', '--untracked-files=no') !== '',
+    };
+  } catch {
+    return { hash: 'unknown', isDirty: false };
+  }
+}
 
 const GROUPS = [...new Set(WORKLOADS.map(({ group }) => group))];
 const RESULTS_DIR = join(import.meta.dirname, '..', 'results');

@@ -1,10 +1,44 @@
+import { setTimeout as sleep } from 'node:timers/promises';
+
 import { BUILT_MASTER } from '@ubii/harness';
+
 import { placeProcesses } from './cpu-placement.ts';
+import { machineCpuUs } from './cpu-time.ts';
+import type { Measurement, Subject, Workload } from './measuring/workload.ts';
 import type { RunOptions } from './options.ts';
 import { SharedParts } from './parts/shared-parts.ts';
-import { Patience } from './quiet-machine.ts';
 import type { WorkloadResult } from './report/results.ts';
-import type { Measurement, Subject, Workload } from './measuring/workload.ts';
+
+const SAMPLE_MS = 300;
+/** Cores that may be in use, by everything on the machine, for it to count as quiet. */
+const QUIET_SHARE = 0.15;
+
+/** Time that may be spent waiting for other processes, for a whole run. */
+class Patience {
+  #leftMs: number;
+  readonly #say: (line: string) => void;
+
+  constructor(forMs: number, say: (line: string) => void) {
+    this.#leftMs = forMs;
+    this.#say = say;
+  }
+
+  /** Resolves when little else is running, or after a timeout. */
+  async waitForQuiet(): Promise<void> {
+    let hasSaid = false;
+    while (this.#leftMs > 0) {
+      const startMs = performance.now();
+      const startUs = machineCpuUs();
+      await sleep(SAMPLE_MS);
+      const tookMs = performance.now() - startMs;
+      const share = (machineCpuUs() - startUs) / 1000 / tookMs;
+      if (share <= QUIET_SHARE) return;
+      this.#leftMs -= tookMs;
+      if (!hasSaid) this.#say(`waiting: other processes use ${share.toFixed(1)} cores`);
+      hasSaid = true;
+    }
+  }
+}
 
 /** Rounds after which everything is started again: two starts of one program differ by some per cent. */
 const ROUNDS_PER_START = 5;
@@ -22,7 +56,7 @@ interface Measured {
 
 /**
  * Measures the workloads, group after group. Every round has one measurement of every subject, so
- * what disturbs the machine for a while disturbs all of them.
+ * a disturbance of the machine affects all.
  *
  * @param say called with one line about each step
  */
@@ -117,7 +151,7 @@ async function measureOrFail(subject: Subject, options: RunOptions): Promise<Mea
   }
 }
 
-/** The subjects, each round beginning with another one: nobody always follows the same neighbour. */
+/** The subjects, each round beginning with another one: no subject always follows the same neighbour. */
 function rotated(subjects: readonly Subject[], round: number): Subject[] {
   const first = round % subjects.length;
   return [...subjects.slice(first), ...subjects.slice(0, first)];

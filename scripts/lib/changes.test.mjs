@@ -10,7 +10,7 @@ test('a file belongs to the folder of its package', () => {
 });
 
 test('a file affects its package and those that depend on it', async () => {
-  const affected = await affectedPackages(['packages/words/src/plural.ts', 'README.md']);
+  const affected = await affectedPackages(['packages/words/src/words.ts', 'README.md']);
   for (const name of ['@ubii/words', '@ubii/master', '@ubii/frontend']) {
     assert.ok(affected.has(name), name);
   }

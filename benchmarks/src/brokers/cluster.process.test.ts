@@ -3,8 +3,7 @@ import { createRecordRing } from '../load/record-ring.ts';
 import { measureSome } from '../measuring/some-deliveries.ts';
 import { measureFanOut } from '../workloads/fan-out.ts';
 import { measureLegs } from '../workloads/round-trip.ts';
-import { startNatsPart, type NatsPart } from './cluster.ts';
-import { startRelays } from './relays.ts';
+import { startNatsPart, startRelays, type NatsPart } from './cluster.ts';
 
 describe('NATS alone', () => {
   let nats: NatsPart;

@@ -1,9 +1,14 @@
+import { fileURLToPath } from 'node:url';
+
 import { MasterProcess, startNats, type NatsServer } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
+
+import { LoadConnection } from '../load/load-connection.ts';
 import { greetNats, NATS } from '../load/nats-wire.ts';
 import { StreamConnection } from '../load/stream-connection.ts';
+import { startBrokerProcess, type BrokerProcess } from './broker-process.ts';
+import { joinMaster } from './brokers.ts';
 import type { Access } from './target.ts';
-import { joinMaster } from './ubii.ts';
 
 /** Masters in the cluster. */
 const MASTERS = 3;
@@ -105,7 +110,7 @@ export function accessToAll(cluster: RunningCluster): Access {
   };
 }
 
-/** Waits until a master knows what others have told so far: all others answer this, after what they told. [CU-29] */
+/** Waits until a master has the messages of all others so far: they answer this call after their earlier messages. [CU-29] */
 async function passOthers(master: MasterProcess): Promise<void> {
   await master.call({ topic: SERVICES.topicList.topic });
 }
@@ -117,4 +122,52 @@ async function waitForOthers(master: MasterProcess): Promise<void> {
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
   throw new Error('The masters of the cluster did not hear each other.');
+}
+
+const RELAY = fileURLToPath(new URL('./relay-broker.mjs', import.meta.url));
+const SUBJECTS = ['relay-1', 'relay-2'] as const;
+
+/** Two relays between WebSocket clients and NATS, each with clients of its own. */
+export interface Relays {
+  /** One for each relay. CPU time is counted for NATS and both. */
+  readonly accesses: readonly Access[];
+  stop(): Promise<void>;
+}
+
+/** Starts two relays, see relay-broker.mjs. @param nats the server that is between them */
+export async function startRelays(
+  nats: { readonly url: string; readonly pids: readonly number[] },
+  profileDir: string | undefined,
+): Promise<Relays> {
+  const relays: BrokerProcess[] = [];
+  const stop = async (): Promise<void> => {
+    await Promise.all(relays.map((relay) => relay.stop()));
+  };
+  try {
+    for (const own of SUBJECTS) {
+      const other = SUBJECTS.find((subject) => subject !== own)!;
+      relays.push(
+        await startBrokerProcess({
+          name: own,
+          args: [RELAY, nats.url.replace(/^\w+:\/\//, ''), own, other],
+          profileDir,
+        }),
+      );
+    }
+  } catch (error) {
+    await stop();
+    throw error;
+  }
+  const pids = [...nats.pids, ...relays.map(({ pid }) => pid)];
+  return { accesses: relays.map((relay) => accessToRelay(relay, pids)), stop };
+}
+
+function accessToRelay({ endpoints }: BrokerProcess, pids: readonly number[]): Access {
+  return {
+    pids,
+    join: async (_, receiver) => {
+      const connection = await LoadConnection.open(String(endpoints['url']), receiver);
+      return { connection, leave: () => connection.close() };
+    },
+  };
 }

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { createRecordRing } from '../load/record-ring.ts';
 import { measureSome } from '../measuring/some-deliveries.ts';
 import { measureFanOut } from '../workloads/fan-out.ts';
-import { PEERS } from './peers.ts';
+import { PEERS } from '../workloads/peers.ts';
 
 const OTHERS = Object.entries(PEERS).filter(([name]) => name !== 'nats');
 

@@ -4,7 +4,7 @@ import { measureSome } from '../measuring/some-deliveries.ts';
 import { measureFanOut } from '../workloads/fan-out.ts';
 import { measurePaced } from '../workloads/paced-pictures.ts';
 import { measureRoundTrip } from '../workloads/round-trip.ts';
-import { startRawWs } from './raw-ws.ts';
+import { startRawWs } from './brokers.ts';
 import type { Broker } from './target.ts';
 
 describe('the raw-ws broker', () => {

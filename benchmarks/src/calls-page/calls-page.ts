@@ -1,4 +1,4 @@
-/** Script of the page: calls modules in the sandboxes of browsers, and a bare worker, when it is told to. */
+/** Script of the page: calls modules in the sandboxes of browsers, and a bare worker, on request. */
 import { createBrowserSandboxes } from '@ubii/pm-sandbox/browser';
 import { CallSeries, type Callee } from '../calls/call-series.ts';
 import { bareCallee, moduleCallee, openModule } from '../calls/module-callee.ts';

@@ -7,7 +7,7 @@ const STALL_MS = 2_000;
 
 /** One thing that can be called, again and again. */
 export interface Callee<Prepared, Answer> {
-  /** Number of the last call; goes on from one measurement to the next. */
+  /** Number of the last call; continues from one measurement to the next. */
   sequence: number;
   /** Makes what call number `sequence` needs; not measured. */
   prepare(sequence: number): Prepared;

@@ -7,7 +7,7 @@ import type { PageWatch } from './page-watch.ts';
 
 /** As of a laptop. */
 const VIEWPORT = { width: 1440, height: 900 };
-/** Between two inputs, milliseconds: a mouse tells a little more often than a screen draws. */
+/** Between two inputs, milliseconds: a mouse reports slightly more often than a screen draws. */
 const INPUT_MS = 12;
 
 /** A point of the page, pixels. */

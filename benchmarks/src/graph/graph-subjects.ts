@@ -1,16 +1,38 @@
+import { createClient } from '@ubii/client-web/node';
 import { MasterProcess } from '@ubii/harness';
-import { startSession } from '../modules/running-session.ts';
-import { writeModuleFolder } from '../modules/trusted-modules.ts';
+
 import type { WorkloadSetting } from '../measuring/workload.ts';
+import { startSession, writeModuleFolder } from '../modules/running-session.ts';
 import {
   startCanvasBrowser,
   type CanvasBrowser,
   type CanvasPage,
   type Point,
 } from './canvas-page.ts';
-import { ADDER, largeSession, type LargeSession } from './large-session.ts';
-import { publishSources } from './publish-sources.ts';
+import { SOURCE_HERTZ, ADDER, largeSession, type LargeSession } from './large-session.ts';
 import { serveBareCanvas, type BareCanvas } from './serve-bare-canvas.ts';
+
+/** Publishes a number to each topic, many times a second, until it is stopped. */
+async function publishSources(
+  url: string,
+  topics: readonly string[],
+): Promise<{ stop(): Promise<void> }> {
+  const client = createClient({ url, name: 'benchmark sources' });
+  await client.connect();
+  let count = 0;
+  const timer = setInterval(() => {
+    count += 1;
+    topics.forEach((topic, index) =>
+      client.publish(topic, 'double', 100 * index + Math.sin(count / 10)),
+    );
+  }, 1000 / SOURCE_HERTZ);
+  return {
+    stop: async () => {
+      clearInterval(timer);
+      await client.close();
+    },
+  };
+}
 
 /** A graph drawn in a page, and where its canvas is. */
 export interface OpenGraph {

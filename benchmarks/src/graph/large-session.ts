@@ -6,7 +6,7 @@ const ROWS = 10;
 const INPUTS = ['a', 'b'] as const;
 /** Distances of nodes, pixels at a zoom of 1. */
 const PITCH = { x: 280, y: 140 };
-/** Frequency of a module, Hz; 200 of them and their sources publish 1000 records a second. */
+/** Frequency of a module, Hz; 200 modules and their sources publish 1000 records a second. */
 const MODULE_HERTZ = 4;
 /** Publishing frequency of each source, Hz. */
 export const SOURCE_HERTZ = 20;
@@ -35,7 +35,7 @@ export interface LargeSession {
 }
 
 /**
- * @param name tells sessions and their topics apart
+ * @param name distinguishes sessions and their topics
  * @param showsTopics what a module puts out has a node of its own
  */
 export function largeSession(name: string, modules: number, showsTopics: boolean): LargeSession {

@@ -1,7 +1,6 @@
 import { randomBytes } from 'node:crypto';
 import { connect, type Socket } from 'node:net';
-import { clientFrame } from './frames.ts';
-import { OPCODE } from './frame-reader.ts';
+import { clientFrame, OPCODE } from './frames.ts';
 
 /**
  * One read buffer for all connections: a chunk is verified before the next read starts, and a warm

@@ -1,5 +1,5 @@
 import { Tape, type RecordRing } from './record-ring.ts';
-import { RestReader } from './rest-reader.ts';
+import { RestReader } from './frames.ts';
 import type { Greeting } from './stream-connection.ts';
 import type { StreamSink, Wire } from './wire.ts';
 

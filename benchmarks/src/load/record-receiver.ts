@@ -1,5 +1,5 @@
 import { decodeTopicData, type EmptyRecord, type TopicRecord } from '@ubii/proto';
-import { FrameReader, OPCODE } from './frame-reader.ts';
+import { FrameReader, OPCODE } from './frames.ts';
 import type { StreamReceiver } from './load-connection.ts';
 
 const TEXT_PING = 'PING';

@@ -1,6 +1,5 @@
 import { encodeRecord } from '@ubii/proto';
-import { OPCODE } from './frame-reader.ts';
-import { clientFrame, serverFrame } from './frames.ts';
+import { OPCODE, clientFrame, serverFrame } from './frames.ts';
 
 const TOPIC_DATA_RECORD_TAG = 0x12;
 const LIST_ELEMENT_TAG = 0x0a;

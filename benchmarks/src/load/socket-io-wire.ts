@@ -1,5 +1,4 @@
-import { FrameReader, OPCODE } from './frame-reader.ts';
-import { clientFrame, serverFrame } from './frames.ts';
+import { FrameReader, OPCODE, clientFrame, serverFrame } from './frames.ts';
 import { LoadConnection, type StreamReceiver } from './load-connection.ts';
 import { Tape, type RecordRing } from './record-ring.ts';
 import type { Wire } from './wire.ts';

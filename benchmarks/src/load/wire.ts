@@ -1,4 +1,4 @@
-import { FrameReader, OPCODE } from './frame-reader.ts';
+import { FrameReader, OPCODE } from './frames.ts';
 import type { RecordRing, Tape } from './record-ring.ts';
 
 /** Takes what is in a stream. The bytes are borrowed. */

@@ -16,7 +16,7 @@ export interface Lap {
 /**
  * Starts the clocks; the returned function stops them.
  *
- * @param measured processes, or what tells them: those that come in between count with all they use
+ * @param measured processes, or a function that returns them: processes that start in between count completely
  */
 export function startLap(measured: readonly number[] | (() => readonly number[])): () => Lap {
   const pidsNow = (): readonly number[] => (typeof measured === 'function' ? measured() : measured);

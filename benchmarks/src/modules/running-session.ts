@@ -1,6 +1,19 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
 import type { MasterProcess } from '@ubii/harness';
-import { SERVICES, SessionState, type Init, type Session } from '@ubii/proto';
+import {
+  SERVICES,
+  SessionState,
+  decode,
+  encode,
+  toJson,
+  type Init,
+  type Session,
+  type ProcessingModule,
+} from '@ubii/proto';
 
 const POLL_MS = 20;
 const MAX_PROBLEMS = 3;
@@ -42,4 +55,23 @@ export async function startSession(
     await sleep(POLL_MS);
   }
   return { id, stop };
+}
+
+/** A folder of modules as an operator vouches for. */
+interface ModuleFolder {
+  readonly path: string;
+  stop(): Promise<void>;
+}
+
+const MODULE = 'ubii.processing.ProcessingModule';
+
+export async function writeModuleFolder(
+  modules: readonly Init<ProcessingModule>[],
+): Promise<ModuleFolder> {
+  const path = await mkdtemp(join(tmpdir(), 'ubii-bench-modules-'));
+  for (const module of modules) {
+    const json = toJson(MODULE, decode(MODULE, encode(MODULE, module)));
+    await writeFile(join(path, `${module.name}.pm`), JSON.stringify(json));
+  }
+  return { path, stop: () => rm(path, { recursive: true, force: true }) };
 }

@@ -18,7 +18,7 @@ export class SharedParts {
     return part as Promise<P>;
   }
 
-  /** Ends all of them, the last one first; those that did not start are over already. */
+  /** Ends all parts, the last one first; parts that did not start have ended already. */
   async stop(): Promise<void> {
     const started = [...this.#parts.values()].reverse();
     this.#parts.clear();

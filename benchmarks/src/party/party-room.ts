@@ -17,7 +17,7 @@ const PLAYERS = 32;
 /** Phones send so often. */
 const SEND_MS = 1000 / 60;
 
-/** A round of King of the Hill on the master, played by 32 clients at 60 Hz, with somebody who watches. */
+/** A round of King of the Hill on the master, played by 32 clients at 60 Hz, with a spectator. */
 export class PartyRoom implements Part {
   readonly #clients: readonly UbiiClient[];
   readonly #session: RunningSession;

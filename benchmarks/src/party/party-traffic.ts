@@ -1,8 +1,7 @@
 import { decode, encodeRecord, type TopicDataRecord } from '@ubii/proto';
 import type { Access, BrokerClient } from '../brokers/target.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
-import { clientFrame } from '../load/frames.ts';
-import { OPCODE } from '../load/frame-reader.ts';
+import { clientFrame, OPCODE } from '../load/frames.ts';
 import type { StreamReceiver } from '../load/load-connection.ts';
 import { createPictureRing, type RecordRing } from '../load/record-ring.ts';
 import { WEB_SOCKET } from '../load/wire.ts';

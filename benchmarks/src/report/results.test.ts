@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Measurement } from '../measuring/workload.ts';
-import { compareRuns } from './compare-runs.ts';
-import { formatRun } from './format-run.ts';
+import { compareRuns, formatRun } from './format-results.ts';
 import { compareWithReference, faultsOf, type RunResult, type WorkloadResult } from './results.ts';
 
 const rounds = (values: readonly number[]): Measurement[] =>

@@ -1,4 +1,4 @@
-/** Script of the page: has pictures detected by a module, and by the library of its detector, when it is told to. */
+/** Script of the page: has pictures detected by a module, and by the library of its detector, on request. */
 import { createBrowserSandboxes } from '@ubii/pm-sandbox/browser';
 import { CallSeries, type Callee } from '../calls/call-series.ts';
 import { percentile } from '../statistics.ts';

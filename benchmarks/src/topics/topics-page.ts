@@ -16,7 +16,7 @@ const TURN_AFTER = 40;
 /** A page with a list of topics that can be scrolled. */
 export interface ListPage {
   readonly page: Page;
-  /** Milliseconds from one frame to the next, while `during` goes on. */
+  /** Milliseconds from one frame to the next, while `during` runs. */
   frames(during: () => Promise<void>): Promise<number[]>;
   /** Scrolls with the wheel, down and up again. */
   scroll(forMs: number): Promise<void>;

@@ -3,22 +3,23 @@ import {
   accessTo,
   accessToAll,
   startCluster,
+  startRelays,
   type NatsPart,
   type RunningCluster,
+  type Relays,
 } from '../brokers/cluster.ts';
-import { startRelays, type Relays } from '../brokers/relays.ts';
 import type { Access } from '../brokers/target.ts';
-import { joinMaster } from '../brokers/ubii.ts';
+import { joinMaster } from '../brokers/brokers.ts';
 import { createPictureRing, createRecordRing, type RecordRing } from '../load/record-ring.ts';
-import type {
-  FigureInfo,
-  Measurement,
-  MeasureOptions,
-  Subject,
-  Workload,
-  WorkloadSetting,
+import {
+  warmed,
+  type FigureInfo,
+  type Measurement,
+  type MeasureOptions,
+  type Subject,
+  type Workload,
+  type WorkloadSetting,
 } from '../measuring/workload.ts';
-import { warmed } from '../measuring/warmed.ts';
 import { measureFanOut } from './fan-out.ts';
 import { measureLegs, type Leg } from './round-trip.ts';
 

@@ -1,8 +1,8 @@
+import { readFileSync } from 'node:fs';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { brokerSubjects } from '../brokers/open-brokers.ts';
-import { startRawWs } from '../brokers/raw-ws.ts';
+
+import { brokerSubjects, startRawWs, startUbii } from '../brokers/brokers.ts';
 import { REFERENCE, type Access, type Broker, type BrokerClient } from '../brokers/target.ts';
-import { startUbii } from '../brokers/ubii.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing } from '../load/record-ring.ts';
 import { startLap } from '../measuring/stopwatch.ts';
@@ -12,7 +12,12 @@ import {
   type MeasureOptions,
   type Workload,
 } from '../measuring/workload.ts';
-import { residentBytes } from '../memory.ts';
+
+/** Memory of a process that is in RAM, bytes (proc(5), VmRSS). */
+function residentBytes(pid: number): number {
+  const status = readFileSync(`/proc/${pid}/status`, 'latin1');
+  return Number(/^VmRSS:\s+(\d+) kB$/m.exec(status)![1]) * 1024;
+}
 
 const UBII = 'ubii-extension';
 /**

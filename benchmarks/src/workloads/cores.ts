@@ -1,7 +1,12 @@
 import { setTimeout as sleep } from 'node:timers/promises';
-import { HAS_HAPROXY, startHaproxy } from '../brokers/haproxy.ts';
-import { startMasterCluster, startOneMaster, type MasterSet } from '../brokers/master-set.ts';
-import { joinMaster } from '../brokers/ubii.ts';
+import {
+  HAS_HAPROXY,
+  startHaproxy,
+  startMasterCluster,
+  startOneMaster,
+  type MasterSet,
+} from '../brokers/master-set.ts';
+import { joinMaster } from '../brokers/brokers.ts';
 import { mainThreadCpuUs, processCpuUs } from '../cpu-time.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { PacedRoom, type Join } from './paced-room.ts';

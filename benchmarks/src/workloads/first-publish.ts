@@ -2,11 +2,10 @@ import { setTimeout as sleep } from 'node:timers/promises';
 import { MasterProcess } from '@ubii/harness';
 import { encodeRecord } from '@ubii/proto';
 import type { BrokerClient, ClientRole } from '../brokers/target.ts';
-import { joinMaster } from '../brokers/ubii.ts';
+import { joinMaster } from '../brokers/brokers.ts';
 import { mainThreadCpuUs } from '../cpu-time.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
-import { OPCODE } from '../load/frame-reader.ts';
-import { clientFrame } from '../load/frames.ts';
+import { OPCODE, clientFrame } from '../load/frames.ts';
 import { createRecordRing } from '../load/record-ring.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import {
@@ -27,7 +26,7 @@ const MEASURED_BATCHES = 1_000;
 const STALL_MS = 2_000;
 const TOPIC_DATA_RECORD_TAG = 0x12;
 
-/** Records of topics that are new, or that were published before, while another client subscribes to patterns that match none of them. */
+/** Records of topics that are new, or that were published before, while another client subscribes to patterns that match none. */
 function amongPatterns(
   name: string,
   title: string,

@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { descendantPids } from '../cpu-time.ts';
-import { startBrowserCpu } from '../browser/browser-cpu.ts';
+import { startBrowserCpu, IN_CHROMIUM } from '../browser/chromium.ts';
 import type { CanvasPage } from '../graph/canvas-page.ts';
 import { GESTURES, zoomIn, type Gesture } from '../graph/gestures.ts';
 import {
@@ -11,7 +11,6 @@ import {
   type OpenGraph,
 } from '../graph/graph-subjects.ts';
 import { percentile } from '../statistics.ts';
-import { IN_CHROMIUM } from '../browser/in-chromium.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type {
   FigureInfo,

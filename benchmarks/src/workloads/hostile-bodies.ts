@@ -1,12 +1,13 @@
+import { Worker } from 'node:worker_threads';
 import { setTimeout as sleep } from 'node:timers/promises';
+
 import { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
+
+import { joinMaster } from '../brokers/brokers.ts';
 import type { Target } from '../brokers/target.ts';
-import { joinMaster } from '../brokers/ubii.ts';
-import { startBodySender } from '../load/body-sender.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
-import { percentile } from '../statistics.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
@@ -14,6 +15,38 @@ import {
   type MeasureOptions,
   type Workload,
 } from '../measuring/workload.ts';
+import { percentile } from '../statistics.ts';
+
+/** One request that is sent all the time. */
+interface SentBody {
+  /** Of the service, as JSON. */
+  readonly url: string;
+  readonly headers: Readonly<Record<string, string>>;
+  readonly body: string;
+}
+
+interface BodySender {
+  /** Ends it after the request under way. @returns how many were sent, and the last answer */
+  stop(): Promise<{ readonly answers: number; readonly last: string }>;
+}
+
+/** Starts a thread that sends it, see body-sender.mjs. */
+function startBodySender(sent: SentBody): BodySender {
+  const worker = new Worker(new URL('../load/body-sender.mjs', import.meta.url), {
+    workerData: sent,
+    execArgv: [],
+  });
+  const result = new Promise<{ answers: number; last: string }>((resolve, reject) => {
+    worker.once('message', resolve);
+    worker.once('error', reject);
+  });
+  return {
+    stop: () => {
+      worker.postMessage('stop');
+      return result;
+    },
+  };
+}
 
 const MIB = 1024 * 1024;
 const RECORD_BYTES = 100;

@@ -5,10 +5,15 @@ import { counted } from '@ubii/words';
 import { echoTopics, LOCKSTEP_MODULE, passTopics } from '../modules/lockstep-module.ts';
 import { startLockstepNode, type LockstepNode } from '../modules/lockstep-node.ts';
 import { buildWorkerFile } from '../modules/node-sandboxes.ts';
-import { PassWatch } from '../modules/pass-watch.ts';
+import {
+  PassWatch,
+  joinAsClient,
+  numberFrame,
+  vectorFrame,
+  type LockstepClient,
+} from './lockstep-client.ts';
 import { startSession } from '../modules/running-session.ts';
 import { median, percentile } from '../statistics.ts';
-import { joinAsClient, numberFrame, vectorFrame, type LockstepClient } from './lockstep-client.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type {
   Measurement,
@@ -29,7 +34,7 @@ const INPUT = 4711;
 const LOOP_SHARE = 1 / 4;
 const UNKNOWN = Number.NaN;
 
-/** Passes over the modules of some nodes, beside the round trip of the slowest of them. */
+/** Passes over the modules of some nodes, beside the round trip of the slowest node. */
 export function lockstep(modules: number, nodes: number): Workload {
   return {
     name: `lockstep-${modules}-on-${nodes}`,

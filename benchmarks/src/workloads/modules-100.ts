@@ -1,14 +1,17 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { MasterProcess } from '@ubii/harness';
 import type { Init, ProcessingModule } from '@ubii/proto';
-import { joinMaster } from '../brokers/ubii.ts';
+import { joinMaster } from '../brokers/brokers.ts';
 import { LoadConnection } from '../load/load-connection.ts';
 import { RecordReceiver } from '../load/record-receiver.ts';
-import { startSession } from '../modules/running-session.ts';
-import { startTickerHost, type TickerHost } from '../modules/ticker-host.ts';
-import { TICKER_HERTZ, TICKER_MODULE } from '../modules/ticker-module.ts';
-import { TickerWatch } from '../modules/ticker-watch.ts';
-import { writeModuleFolder } from '../modules/trusted-modules.ts';
+import { startSession, writeModuleFolder } from '../modules/running-session.ts';
+import {
+  startTickerHost,
+  TICKER_HERTZ,
+  TICKER_MODULE,
+  TickerWatch,
+  type TickerHost,
+} from '../modules/ticker.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 

@@ -1,12 +1,10 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { MasterProcess } from '@ubii/harness';
-import { startBrowserCpu } from '../browser/browser-cpu.ts';
-import { serveBareScreen } from '../party/bare-screen.ts';
+import { startBrowserCpu, IN_CHROMIUM } from '../browser/chromium.ts';
+import { serveBareScreen, startScreenBrowser, type Screen } from '../party/screen-browser.ts';
 import { HostedParty } from '../party/hosted-party.ts';
-import { startScreenBrowser, type Screen } from '../party/screen-browser.ts';
 import type { SeenPress } from '../party/screen-watch.ts';
 import { median, percentile } from '../statistics.ts';
-import { IN_CHROMIUM } from '../browser/in-chromium.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type {
   FigureInfo,
@@ -69,7 +67,7 @@ export const partyScreen: Workload = {
     const bare = await parts.get('bare screen', serveBareScreen);
     const url = `${master.url.replace(/\/$/, '')}/party`;
     const party = await parts.get('party', () => HostedParty.open(master));
-    // The round goes on without a page: the bare page has the same load beside it.
+    // The round continues without a page: the bare page has the same load beside it.
     const first = await browser.open(url, false);
     await party.play();
     await first.close();

@@ -1,5 +1,5 @@
 import { setTimeout as sleep } from 'node:timers/promises';
-import { brokerSubjects } from '../brokers/open-brokers.ts';
+import { brokerSubjects } from '../brokers/brokers.ts';
 import { REFERENCE, type Access } from '../brokers/target.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type { Measurement, MeasureOptions, Workload } from '../measuring/workload.ts';

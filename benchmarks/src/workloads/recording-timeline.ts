@@ -1,13 +1,15 @@
 import { setTimeout as sleep } from 'node:timers/promises';
+
 import { MasterProcess } from '@ubii/harness';
-import { startBrowserCpu } from '../browser/browser-cpu.ts';
-import { IN_CHROMIUM } from '../browser/in-chromium.ts';
+
+import { startBrowserCpu, IN_CHROMIUM } from '../browser/chromium.ts';
 import { descendantPids } from '../cpu-time.ts';
 import {
+  circle,
   startCanvasBrowser,
-  type CanvasBrowser,
   type CanvasPage,
   type Point,
+  type CanvasBrowser,
 } from '../graph/canvas-page.ts';
 import { serveBareCanvas } from '../graph/serve-bare-canvas.ts';
 import { startLap } from '../measuring/stopwatch.ts';
@@ -24,8 +26,73 @@ import {
   writeLongRecording,
   type LongRecording,
 } from '../recordings/long-recording.ts';
-import { TIMELINE_GESTURES, type TimelineGesture } from '../recordings/timeline-gestures.ts';
 import { percentile } from '../statistics.ts';
+
+/** What is done with a timeline while its frames are counted. */
+interface TimelineGesture {
+  readonly key: string;
+  readonly label: string;
+  perform(canvas: CanvasPage, middle: Point, forMs: number): Promise<void>;
+}
+
+const WHEEL_PX = 100;
+const WHEEL_MS = 16;
+/** Turns of the wheel in one direction, before it goes back. */
+const TURNS = 12;
+const SEEK_PX = 250;
+
+/** Turns the wheel in one direction and back. */
+async function wheel({ page }: CanvasPage, forMs: number, isSideways: boolean): Promise<void> {
+  const untilMs = performance.now() + forMs;
+  for (let turn = 0; performance.now() < untilMs || turn % (2 * TURNS) !== TURNS; turn += 1) {
+    const by = turn % (2 * TURNS) < TURNS ? -WHEEL_PX : WHEEL_PX;
+    await Promise.all([
+      page.mouse.wheel(isSideways ? by : 0, isSideways ? 0 : by),
+      sleep(WHEEL_MS),
+    ]);
+  }
+}
+
+/** Each is measured for itself. All but the first are done closer, where tracks are drawn from tiles. */
+const TIMELINE_GESTURES: readonly TimelineGesture[] = [
+  {
+    key: 'zoom',
+    label: 'zoom',
+    async perform(canvas, { x, y }, forMs) {
+      await canvas.page.mouse.move(x, y);
+      await wheel(canvas, forMs, false);
+    },
+  },
+  {
+    key: 'pan',
+    label: 'pan',
+    async perform(canvas, { x, y }, forMs) {
+      await canvas.page.mouse.move(x, y);
+      await wheel(canvas, forMs, true);
+    },
+  },
+  {
+    key: 'seek',
+    label: 'seek by dragging',
+    async perform(canvas, middle, forMs) {
+      const { mouse } = canvas.page;
+      await mouse.move(middle.x, middle.y);
+      await mouse.down();
+      await circle(canvas, middle, SEEK_PX, forMs, () => Promise.resolve());
+      await mouse.move(middle.x + SEEK_PX, middle.y);
+      await mouse.up();
+    },
+  },
+  {
+    key: 'play',
+    label: 'playing',
+    async perform({ page }, _middle, forMs) {
+      await page.keyboard.press('Space');
+      await sleep(forMs);
+      await page.keyboard.press('Space');
+    },
+  },
+];
 
 const REFERENCE = 'bare page';
 const TIMELINE = 'timeline';

@@ -1,7 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { MasterProcess } from '@ubii/harness';
 import { SERVICES } from '@ubii/proto';
-import { joinMaster } from '../brokers/ubii.ts';
+import { joinMaster } from '../brokers/brokers.ts';
 import { mainThreadCpuUs } from '../cpu-time.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { FlowWindow } from '../load/flow-window.ts';

@@ -1,5 +1,5 @@
 import { setTimeout as sleep } from 'node:timers/promises';
-import { brokerSubjects } from '../brokers/open-brokers.ts';
+import { brokerSubjects } from '../brokers/brokers.ts';
 import { REFERENCE, type Access } from '../brokers/target.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';

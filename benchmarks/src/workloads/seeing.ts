@@ -1,11 +1,10 @@
 import { PHOTOS } from '@ubii/vision/testing';
-import { findChromium } from '../browser/chromium.ts';
+import { findChromium, IN_CHROMIUM } from '../browser/chromium.ts';
 import { descendantPids } from '../cpu-time.ts';
 import { accuracyOf, type Accuracy } from '../seeing/accuracy.ts';
 import type { DetectionBackend } from '../seeing/library-messages.ts';
 import { openSeeingBrowser, type SeeingBrowser } from '../seeing/seeing-browser.ts';
 import type { SeeingSubject } from '../seeing/seeing-page.ts';
-import { IN_CHROMIUM } from '../browser/in-chromium.ts';
 import { startLap } from '../measuring/stopwatch.ts';
 import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 

@@ -1,6 +1,63 @@
+import { createClient } from '@ubii/client-web/node';
+import type { UbiiClient } from '@ubii/client-web';
+
+import type { Part } from '../parts/shared-parts.ts';
 import { listPageWorkload } from '../topics/list-page-workload.ts';
-import { publishManyTopics, TOPICS, UPDATES_HZ } from '../topics/many-topics.ts';
 import type { ListPage } from '../topics/topics-page.ts';
+
+const TOPICS = 10_000;
+const UPDATES_HZ = 5_000;
+const CLIENTS = 20;
+/** Published together: as often as a pointer moves. */
+const TICK_MS = 16;
+
+/** Publishers of many topics. */
+interface ManyTopics extends Part {
+  /** Records published so far. */
+  readonly published: number;
+}
+
+/** Ten levels of names do not matter, many names do: `/<client>/sensor-7/value-3`. */
+function topicsOf(client: UbiiClient): string[] {
+  const count = TOPICS / CLIENTS;
+  return Array.from(
+    { length: count },
+    (_, index) => `/${client.id}/sensor-${Math.floor(index / 10)}/value-${index % 10}`,
+  );
+}
+
+/** Publishes a number on each topic once, and from then on in turn, at a steady rate, until stopped. */
+async function publishManyTopics(url: string): Promise<ManyTopics> {
+  const publishers = await Promise.all(
+    Array.from({ length: CLIENTS }, async (_, index) => {
+      const client = createClient({ url, name: `benchmark sensors ${index + 1}` });
+      await client.connect();
+      return { client, topics: topicsOf(client) };
+    }),
+  );
+  let published = 0;
+  const publish = (): void => {
+    const { client, topics } = publishers[published % CLIENTS]!;
+    const topic = topics[Math.floor(published / CLIENTS) % topics.length]!;
+    client.publish(topic, 'double', Math.sin(published / 1000) * 100);
+    published += 1;
+  };
+  while (published < TOPICS) publish();
+  const startedMs = performance.now();
+  const timer = setInterval(() => {
+    const due = ((performance.now() - startedMs) / 1000) * UPDATES_HZ;
+    while (published - TOPICS < due) publish();
+  }, TICK_MS);
+  return {
+    get published() {
+      return published;
+    },
+    stop: async () => {
+      clearInterval(timer);
+      await Promise.all(publishers.map(({ client }) => client.close()));
+    },
+  };
+}
 
 const OPEN_TIMEOUT_MS = 60_000;
 

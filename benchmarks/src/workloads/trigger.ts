@@ -1,16 +1,73 @@
+import type { EmptyRecord, TopicRecord, Init, ProcessingModule } from '@ubii/proto';
 import { MasterProcess } from '@ubii/harness';
-import type { Init, ProcessingModule } from '@ubii/proto';
-import { joinMaster } from '../brokers/ubii.ts';
-import { openEcho } from '../calls/echo-callee.ts';
+
+import { joinMaster } from '../brokers/brokers.ts';
+import type { BrokerClient, ClientRole } from '../brokers/target.ts';
+import type { Callee } from '../calls/call-series.ts';
 import { measureCalls, warmUp } from '../calls/measure-calls.ts';
 import { bareCallee } from '../calls/module-callee.ts';
 import { RECORD_PAYLOAD } from '../calls/payload.ts';
-import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
-import { startBareWorker } from '../modules/bare-worker.ts';
-import { ECHO_MODULE } from '../modules/echo-module.ts';
-import { startSession } from '../modules/running-session.ts';
-import { writeModuleFolder } from '../modules/trusted-modules.ts';
+import type { StreamReceiver } from '../load/load-connection.ts';
+import { RecordReceiver } from '../load/record-receiver.ts';
+import { RING_RECORDS, createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import type { Measurement, Subject, Workload } from '../measuring/workload.ts';
+import { startBareWorker } from '../modules/node-sandboxes.ts';
+import { startSession, writeModuleFolder } from '../modules/running-session.ts';
+
+type Echo = TopicRecord | EmptyRecord;
+
+/**
+ * One client that publishes the records of a ring one by one, and waits for each to come back on
+ * `answerTopic`.
+ */
+async function openEcho(
+  join: (role: ClientRole, receiver: StreamReceiver) => Promise<BrokerClient>,
+  ring: RecordRing,
+  answerTopic: string,
+): Promise<Callee<Buffer, Echo[]>> {
+  const receiver = new RecordReceiver();
+  let settle: { resolve(records: Echo[]): void; reject(reason: Error): void } | undefined;
+  let arrived: Echo[] = [];
+  // The clock is read when the frame is there; it is read itself and checked after that.
+  receiver.onFrame = () => {
+    arrived = [];
+    settle?.resolve(arrived);
+    settle = undefined;
+  };
+  receiver.onRecord = (record) => arrived.push(record);
+  receiver.onEnd = (reason) => settle?.reject(new Error(reason));
+  const { connection } = await join({ publishes: true, topics: [answerTopic] }, receiver);
+  return {
+    sequence: 0,
+    prepare: (sequence) => ring.published.slice(sequence, 1),
+    call: (frame) =>
+      new Promise((resolve, reject) => {
+        settle = { resolve, reject };
+        connection.send(frame);
+      }),
+    isRight: (records, sequence) =>
+      records.length === 1 && isRecordOf(records[0]!, answerTopic, sequence),
+    abandon: (reason) => settle?.reject(reason),
+    takeFaults: () => receiver.faults.splice(0),
+  };
+}
+
+/** See `createRecordRing`. */
+function isRecordOf({ topic, value }: Echo, answerTopic: string, sequence: number): boolean {
+  const number = sequence % RING_RECORDS;
+  const { x, y, z } = value as { x: number; y: number; z: number };
+  return topic === answerTopic && x === number && y === Math.sin(number) && z === Math.cos(number);
+}
+
+/** A module that puts out the vector that came in, as soon as it came. */
+const ECHO_MODULE = {
+  name: 'benchmark-echo',
+  onProcessingStringified:
+    '(deltaTime, inputs) => ({ outputs: { out: { vector3: inputs.in.vector3 } } })',
+  inputs: [{ internalName: 'in', messageFormat: 'vector3' }],
+  outputs: [{ internalName: 'out', messageFormat: 'vector3' }],
+  processingMode: { triggerOnInput: { minDelayMs: 0, allInputsNeedUpdate: false } },
+} satisfies Init<ProcessingModule>;
 
 const RECORD_BYTES = 100;
 const PLAIN = 'plain';

@@ -6,8 +6,8 @@ import { promisify } from 'node:util';
 import { decodeRecord, encodeRecord, type RecordInit } from '@ubii/proto';
 import { RecordingReader, RecordingWriter, repairRecording } from '@ubii/recording';
 import { xdfOf } from '@ubii/recording/export';
-import { headerXml } from '../../../packages/recording/src/export/xdf/stream-xml.ts';
 import {
+  headerXml,
   clockOffset,
   fileHeader,
   samples,

@@ -1,7 +1,4 @@
-export { announceMaster } from './announce-master.ts';
-export type { AnnouncedMaster, AnnounceOptions } from './announce-master.ts';
+export { announceMaster, type AnnouncedMaster, type AnnounceOptions } from './announce-master.ts';
 export type { Announcement } from './announcement.ts';
-export { findMasters } from './find-masters.ts';
-export type { FindOptions, FoundMaster } from './find-masters.ts';
-export type { MulticastOptions } from './open-responder.ts';
-export { ownAddresses } from './own-addresses.ts';
+export { findMasters, type FindOptions, type FoundMaster } from './find-masters.ts';
+export { ownAddresses, type MulticastOptions } from './open-responder.ts';

@@ -1,19 +1,18 @@
 export * from './master/built-programs.ts';
-export type { MasterStart } from './master/command-line.ts';
-export type { MasterEndpoints } from './master/endpoints.ts';
-export { MasterProcess } from './master/master-process.ts';
+export { cpuProfileFlags, type MasterStart } from './master/command-line.ts';
+export { MasterProcess, isFailure, type MasterEndpoints } from './master/master-process.ts';
 export { readMetrics } from './master/service-call.ts';
 export * from './mqtt/start-mosquitto.ts';
 export * from './nats/start-nats.ts';
-export * from './network/cuttable-port.ts';
-export * from './network/dial-loopback.ts';
+export * from './network/ports.ts';
 export * from './network/flaky-network.ts';
-export * from './network/free-port.ts';
 export * from './outsider/outsider.ts';
-export { cpuProfileFlags } from './process/cpu-profile.ts';
-export { describeEnd } from './process/describe-end.ts';
-export { findProgram } from './process/find-program.ts';
-export { isFailure } from './process/is-failure.ts';
+export {
+  describeEnd,
+  findProgram,
+  ServerProcess,
+  StartRefused,
+  endProgram,
+  type ServerCommand,
+} from './process/server-process.ts';
 export * from './process/process-figures.ts';
-export { ServerProcess, StartRefused, type ServerCommand } from './process/server-process.ts';
-export { endProgram } from './process/when-ended.ts';

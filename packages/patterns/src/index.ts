@@ -1,7 +1,11 @@
 export { compileGlob } from './glob.ts';
-export { DEFAULT_PATTERN_LIMITS, type PatternLimits } from './limits.ts';
 export { MeteredPatterns, type MeterOptions } from './metered-patterns.ts';
-export type { CompiledPattern, PatternCompiler } from './pattern-compiler.ts';
+export {
+  DEFAULT_PATTERN_LIMITS,
+  type CompiledPattern,
+  type PatternCompiler,
+  type PatternLimits,
+} from './pattern-compiler.ts';
 export {
   compilerOf,
   lazyPatterns,

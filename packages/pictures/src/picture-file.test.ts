@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { readPictureFile } from './picture-file.ts';
-import { MAX_CHOSEN_PIXELS, MAX_PIXELS } from './size-limits.ts';
+import { MAX_CHOSEN_PIXELS, MAX_PIXELS } from './picture-head.ts';
 import {
   jpegFile,
   jpegFrame,

@@ -1,8 +1,11 @@
 import { readJpegHead } from './jpeg-head.ts';
-import { pictureFormatOf, type PictureFileFormat } from './picture-format.ts';
-import type { PictureHead } from './picture-head.ts';
+import {
+  pictureFormatOf,
+  checkSize,
+  type PictureFileFormat,
+  type PictureHead,
+} from './picture-head.ts';
 import { readPngHead } from './png-head.ts';
-import { checkSize } from './size-limits.ts';
 import { readWebpHead } from './webp-head.ts';
 
 /** A still picture whose size a decoder may allocate. */

@@ -1,5 +1,4 @@
-import { damaged, unsupported } from './file-errors.ts';
-import type { PictureHead } from './picture-head.ts';
+import { damaged, unsupported, type PictureHead } from './picture-head.ts';
 
 /** RFC 2083, 3.1. */
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];

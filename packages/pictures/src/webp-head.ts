@@ -1,5 +1,4 @@
-import { damaged, unsupported } from './file-errors.ts';
-import type { PictureHead } from './picture-head.ts';
+import { damaged, unsupported, type PictureHead } from './picture-head.ts';
 
 interface Size {
   readonly width: number;

@@ -1,9 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { ConfigError } from './config-error.ts';
-import { formatHelp } from './format-help.ts';
-import { option } from './option.ts';
-import type { ProgramOptions } from './option.ts';
-import { parseSwitch, parseWholeNumber } from './parse-values.ts';
+import { ConfigError, option, type ProgramOptions } from './option.ts';
+import { formatHelp } from './run-program.ts';
+import { parseSwitch, parseWholeNumber } from './kinds-of-options.ts';
 import { readOptions } from './read-options.ts';
 
 const options = {

@@ -1,9 +1,147 @@
-import { ConfigError } from './config-error.ts';
-import type { Given, GivenOptions } from './read-flags.ts';
-import { environmentName, flagName } from './option.ts';
-import type { Option, OptionTable, OptionValues, ProgramOptions } from './option.ts';
-import { readConfigFile } from './read-config-file.ts';
-import { readFlags, refuseWords } from './read-flags.ts';
+import { parseArgs } from 'node:util';
+import { readFileSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
+
+import {
+  ConfigError,
+  flagName,
+  environmentName,
+  type Option,
+  type OptionTable,
+  type OptionValues,
+  type ProgramOptions,
+} from './option.ts';
+
+/** The text of an option that is set, its place, and the base folder of relative paths. */
+interface Given {
+  readonly text: string;
+  /** Such as `on the command line`. */
+  readonly place: string;
+  readonly baseDir: string;
+}
+
+/** Options that are set, by name. */
+type GivenOptions = ReadonlyMap<string, Given>;
+
+/** Values that may follow a switch, which is "on" without one. */
+const SWITCH = /^(on|off|true|false|yes|no|1|0)$/i;
+const SEE_HELP = 'Use --help to list all flags.';
+
+/** A command line, taken apart. */
+interface ReadFlags {
+  readonly flags: GivenOptions;
+  /** Arguments that are no flags. */
+  readonly words: readonly string[];
+}
+
+/** @throws ConfigError for an unknown flag, and for a flag without its value */
+function readFlags(options: OptionTable, args: readonly string[], cwd: string): ReadFlags {
+  const names = new Map(Object.keys(options).map((name) => [flagName(name), name]));
+  const { tokens } = parseArgs({
+    args: [...args],
+    options: Object.fromEntries(
+      [...names].map(([flag, name]) => [flag.slice(2), { type: typeOf(options[name]!) }]),
+    ),
+    // Its own errors do not say what to do.
+    strict: false,
+    allowPositionals: true,
+    tokens: true,
+  });
+  const flags = new Map<string, Given>();
+  const words: string[] = [];
+  for (let index = 0; index < tokens.length; index += 1) {
+    const token = tokens[index]!;
+    if (token.kind === 'positional') words.push(token.value);
+    if (token.kind !== 'option') continue;
+    const name = names.get(token.rawName);
+    if (name === undefined) {
+      throw new ConfigError(`Unknown flag ${args[token.index]!.split('=', 1)[0]}. ${SEE_HELP}`);
+    }
+    let text = token.value;
+    if (text === undefined && typeOf(options[name]!) === 'boolean') {
+      const next = tokens[index + 1];
+      const isValue =
+        options[name]!.placeholder !== undefined &&
+        next?.kind === 'positional' &&
+        SWITCH.test(next.value);
+      text = isValue ? next.value : 'true';
+      if (isValue) index += 1;
+    }
+    if (text === undefined || (text.startsWith('--') && !token.inlineValue)) {
+      const { placeholder, description } = options[name]!;
+      const flag = token.rawName;
+      throw new ConfigError(
+        `The flag ${flag} needs a value: ${flag} ${placeholder}. ${description}`,
+      );
+    }
+    flags.set(name, { text, place: 'on the command line', baseDir: cwd });
+  }
+  return { flags, words };
+}
+
+/** @throws ConfigError when there are words */
+function refuseWords([word]: readonly string[]): void {
+  if (word !== undefined) throw new ConfigError(`Unexpected argument "${word}". ${SEE_HELP}`);
+}
+
+function typeOf({ placeholder }: Option<unknown>): 'boolean' | 'string' {
+  return placeholder === undefined || placeholder.startsWith('[') ? 'boolean' : 'string';
+}
+
+/**
+ * Reads options from a file with one JSON object.
+ *
+ * @param file its path
+ * @param place of the option that names the file
+ * @param fileOption name of that option
+ * @param names of all options
+ * @throws ConfigError for a file that cannot be read, and for an unknown key
+ */
+function readConfigFile(
+  file: string,
+  place: string,
+  fileOption: string,
+  names: readonly string[],
+): GivenOptions {
+  const given = new Map<string, Given>();
+  for (const [key, value] of Object.entries(readObject(file, place, flagName(fileOption)))) {
+    if (key === fileOption || !names.includes(key)) {
+      throw new ConfigError(
+        `The config file ${file} has the key "${key}", which is not an option. Use --help to list all options.`,
+      );
+    }
+    if (value === null) continue;
+    if (typeof value === 'object' && !Array.isArray(value)) {
+      throw new ConfigError(
+        `The key "${key}" in the config file ${file} must be a text, a number, true, false or a list, but is an object.`,
+      );
+    }
+    given.set(key, {
+      text: Array.isArray(value) ? value.join(',') : String(value),
+      place: `in the config file ${file}`,
+      baseDir: dirname(resolve(file)),
+    });
+  }
+  return given;
+}
+
+function readObject(file: string, place: string, flag: string): object {
+  let content: unknown;
+  try {
+    content = JSON.parse(readFileSync(file, 'utf8'));
+  } catch (error) {
+    const reason = (error as Error).message.replace(/\.$/, '');
+    throw new ConfigError(
+      `The file given by ${flag} (${place}), ${file}, must be readable and contain JSON: ${reason}. Correct the file or remove ${flag}.`,
+    );
+  }
+  if (typeof content !== 'object' || content === null || Array.isArray(content)) {
+    throw new ConfigError(
+      `The config file ${file} must contain one JSON object, such as { "port": 9000 }.`,
+    );
+  }
+  return content;
+}
 
 /** Environment variables, such as `process.env`. */
 export type Environment = Readonly<Record<string, string | undefined>>;

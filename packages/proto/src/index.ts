@@ -13,8 +13,7 @@ export {
 } from './descriptor.ts';
 export { findJsonProblems, fromJson, type JsonProblem } from './json/from-json.ts';
 export { JsonScan, type JsonScanExcess, type JsonScanLimits } from './json/json-scan.ts';
-export { toJson } from './json/to-json.ts';
-export type { JsonObject, JsonValue } from './json/json-value.ts';
+export { toJson, type JsonObject, type JsonValue } from './json/to-json.ts';
 export type { DataFormat, DataFormatValues } from './data-formats/data-format-values.ts';
 export {
   DATA_FORMATS,
@@ -24,7 +23,7 @@ export {
   type DataFormatInfo,
 } from './data-formats/data-formats.ts';
 export { parseDataFormat } from './data-formats/parse-data-format.ts';
-export { isCompressedImage } from './data-formats/validate-image.ts';
+export { isCompressedImage } from './data-formats/validate-value.ts';
 export {
   decodeRecord,
   decodeTopicData,

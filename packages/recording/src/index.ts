@@ -1,4 +1,8 @@
-export type { RecordedRecord } from './records/recorded-record.ts';
+export {
+  describeRecord,
+  type RecordedRecord,
+  type RecordDescription,
+} from './records/recorded-record.ts';
 export {
   EVENT_TOPICS,
   type ClientClock,
@@ -12,11 +16,14 @@ export {
   type RecordedSession,
   type RecordingEvent,
 } from './records/recording-event.ts';
-export type { AttachedFile, ForeignParts } from './records/foreign-part.ts';
+export type {
+  AttachedFile,
+  ForeignParts,
+  RecordedTopic,
+  RecordingSummary,
+} from './records/recording-summary.ts';
 export type { RecordingHeader, RecordingKind } from './records/recording-header.ts';
-export type { RecordedTopic, RecordingSummary } from './records/recording-summary.ts';
 export { RecordingError } from './records/recording-error.ts';
-export { describeRecord, type RecordDescription } from './records/describe-record.ts';
 export type { RecordingFile, RecordingSink, RecordingSource } from './storage/recording-storage.ts';
 export { RecordingWriter, type WriterStatistics } from './writing/recording-writer.ts';
 export {
@@ -27,15 +34,23 @@ export {
   type RecordsReader,
 } from './reading/recording-reader.ts';
 export type { MalformedEvents } from './reading/recorded-events.ts';
-export { devicesInSpan, isRecordedDevice } from './reading/devices-in-span.ts';
-export { devicesByTopic, topicsOfProfile } from './reading/recorded-components.ts';
+export {
+  devicesInSpan,
+  isRecordedDevice,
+  devicesByTopic,
+  topicsOfProfile,
+} from './reading/recorded-devices.ts';
 export {
   OutlineReader,
   type RecordingOutline,
   type TopicOutline,
 } from './reading/outline-reader.ts';
-export { changeRecording, type RecordingChange } from './repair/change-recording.ts';
-export { repairRecording, type Repair } from './repair/repair-recording.ts';
+export {
+  changeRecording,
+  repairRecording,
+  type RecordingChange,
+  type Repair,
+} from './repair/repair-recording.ts';
 export {
   Playback,
   type PlaybackOptions,

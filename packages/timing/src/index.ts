@@ -1,4 +1,9 @@
-export type { Cancel, Clock, PreciseClock } from './clock.ts';
-export { EndOfTurn, type TurnTask } from './end-of-turn.ts';
+export {
+  within,
+  EndOfTurn,
+  type Cancel,
+  type Clock,
+  type PreciseClock,
+  type TurnTask,
+} from './clock.ts';
 export { TokenBucket } from './token-bucket.ts';
-export { within } from './within.ts';

@@ -3,12 +3,10 @@ export * from './tensorflow/choose-backend.ts';
 export * from './tensorflow/create-tensorflow.ts';
 export type { Files } from './tensorflow/memory-platform.ts';
 export * from './image-tools/convert-picture.ts';
-export * from './image-tools/crop-picture.ts';
-export * from './image-tools/histogram.ts';
-export * from './image-tools/motion-energy.ts';
-export * from './image-tools/scale-picture.ts';
+export { cropPicture, scalePicture, type Rectangle } from './image-tools/crop-and-scale.ts';
+export * from './image-tools/measure-picture.ts';
 export { ModelChoice } from './model-choice.ts';
-export type { ModelSource, ModelSources } from './model-choice.ts';
+export type { ModelSource, ModelSources } from './model-sources.ts';
 export * from './picture.ts';
 export * from './detection/boxes.ts';
 export { CENTER_NET_MODEL, createCenterNet } from './detection/center-net.ts';
@@ -19,13 +17,16 @@ export * from './detection/detector-choice.ts';
 export * from './detection/detector-names.ts';
 export * from './pose/body-keypoints.ts';
 export * from './pose/body-pose.ts';
-export * from './pose/smooth-pose.ts';
 export * from './pose/hand-keypoints.ts';
 export * from './pose/hand-pose.ts';
-export * from './decoding/decode-picture.ts';
-export * from './messages/object2d-list.ts';
-export { OPENCV_WASM_FILE, OpenCvError, sharedOpenCv } from './opencv/open-cv-runtime.ts';
-export type { OpenCvRuntime } from './opencv/open-cv-runtime.ts';
+export { decodePicture, readImage2D } from './decoding/decode-picture.ts';
+export * from './messages/detection-messages.ts';
+export {
+  OPENCV_WASM_FILE,
+  OpenCvError,
+  sharedOpenCv,
+  type OpenCvRuntime,
+} from './opencv/open-cv-runtime.ts';
 export type { OpenCvFactory } from './opencv/open-cv.ts';
 export * from './markers/camera-calibration.ts';
 export * from './markers/camera-calibrator.ts';
@@ -34,4 +35,3 @@ export * from './markers/charuco-board.ts';
 export * from './markers/dictionaries.ts';
 export * from './markers/marker-tracker.ts';
 export type { MarkerPose, PixelPoint } from './markers/marker-pose.ts';
-export * from './messages/marker-lists.ts';

@@ -1,54 +1,16 @@
+import { NEXT_BACKEND, replacementOf, sentence, suspicionOf } from './backend-replacement.ts';
 import {
-  NEXT_BACKEND,
-  type PreviousFault,
-  replacementOf,
-  sentence,
-  suspicionOf,
-} from './backend-replacement.ts';
-import { BACKEND_CHOICES, type BackendName } from './tensorflow/backend-names.ts';
-import {
-  sharedTensorflow,
-  type Tensorflow,
-  type WantedBackend,
-} from './tensorflow/create-tensorflow.ts';
-import type { Files } from './tensorflow/memory-platform.ts';
+  namesOf,
+  readRequest,
+  tensorflowOf,
+  type ModelRequest,
+  type ModelSources,
+} from './model-sources.ts';
+import type { BackendName } from './tensorflow/backend-names.ts';
+import type { Tensorflow } from './tensorflow/create-tensorflow.ts';
 
 /** Interval of requests for missing files of a model, milliseconds. */
 const RETRY_MS = 5_000;
-
-/** A model that can be chosen. */
-export interface ModelSource<Model extends { dispose(): void }> {
-  readonly title: string;
-  /** Loads files that are not there from the start. Rejects with an error whose `code` is `missing` when they are not installed. */
-  load(): Files | Promise<Files>;
-  create(tensorflow: Tensorflow, files: Files): Promise<Model>;
-}
-
-/** Dependencies of a choice of models. */
-export interface ModelSources<Name extends string, Model extends { dispose(): void }> {
-  /** For `createTensorflow`. */
-  readonly tensorflow: Files;
-  /** By name; the first one is the default and replaces others. */
-  readonly models: Readonly<Record<Name, ModelSource<Model>>>;
-  /**
-   * What ended the instance before this one, when it was restarted. A backend of the graphics card that takes longer for a
-   * picture than a call may last would otherwise be tried again and again.
-   */
-  readonly previousFault?: PreviousFault | undefined;
-  /** Told of each model and backend in use, one sentence. */
-  onChange?(text: string): void;
-  /** Milliseconds of a steady clock; default `performance.now`. */
-  now?(): number;
-  /** Default: the TensorFlow.js that the worker shares. */
-  createTensorflow?(files: Files, backend: WantedBackend): Promise<Tensorflow>;
-}
-
-interface Wish<Name> {
-  readonly model: Name;
-  readonly backend: BackendName | 'auto';
-  /** Why it is not what the caller asked for; empty when it is. */
-  readonly problem: string;
-}
 
 interface Loaded<Name, Model> {
   readonly name: Name;
@@ -58,7 +20,7 @@ interface Loaded<Name, Model> {
 
 /**
  * One model and one backend out of several, which can be changed while it computes: the model in use
- * goes on until the next one is loaded. What cannot be had is replaced, and `problem` says why.
+ * stays until the next one is loaded. What is not available is replaced, and `problem` says why.
  */
 export class ModelChoice<Name extends string, Model extends { dispose(): void }> {
   readonly #sources: ModelSources<Name, Model>;
@@ -66,7 +28,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
   #inUse: Loaded<Name, Model>;
   /** The latest request of the caller. */
   #asked: string;
-  #wish: Wish<Name>;
+  #request: ModelRequest<Name>;
   #problem = '';
   /** Why backends failed while they computed, as in `backendFault`. */
   readonly #failures = new Map<BackendName, string>();
@@ -97,13 +59,13 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     this.#names = namesOf(sources);
     this.#inUse = inUse;
     this.#asked = `${inUse.name} auto`;
-    this.#wish = { model: inUse.name, backend: 'auto', problem: '' };
+    this.#request = { model: inUse.name, backend: 'auto', problem: '' };
     this.#suspicion = suspicionOf(sources.previousFault);
     if (this.#suspicion !== undefined && inUse.tensorflow.isProvisional) {
       this.#isUnmeasured = false;
       this.#failures.set('webgl', replacementOf('auto', this.backend, this.#suspicion)!.fault);
     }
-    this.#tell();
+    this.#report();
   }
 
   get name(): Name {
@@ -143,7 +105,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     const asked = `${model} ${backend}`;
     if (asked !== this.#asked) {
       this.#asked = asked;
-      this.#wish = this.#withoutSuspects(this.#readWish(model, backend));
+      this.#request = this.#withoutSuspects(readRequest(this.#sources, this.name, model, backend));
       this.#isUnmeasured = false;
     } else if (this.#now() < this.#retryAtMs) return;
     this.#retryAtMs = Infinity;
@@ -184,15 +146,15 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
   }
 
   /** The first choice of a restarted instance is that of before, and not that of a person who tries again. */
-  #withoutSuspects(wish: Wish<Name>): Wish<Name> {
+  #withoutSuspects(request: ModelRequest<Name>): ModelRequest<Name> {
     const suspicion = this.#suspicion;
     this.#suspicion = undefined;
-    if (suspicion === undefined) return wish;
+    if (suspicion === undefined) return request;
     this.#failures.clear();
-    const replacement = replacementOf(wish.backend, this.backend, suspicion);
-    if (replacement === undefined) return wish;
+    const replacement = replacementOf(request.backend, this.backend, suspicion);
+    if (replacement === undefined) return request;
     this.#failures.set('webgl', replacement.fault);
-    return { ...wish, ...replacement, problem: wish.problem || replacement.problem };
+    return { ...request, ...replacement, problem: request.problem || replacement.problem };
   }
 
   async #fallBack(backend: BackendName, next: BackendName, error: unknown): Promise<void> {
@@ -200,26 +162,26 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     this.#isUnmeasured = false;
     const problem = `The backend ${backend} failed: ${reason} ${next} is used instead.`;
     this.#failures.set(backend, `${backend} failed during use: ${reason} ${next} replaces it.`);
-    this.#wish = { ...this.#wish, backend: next, problem };
+    this.#request = { ...this.#request, backend: next, problem };
     await this.#follow();
     // Nothing replaces it: it must not be asked again and again.
     if (this.backend === backend) throw error;
   }
 
-  /** Loads one after the other what is wished, until that is in use. */
+  /** Loads one after the other the requests until the newest one is in use. */
   #follow(): Promise<void> {
     this.#following ??= (async () => {
-      for (let wish: Wish<Name> | undefined; wish !== this.#wish;) {
-        wish = this.#wish;
-        const problems = await this.#apply(wish);
-        this.#problem = [wish.problem, ...problems].filter(Boolean).join(' ');
+      for (let request: ModelRequest<Name> | undefined; request !== this.#request;) {
+        request = this.#request;
+        const problems = await this.#apply(request);
+        this.#problem = [request.problem, ...problems].filter(Boolean).join(' ');
       }
     })().finally(() => (this.#following = undefined));
     return this.#following;
   }
 
   /** @returns what did not work */
-  async #apply({ model, backend }: Wish<Name>): Promise<string[]> {
+  async #apply({ model, backend }: ModelRequest<Name>): Promise<string[]> {
     const problems: string[] = [];
     let tensorflow: Tensorflow;
     try {
@@ -251,7 +213,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     if (this.#isDisposed) return model.dispose();
     this.#inUse = { name, model, tensorflow };
     this.#failures.delete(tensorflow.backend);
-    this.#tell();
+    this.#report();
     // After a task under way. A backend that is lost took the memory of its models along.
     await before.tensorflow
       .run(() => before.model.dispose())
@@ -271,28 +233,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     return `The model of ${title} is not installed. Download it on the page of this module, or with "npm run models -- get ${name}" on the computer of the master. Until then, ${substitute} detects.`;
   }
 
-  /** Names that are unknown are a problem, and leave things as they are. */
-  #readWish(model: string, backend: string): Wish<Name> {
-    const { models } = this.#sources;
-    const problems: string[] = [];
-    const isModel = Object.hasOwn(models, model);
-    if (!isModel) {
-      problems.push(
-        `There is no detector "${model}". There are ${this.#names.join(' and ')}. ${models[this.name].title} detects.`,
-      );
-    }
-    const isBackend = (BACKEND_CHOICES as readonly string[]).includes(backend);
-    if (!isBackend) {
-      problems.push(`There is no backend "${backend}". There are ${BACKEND_CHOICES.join(', ')}.`);
-    }
-    return {
-      model: isModel ? (model as Name) : this.name,
-      backend: isBackend ? (backend as Wish<Name>['backend']) : 'auto',
-      problem: problems.join(' '),
-    };
-  }
-
-  #tell(): void {
+  #report(): void {
     const { name, tensorflow } = this.#inUse;
     const { title } = this.#sources.models[name];
     this.#sources.onChange?.(`${title} uses ${tensorflow.backend}. ${tensorflow.reason}`);
@@ -301,19 +242,6 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
   #now(): number {
     return this.#sources.now?.() ?? performance.now();
   }
-}
-
-function namesOf<Name extends string>(sources: {
-  readonly models: Readonly<Record<Name, unknown>>;
-}): readonly Name[] {
-  return Object.keys(sources.models) as Name[];
-}
-
-function tensorflowOf<Name extends string, Model extends { dispose(): void }>(
-  { tensorflow, createTensorflow = sharedTensorflow }: ModelSources<Name, Model>,
-  backend: WantedBackend,
-): Promise<Tensorflow> {
-  return createTensorflow(tensorflow, backend);
 }
 
 function messageOf(error: unknown): string {

@@ -1,5 +1,5 @@
 import { convertPicture } from './image-tools/convert-picture.ts';
-import { scalePicture } from './image-tools/scale-picture.ts';
+import { scalePicture } from './image-tools/crop-and-scale.ts';
 import { checkPicture, type Picture } from './picture.ts';
 
 /** Input of a model: the picture at the top left, the rest black. */

@@ -1,6 +1,5 @@
 import { blackSquares, boardMarkers, type CharucoBoard } from '../src/markers/charuco-board.ts';
-import { markerDictionary } from '../src/markers/dictionaries.ts';
-import { markerCells } from '../src/markers/marker-cells.ts';
+import { markerDictionary, markerCells } from '../src/markers/dictionaries.ts';
 
 /** Brightness of a board by place, metres from its centre, x right, y up; undefined beside it. */
 export function boardBrightness(board: CharucoBoard): (x: number, y: number) => number | undefined {

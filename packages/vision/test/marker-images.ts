@@ -1,8 +1,7 @@
 import { encode } from 'jpeg-js';
 import { assumedCalibration, type CameraCalibration } from '../src/markers/camera-calibration.ts';
 import type { Picture } from '../src/picture.ts';
-import { markerDictionary } from '../src/markers/dictionaries.ts';
-import { markerCells } from '../src/markers/marker-cells.ts';
+import { markerDictionary, markerCells } from '../src/markers/dictionaries.ts';
 import { convertPicture } from '../src/image-tools/convert-picture.ts';
 import { DEFAULT_BOARD } from '../src/markers/charuco-board.ts';
 import { boardBrightness } from './board-print.ts';

@@ -5,7 +5,7 @@ import type { Picture } from '../src/picture.ts';
 
 // Without TensorFlow.js, of which a thread can have one.
 export { convertPicture } from '../src/image-tools/convert-picture.ts';
-export { scalePicture } from '../src/image-tools/scale-picture.ts';
+export { scalePicture } from '../src/image-tools/crop-and-scale.ts';
 
 /** A photograph, and what a person sees in it. */
 export interface Photo {

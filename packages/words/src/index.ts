@@ -1,5 +1,12 @@
-export { capitalised } from './capitalised.ts';
-export { csvField } from './csv-field.ts';
-export { isOneLine, oneLine } from './one-line.ts';
-export { counted, plural } from './plural.ts';
-export { firstCharacters, hasMoreCharacters, isLongerThan, shortened } from './text-length.ts';
+export {
+  capitalised,
+  counted,
+  plural,
+  firstCharacters,
+  hasMoreCharacters,
+  isLongerThan,
+  shortened,
+  isOneLine,
+  oneLine,
+  csvField,
+} from './words.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { capitalised, counted, plural } from './index.ts';
+import { capitalised, counted, isLongerThan, plural, shortened } from './words.ts';
 
 describe('plural', () => {
   it.each([
@@ -30,5 +30,26 @@ describe('capitalised', () => {
   it('changes the first letter only', () => {
     expect(capitalised('saved and Started')).toBe('Saved and Started');
     expect(capitalised('')).toBe('');
+  });
+});
+
+describe('isLongerThan', () => {
+  it.each([
+    ['a', 1],
+    ['é', 2],
+    ['€', 3],
+    ['🙂', 4],
+    ['aé€🙂', 10],
+  ])('counts the bytes of %j in UTF-8', (text, byteLength) => {
+    expect(isLongerThan(text, byteLength)).toBe(false);
+    expect(isLongerThan(text, byteLength - 1)).toBe(true);
+  });
+});
+
+describe('shortened', () => {
+  it('cuts between characters, and ends with an ellipsis', () => {
+    expect(shortened('🙂🙂🙂', 3)).toBe('🙂🙂🙂');
+    expect(shortened('🙂🙂🙂🙂', 3)).toBe('🙂🙂…');
+    expect(shortened('x'.repeat(100_000), 5)).toBe('xxxx…');
   });
 });

@@ -1,4 +1,13 @@
+import { AccessRole } from '@ubii/proto';
+
 import type { AttackEnvironment } from './environment/attack-environment.ts';
+
+/** A role in words. @param role or why there is none */
+export function roleName(role: number | string): string {
+  if (typeof role === 'string') return `refused (${role.replace(/^.*answered with /, '')})`;
+  const name = Object.entries(AccessRole).find(([, value]) => value === role)?.[0] ?? '?';
+  return name === 'ACCESS_ROLE_NONE' ? 'stranger' : name.replace('ACCESS_ROLE_', '').toLowerCase();
+}
 
 /** `holds`: the aim is met. `breaks`: it is not. `figure`: it has none, others are compared with it. */
 export type Verdict = 'holds' | 'breaks' | 'figure';

@@ -3,13 +3,32 @@ import { statSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+
 import { BUILT_MASTER } from '@ubii/harness';
 
+import type { Finding } from './attack.ts';
 import { ATTACKS } from './attacks/index.ts';
-import { formatReport, type AttackReport } from './report.ts';
-import { AttackNetwork } from './environment/attack-network.ts';
-import { Dialer } from './environment/dialer.ts';
 import { AttackEnvironment } from './environment/attack-environment.ts';
+import { AttackNetwork, Dialer } from './environment/attack-network.ts';
+
+/** Result of one attack. */
+interface AttackReport {
+  readonly attack: string;
+  readonly about: string;
+  readonly findings: readonly Finding[];
+  /** Why it could not be tried. */
+  readonly problem?: string;
+}
+
+/** One attack as lines of text. */
+function formatReport({ attack, about, findings, problem }: AttackReport): string {
+  const rows = findings.map(
+    ({ what, figure, aim, verdict }) =>
+      `  ${verdict.padEnd(7)} ${what}: ${figure}${verdict === 'figure' ? '' : ` (aim: ${aim})`}`,
+  );
+  if (problem !== undefined) rows.push(`  untried could not be tried: ${problem}`);
+  return [`${attack}: ${about}`, ...rows].join('\n');
+}
 
 const HELP = `Attacks a built master, and says what becomes of it and of others.
 

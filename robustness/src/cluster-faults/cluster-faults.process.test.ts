@@ -1,8 +1,8 @@
 import { MASTER_FOR_TESTS, reasonAgainstNats } from '@ubii/harness';
 import { describe, expect, it } from 'vitest';
 
-import { FAULTS } from './faults/index.ts';
-import { LoopbackNetwork } from './network/loopback-network.ts';
+import { FAULTS } from './faults.ts';
+import { LoopbackNetwork } from './network/cluster-network.ts';
 import { MASTER_COUNT, runFaults } from './run.ts';
 
 /** Fixed: the gate is no lottery. `npm run cluster-faults` takes others. */

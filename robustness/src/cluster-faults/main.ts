@@ -4,15 +4,42 @@ import { freemem } from 'node:os';
 import { resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+
 import { BUILT_MASTER, describeEnd } from '@ubii/harness';
 
-import { FAULTS } from './faults/index.ts';
-import { NetworkNamespaces, NamespaceNetwork } from './network/namespace-network.ts';
-import type { ClusterNetwork } from './network/cluster-network.ts';
-import { LoopbackNetwork } from './network/loopback-network.ts';
+import { FAULTS } from './faults.ts';
 import { removeLeftovers } from './leftovers.ts';
+import { LoopbackNetwork, type ClusterNetwork } from './network/cluster-network.ts';
+import { NetworkNamespaces, NamespaceNetwork } from './network/namespace-network.ts';
 import { MASTER_COUNT, runFaults } from './run.ts';
-import { reportEarlyEnd } from './report-early-end.ts';
+
+const SIGNALS = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const;
+
+/** Prints why this process ends before its run is done, unless SIGKILL ends it. Call `done()` at the end of the run. */
+function reportEarlyEnd(): { done(): void } {
+  let isDone = false;
+  for (const signal of SIGNALS) {
+    process.once(signal, () => {
+      console.error(`The run ends before its time: ${signal}.`);
+      isDone = true;
+      process.exit(1);
+    });
+  }
+  // The controlling program has ended, as by kill -9.
+  process.once('disconnect', () => {
+    console.error('The run ends before its time: the program that started it is gone.');
+    isDone = true;
+    process.exit(1);
+  });
+  process.once('exit', (code) => {
+    if (isDone) return;
+    console.error(
+      `The run ended before its time, with ${code}: it failed, or nothing was left to wait for.`,
+    );
+    if (code === 0) process.exitCode = 1;
+  });
+  return { done: () => (isDone = true) };
+}
 
 const HELP = `Injects faults into a cluster of ${MASTER_COUNT} masters under a workload, and finds lost changes and records.
 
@@ -71,7 +98,7 @@ async function runInNetwork(): Promise<void> {
   const node = [process.execPath, '--import', import.meta.resolve('tsx')];
   const own = [fileURLToPath(import.meta.url), ...process.argv.slice(2)];
   const command = ['netns', 'exec', network.hub, ...node, ...own, '--network', String(process.pid)];
-  // The channel tells the run when this process is gone.
+  // The channel closes when this process ends.
   const child = spawn('ip', command, { stdio: ['inherit', 'inherit', 'inherit', 'ipc'] });
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP'] as const) {
     process.on(signal, () => child.kill(signal));

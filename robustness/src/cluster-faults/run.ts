@@ -1,9 +1,9 @@
 import { Random } from '../random.ts';
 import { TestCluster } from './cluster.ts';
-import type { Fault } from './faults/fault.ts';
+import type { Fault } from './faults.ts';
 import type { ClusterNetwork } from './network/cluster-network.ts';
 import { findAbsent, BackgroundWorkload, runPhase, type PhaseReport } from './phase.ts';
-import { settle } from './settle.ts';
+import { settle } from './agreement.ts';
 
 const MASTERS = 3;
 const TIMEOUT_MS = 300_000;

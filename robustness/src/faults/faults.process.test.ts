@@ -2,9 +2,8 @@ import { BUILT_NODE, MASTER_FOR_TESTS } from '@ubii/harness';
 import { describe, expect, it } from 'vitest';
 
 import { Random } from '../random.ts';
-import { SmallDisk } from './small-disk.ts';
-import { fullDisk } from './scenarios/full-disk.ts';
-import { killMaster } from './scenarios/kill-master.ts';
+import { SmallDisk, fullDisk } from './scenarios/full-disk.ts';
+import { killMaster } from './scenarios/kill-processes.ts';
 
 /** Fixed: the gate is no lottery. `npm run faults` takes others. */
 const SEED = 20_261_122;

@@ -4,9 +4,9 @@ import { parseArgs } from 'node:util';
 import { BUILT_MASTER, BUILT_NODE } from '@ubii/harness';
 
 import { Random } from '../random.ts';
-import { median } from '../soak/growth.ts';
+import { median } from '../soak/measure.ts';
 import { SCENARIOS } from './scenarios/index.ts';
-import type { Outcome, Scenario } from './scenario.ts';
+import type { Outcome, Scenario } from './fault-run.ts';
 
 const HELP = `Injects faults into a built master under a workload, and finds lost changes.
 

@@ -1,11 +1,10 @@
 import { MASTER_FOR_TESTS } from '@ubii/harness';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 
-import { MonitoredMaster } from './monitored-master.ts';
+import { MonitoredMaster, caseOf } from './fuzz-entrance.ts';
 import { readCorpus } from './corpus.ts';
 import type { FuzzTarget } from './entrance.ts';
 import { ENTRANCES } from './entrances/index.ts';
-import { caseOf } from './fuzz-entrance.ts';
 import { fromBase64 } from './seeds.ts';
 
 /** Fixed: the gate is no lottery. `npm run fuzz` takes others. */

@@ -5,8 +5,15 @@ import { MasterProcess } from '@ubii/harness';
 
 import { pause } from '../pause.ts';
 import { Random } from '../random.ts';
-import { judgeGrowth, type Growth } from './growth.ts';
-import { Gauge, probeFlags, QUANTITIES, type Quantity, type Sample } from './measure.ts';
+import {
+  judgeGrowth,
+  Gauge,
+  probeFlags,
+  QUANTITIES,
+  type Growth,
+  type Quantity,
+  type Sample,
+} from './measure.ts';
 import { renewInvitation, listEverything, runSession } from './workload/operator.ts';
 import { runPhone, type PhoneSetup } from './workload/phones.ts';
 import {
@@ -15,9 +22,8 @@ import {
   record,
   type UploadedFiles,
 } from './workload/recordings.ts';
-import { WorkerLoops } from './workload/worker-loops.ts';
+import { WorkerLoops, EchoClient } from './workload/echo-clients.ts';
 import { Counters } from './workload/counters.ts';
-import { EchoClient } from './workload/echo-clients.ts';
 
 const MEMORY = '/dev/shm';
 const SAMPLES = 120;

@@ -11,7 +11,7 @@ export const takesAnswers = (game: GameId): boolean => GAMES[game].controller.st
 export const partyModuleName = (game: GameId): string => `party-${game}`;
 
 /**
- * One module a game: it plays the round it is told with the phones it is told, on whatever node it runs. Its code is
+ * One module a game: it plays the round of its input `round` with the phones of its input `seats`, on any node. Its code is
  * text, the same in every bundle; the rules are in the asset set.
  */
 export function partyModules(): ProcessingModule[] {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { HuntState } from '../sim/index.ts';
 import { playRound, type Playing, type RoundInputs } from './play-round.ts';
-import { readAnswer, type AnswerRecord } from './read-answer.ts';
+import { readAnswer, type AnswerRecord } from './phone-input.ts';
 
 const STARTS_AT_MS = 1_800_000_000_000;
 const DELAY = { leastMs: 5, mostMs: 20 };

@@ -7,10 +7,14 @@ import {
   type Game,
   type Seat,
 } from '../sim/index.ts';
-import { isRoundPlan, isRoundSeats } from './check-plan.ts';
-import { judgeOnce, type JudgedTime } from './judge-time.ts';
-import { readAnswer, type AnswerRecord } from './read-answer.ts';
-import type { RoundPlan, RoundSeats, RoundState } from './round.ts';
+import {
+  isRoundPlan,
+  isRoundSeats,
+  type RoundPlan,
+  type RoundSeats,
+  type RoundState,
+} from './round.ts';
+import { judgeOnce, readAnswer, type JudgedTime, type AnswerRecord } from './phone-input.ts';
 
 /** The inputs of a module that plays a game, as they come from the runtime. */
 export interface RoundInputs {
@@ -44,7 +48,7 @@ export interface Playing {
   presses?: Record<Seat, JudgedTime>;
   answers?: Record<Seat, JudgedTime>;
   /** The last feedback sent to each client, with the step of its last hit. */
-  told?: Record<string, { readonly text: string; readonly hitAt: number }>;
+  sent?: Record<string, { readonly text: string; readonly hitAt: number }>;
 }
 
 /** The outputs of the module. */
@@ -62,7 +66,7 @@ export interface RoundOutputs {
 
 /** A module that was held up catches up so many steps a run. */
 const MAX_STEPS_A_RUN = 12;
-/** Phones are told ten times a second, and at once of a hit. */
+/** Feedback is sent ten times a second, and at once after a hit. */
 const STEPS_BETWEEN_FEEDBACK = 6;
 /** Presses that claim to be further from their arrival do not count, milliseconds. */
 const OLDEST_PRESS_MS = 2000;
@@ -96,7 +100,9 @@ export function playRound(
     playing.step! += 1;
     playing.isOver = game.isOver(playing.state);
   }
-  return { outputs: { state: { string: describe(game, playing) }, ...tell(game, playing) } };
+  return {
+    outputs: { state: { string: describe(game, playing) }, ...feedbackOutputs(game, playing) },
+  };
 }
 
 function readPlan(game: Game<unknown>, text: string | undefined, playing: Playing): void {
@@ -110,7 +116,7 @@ function readPlan(game: Game<unknown>, text: string | undefined, playing: Playin
   playing.isOver = false;
   playing.presses = {};
   playing.answers = {};
-  playing.told = {};
+  playing.sent = {};
 }
 
 function readSeats(text: string | undefined, playing: Playing): void {
@@ -212,16 +218,16 @@ function describe(game: Game<unknown>, playing: Playing): string {
 }
 
 /** Feedback for the phones: at its interval, after a hit and at the end. */
-function tell(game: Game<unknown>, playing: Playing): RoundOutputs['outputs'] {
+function feedbackOutputs(game: Game<unknown>, playing: Playing): RoundOutputs['outputs'] {
   const isTime = playing.step! % STEPS_BETWEEN_FEEDBACK === 0 || playing.isOver;
   const elements: { string: string; outputTopicParams: string[] }[] = [];
   for (const [seat, client] of Object.entries(playing.seats?.clients ?? {})) {
     const feedback = game.feedback(playing.state, Number(seat));
-    const before = playing.told![client];
+    const before = playing.sent![client];
     if (!isTime && before?.hitAt === feedback.hitAt) continue;
     const text = JSON.stringify(feedback);
     if (text === before?.text) continue;
-    playing.told![client] = { text, hitAt: feedback.hitAt };
+    playing.sent![client] = { text, hitAt: feedback.hitAt };
     elements.push({ string: text, outputTopicParams: [client] });
   }
   return elements.length > 0 ? { feedback: { elements } } : {};

@@ -1,11 +1,12 @@
-export { gameSession } from './host/game-session.ts';
-export type { HostMemory, HostStorage } from './host/host-memory.ts';
+export { gameSession } from './host/game-sessions.ts';
 export { PartyHost } from './host/party-host.ts';
-export type { PartyHostListener, PartyHostOptions } from './host/party-host-options.ts';
+export type {
+  HostMemory,
+  HostStorage,
+  PartyHostListener,
+  PartyHostOptions,
+} from './host/party-host-options.ts';
 export type { LiveRound, LiveRow } from './live-round.ts';
-export type * from './messages.ts';
-export { MAX_PHOTO_BYTES, MAX_PHOTO_SIDE, type HiddenPhotos, type Photo } from './photos/photo.ts';
 export { PartyPhone } from './phone/party-phone.ts';
 export type { PhoneFacts, PhoneLink } from './phone/phone-link.ts';
-export type * from './room-view.ts';
-export * from './topics.ts';
+export * from './protocol.ts';

@@ -1,7 +1,14 @@
-import type { GameId, Hud, Room, Seat } from '../sim/index.ts';
-import { GAMES, playersOf, type Game } from '../sim/index.ts';
+import {
+  GAMES,
+  playersOf,
+  type GameId,
+  type Hud,
+  type Room,
+  type Seat,
+  type Game,
+} from '../sim/index.ts';
 import type { RoundState } from '../modules/index.ts';
-import { readJson } from './read-json.ts';
+import { readJson } from './protocol.ts';
 
 /** The round as who does not play it sees it on a phone: what the big screen says in words. */
 export interface LiveRound {
@@ -32,7 +39,7 @@ export function isWatched(room: Room): boolean {
   return room.spectators.some(isHere) || playersOf(room).length < room.players.length;
 }
 
-/** Undefined for a state that is none: whoever may publish may publish anything. */
+/** Undefined for an invalid state: any client that may publish can publish any value. */
 export function liveRoundOf(game: GameId, state: RoundState, room: Room): LiveRound | undefined {
   const nameOf = (seat: Seat): string =>
     room.players.find((player) => player.seat === seat)?.name ?? '';

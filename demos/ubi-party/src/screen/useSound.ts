@@ -1,16 +1,37 @@
-import { useDocumentVisibility, useEventListener, useIntervalFn } from '@vueuse/core';
+import {
+  useLocalStorage,
+  useDocumentVisibility,
+  useEventListener,
+  useIntervalFn,
+} from '@vueuse/core';
 import { onScopeDispose, watch, type Ref } from 'vue';
+
 import type { RoundState } from '../modules/index.ts';
 import type { RoomView } from '../net/index.ts';
 import { GAMES, type Game, type GameId, type Hud } from '../sim/index.ts';
-import { countEvents, hudEvents, moodOf, roomEvents, SoundEngine } from '../sound/index.ts';
-import { stateEvents, tuneOf } from '../sound/index.ts';
+import {
+  countEvents,
+  hudEvents,
+  moodOf,
+  roomEvents,
+  SoundEngine,
+  stateEvents,
+  tuneOf,
+} from '../sound/index.ts';
 import type { ScreenLink } from './screen-link.ts';
+
+/** Sound settings of this screen: stored in the browser, shared by all callers in a page. */
+export function useSoundSettings() {
+  return {
+    isMuted: useLocalStorage('ubii.party.muted', false),
+    isMusicMuted: useLocalStorage('ubii.party.music-muted', false),
+  };
+}
 
 /** Steps between two looks at the words of a round and at the music. */
 const STEPS_BETWEEN_LOOKS = 6;
 
-/** Plays what is heard of a party, from the first gesture on. */
+/** Plays the music and sounds of a party, from the first gesture on. */
 export function useSound(
   link: ScreenLink,
   { isMuted, isMusicMuted }: { isMuted: Ref<boolean>; isMusicMuted: Ref<boolean> },
@@ -25,7 +46,7 @@ export function useSound(
   watch(
     [isMuted, isMusicMuted, visibility],
     () => {
-      engine.wish({
+      engine.apply({
         isMuted: isMuted.value,
         isMusicMuted: isMusicMuted.value,
         isHidden: visibility.value === 'hidden',
@@ -44,7 +65,7 @@ export function useSound(
       view = next;
       followMood();
     }),
-    link.onState((game, state) => hear(game, state)),
+    link.onState((game, state) => playEvents(game, state)),
     () => engine.close(),
   ];
   onScopeDispose(() => ends.forEach((end) => end()));
@@ -56,7 +77,7 @@ export function useSound(
   }, 50);
   followMood();
 
-  function hear(game: GameId, newest: RoundState): void {
+  function playEvents(game: GameId, newest: RoundState): void {
     const before = round?.newest.id === newest.id ? round : undefined;
     const events = before ? stateEvents(game, before.newest.state, newest.state) : [];
     let hud = before?.hud;

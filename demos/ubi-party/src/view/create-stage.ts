@@ -1,6 +1,5 @@
 import { WebGLRenderer } from 'three';
-import { FrameMeter } from './quality/frame-meter.ts';
-import type { Quality } from './quality/quality.ts';
+import { FrameMeter, type Quality } from './quality/quality.ts';
 import { StageCore } from './stage-core.ts';
 import type { Stage } from './stage.ts';
 

@@ -1,14 +1,37 @@
 import { NoToneMapping, PCFShadowMap, Scene as World, Vector3, type WebGLRenderer } from 'three';
+
 import { CameraRig } from './camera/camera-rig.ts';
 import { Backdrop } from './light/backdrop.ts';
 import { HOURS, type Hour } from './light/hours.ts';
-import { LightRig } from './light/light-rig.ts';
-import { smoothShadows } from './light/smooth-shadows.ts';
+import { LightRig, smoothShadows } from './light/light-rig.ts';
 import { PieceKit } from './pieces/piece-kit.ts';
 import type { Quality } from './quality/quality.ts';
-import { openScene } from './scenes/open-scene.ts';
+import { DuelScene } from './scenes/duel/duel-scene.ts';
+import { HillScene } from './scenes/hill/hill-scene.ts';
+import { LobbyScene } from './scenes/lobby/lobby-scene.ts';
+import { PiecesScene } from './scenes/pieces/pieces-scene.ts';
+import { PodiumScene } from './scenes/podium/podium-scene.ts';
+import { RaceScene } from './scenes/race/race-scene.ts';
 import type { SceneView } from './scenes/scene-view.ts';
 import type { Scene, Stage } from './stage.ts';
+
+type Openers = {
+  readonly [K in Scene['kind']]: (kit: PieceKit) => SceneView<Extract<Scene, { kind: K }>>;
+};
+
+const OPENERS: Openers = {
+  lobby: (kit) => new LobbyScene(kit),
+  race: (kit) => new RaceScene(kit),
+  podium: (kit) => new PodiumScene(kit),
+  hill: (kit) => new HillScene(kit),
+  duel: (kit) => new DuelScene(kit),
+  pieces: (kit) => new PiecesScene(kit),
+};
+
+function openScene(kind: Scene['kind'], kit: PieceKit): SceneView {
+  // The stage shows a view only scenes of the kind it was opened for
+  return OPENERS[kind](kit) as unknown as SceneView;
+}
 
 /** Pixels drawn for one of the page, at most. */
 const MAX_RATIO: Readonly<Record<Quality, number>> = { low: 1, middle: 1.25, high: 2 };

@@ -1,15 +1,44 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 
-import { isFailure } from '../process/is-failure.ts';
 import { readProcess, type ProcessFigures } from '../process/process-figures.ts';
 import { ServerProcess } from '../process/server-process.ts';
 import { BUILT_MASTER, expectBuilt, hasFlag, isOwnBuild } from './built-programs.ts';
 import { masterCommand, type MasterStart, type ResolvedStart } from './command-line.ts';
-import type { MasterEndpoints } from './endpoints.ts';
 import { askService, expectReply, readMetrics } from './service-call.ts';
+
+/**
+ * Returns whether a log line reports a defect: a JSON line of level `error`, or an error or warning that Node itself
+ * printed.
+ */
+export function isFailure(line: string): boolean {
+  if (line.startsWith('{')) {
+    try {
+      return (JSON.parse(line) as { level?: string }).level === 'error';
+    } catch {
+      return true;
+    }
+  }
+  return /^\s+at .+:\d+:\d+\)?$|^\w*Error\b|^\(node:\d+\)/.test(line);
+}
+
+/** The line of `--print-endpoints json`. */
+export interface MasterEndpoints {
+  readonly url: string;
+  readonly servicesJson: string;
+  readonly servicesBinary: string;
+  readonly topicDataWs: string;
+  readonly pid: number;
+  /** Token for joining; undefined for a master on loopback only. */
+  readonly joinToken?: string;
+  readonly joinCode?: string;
+  /** Token for becoming admin on the master's computer. */
+  readonly adminToken: string;
+  readonly adminCode: string;
+}
 
 /**
  * A built master as a process of its own, with everything it logged. Restarted, it keeps port and data folder, as after a

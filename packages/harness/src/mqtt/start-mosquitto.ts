@@ -1,11 +1,9 @@
-import { spawn } from 'node:child_process';
-import type { ChildProcess } from 'node:child_process';
+import { spawn, type ChildProcess } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { freePort } from '../network/free-port.ts';
-import { endProgram } from '../process/when-ended.ts';
-import { findProgram } from '../process/find-program.ts';
+import { freePort } from '../network/ports.ts';
+import { endProgram, findProgram } from '../process/server-process.ts';
 
 const MISSING = `This needs the broker Mosquitto (command \`mosquitto\`), and it was not found. Install it:
   Debian, Ubuntu   apt-get install mosquitto   (as root, \`npm test\` installs it)

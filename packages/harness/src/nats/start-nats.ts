@@ -3,9 +3,8 @@ import { mkdtempSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { findProgram } from '../process/find-program.ts';
-import { endProgram } from '../process/when-ended.ts';
-import { freePort } from '../network/free-port.ts';
+import { findProgram, endProgram } from '../process/server-process.ts';
+import { freePort } from '../network/ports.ts';
 
 const MISSING = `nats-server was not found on the PATH. It is needed by tests of several masters:
   Debian, Ubuntu   apt-get install nats-server

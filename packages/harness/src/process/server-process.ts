@@ -1,8 +1,58 @@
+import { existsSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
 import { spawn, type ChildProcess } from 'node:child_process';
 import { createInterface } from 'node:readline';
 
-import { describeEnd } from './describe-end.ts';
-import { endProgram, endWithin, hasEnded } from './when-ended.ts';
+/** Finds a server program. Debian has such programs where only the PATH of root leads. */
+export function findProgram(name: string): string | undefined {
+  const folders = [...(process.env['PATH'] ?? '').split(delimiter), '/usr/sbin', '/usr/local/sbin'];
+  const file = process.platform === 'win32' ? `${name}.exe` : name;
+  return folders.map((folder) => join(folder, file)).find((path) => existsSync(path));
+}
+
+/** How a process ended, in words. */
+export function describeEnd(code: number | null, signal: NodeJS.Signals | null): string {
+  if (signal === 'SIGKILL') {
+    return 'ended by SIGKILL, from a user or from a system without free memory (see dmesg)';
+  }
+  if (signal === 'SIGABRT') return 'ended by SIGABRT: its heap was full, or it gave itself up';
+  return signal === null ? `ended with ${code}` : `ended by ${signal}`;
+}
+
+/** Returns whether the process has ended. */
+function hasEnded(child: ChildProcess): boolean {
+  return child.exitCode !== null || child.signalCode !== null;
+}
+
+/** Resolves when the process has ended. */
+function whenEnded(child: ChildProcess): Promise<void> {
+  if (hasEnded(child)) return Promise.resolve();
+  return new Promise((resolve) => child.once('exit', () => resolve()));
+}
+
+/** Ends a process with a signal, and resolves when it has ended. */
+export async function endProgram(child: ChildProcess, signal: NodeJS.Signals): Promise<void> {
+  if (hasEnded(child)) return;
+  const ended = whenEnded(child);
+  child.kill(signal);
+  await ended;
+}
+
+/**
+ * Ends a process with SIGTERM, or with SIGKILL when it is still running after the time limit.
+ *
+ * @returns whether it ended within the time limit
+ */
+async function endWithin(child: ChildProcess, timeoutMs: number): Promise<boolean> {
+  let isLate = false;
+  const timer = setTimeout(() => {
+    isLate = true;
+    child.kill('SIGKILL');
+  }, timeoutMs);
+  await endProgram(child, 'SIGTERM');
+  clearTimeout(timer);
+  return !isLate;
+}
 
 /** A start on a busy machine takes seconds; past this the program hangs. */
 const START_TIMEOUT_MS = 60_000;

@@ -1,20 +1,48 @@
 import type { Init, Session } from '@ubii/proto';
-import { clickCounterSession } from './click-counter-session.ts';
-import { gatherPointersSession } from './gather-pointers-session.ts';
-import { hysteresisSession } from './hysteresis-session.ts';
-import { keyChordSession } from './key-chord-session.ts';
-import { manyPointersSession } from './many-pointers-session.ts';
-import { metronomeSession } from './metronome-session.ts';
-import { mirrorPointerSession } from './mirror-pointer-session.ts';
-import { mixedWavesSession } from './mixed-waves-session.ts';
-import { movingAverageSession } from './moving-average-session.ts';
-import { pictureEdgesSession } from './picture-edges-session.ts';
-import { pointerColorSession } from './pointer-color-session.ts';
-import { pointerSpeedSession } from './pointer-speed-session.ts';
-import { sineWaveSession } from './sine-wave-session.ts';
-import { smoothPointerSession } from './smooth-pointer-session.ts';
-import { smoothingChainSession } from './smoothing-chain-session.ts';
-import { touchProximitySession } from './touch-proximity-session.ts';
+
+import {
+  gatherPointersSession,
+  manyPointersSession,
+  touchProximitySession,
+} from './many-pointers-sessions.ts';
+import {
+  clickCounterSession,
+  mirrorPointerSession,
+  smoothPointerSession,
+  pointerSpeedSession,
+  pointerColorSession,
+  keyChordSession,
+} from './pointer-sessions.ts';
+import {
+  hysteresisSession,
+  mixedWavesSession,
+  sineWaveSession,
+  movingAverageSession,
+  smoothingChainSession,
+  metronomeSession,
+} from './signal-sessions.ts';
+
+/** Images are records as all values: one module generates images, another one detects their edges. */
+const pictureEdgesSession = {
+  name: 'Edges of a picture',
+  description: 'Generates a picture, converts it to greyscale, and detects its edges.',
+  tags: ['example'],
+  processingModules: [{ name: 'test-picture' }, { name: 'picture-edges' }],
+  ioMappings: [
+    {
+      processingModuleName: 'test-picture',
+      outputMappings: [{ outputName: 'picture', topic: '/examples/picture-edges/picture' }],
+    },
+    {
+      processingModuleName: 'picture-edges',
+      inputMappings: [{ inputName: 'picture', topic: '/examples/picture-edges/picture' }],
+      outputMappings: [
+        { outputName: 'grey', topic: '/examples/picture-edges/grey' },
+        { outputName: 'edges', topic: '/examples/picture-edges/edges' },
+      ],
+    },
+  ],
+} satisfies Init<Session>;
 
 /**
  * Example sessions by id; the name of each is its title. They only name their modules; the master adds the definitions. [SE-1]

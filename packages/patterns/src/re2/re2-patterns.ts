@@ -1,6 +1,10 @@
 import { RE2JS } from 're2js';
-import { DEFAULT_PATTERN_LIMITS, type PatternLimits } from '../limits.ts';
-import type { CompiledPattern, PatternCompiler } from '../pattern-compiler.ts';
+import {
+  DEFAULT_PATTERN_LIMITS,
+  type PatternLimits,
+  type CompiledPattern,
+  type PatternCompiler,
+} from '../pattern-compiler.ts';
 
 /** Regular expressions matched in linear time by a port of RE2. [TD-21] */
 export class Re2Patterns implements PatternCompiler {

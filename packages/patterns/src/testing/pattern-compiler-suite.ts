@@ -1,6 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_PATTERN_LIMITS } from '../limits.ts';
-import type { CompiledPattern, PatternCompiler } from '../pattern-compiler.ts';
+import {
+  DEFAULT_PATTERN_LIMITS,
+  type CompiledPattern,
+  type PatternCompiler,
+} from '../pattern-compiler.ts';
 import { MATCHES, REFUSED, SLOW_ELSEWHERE, TOO_LARGE } from './pattern-table.ts';
 
 /** Acceptance tests of pattern compilers, with the default limits. */

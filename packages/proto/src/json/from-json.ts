@@ -9,8 +9,7 @@ import {
 } from '../descriptor.ts';
 import type { MessageTypes } from '../generated/messages.ts';
 import { parseBase64 } from './base64.ts';
-import { withoutLegacyMapping } from './legacy-mapping.ts';
-import { similarName } from './similar-name.ts';
+import { withoutLegacyMapping, similarName } from './member-names.ts';
 
 const MIN_INT32 = -(2 ** 31);
 const MAX_INT32 = 2 ** 31 - 1;

@@ -8,7 +8,15 @@ import {
 import type { MessageTypes } from '../generated/messages.ts';
 import type { Init } from '../init.ts';
 import { formatBase64 } from './base64.ts';
-import type { JsonObject, JsonValue } from './json-value.ts';
+
+/** A JSON object as `JSON.parse` makes it. */
+export type JsonObject = { [key: string]: JsonValue };
+
+/**
+ * Any JSON value. Text stands before truth values: Vue takes the order of a prop's types as the
+ * order to try, and with `boolean` first it makes `true` of an empty text.
+ */
+export type JsonValue = null | string | number | boolean | JsonValue[] | JsonObject;
 
 /**
  * Writes a message as JSON the way existing clients read it: camelCase keys, enum names, 64-bit

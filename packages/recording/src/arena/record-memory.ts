@@ -1,8 +1,11 @@
-import { Channels, type Channel, type ChannelSource } from './channels.ts';
-import { FLIGHT_TARGET } from './flight-target.ts';
+import { Channels, StandingValues, type Channel, type ChannelSource } from './channels.ts';
+import {
+  FLIGHT_TARGET,
+  spansFrom,
+  type RecordSpans,
+  type SharedRecords,
+} from './shared-records.ts';
 import { RingWriter, type ReleasedEntry, type ReleaseListener } from './ring-writer.ts';
-import { spansFrom, type RecordSpans, type SharedRecords } from './shared-records.ts';
-import { StandingValues } from './standing-values.ts';
 
 /** Records of more bytes are large. */
 const MAX_SMALL_BYTES = 16 * 1024;
@@ -129,12 +132,12 @@ export class RecordMemory {
     this.#limit();
   }
 
-  /** Tells what was read for files. */
+  /** Notes which records were read for files. */
   markRead({ small, large }: RecordSpans): void {
     this.#readTo = { small: small.to, large: large.to };
   }
 
-  /** What was written since then. */
+  /** Records written since then. */
   since(read: RecordSpans): RecordSpans {
     return spansFrom(this.spans, read);
   }

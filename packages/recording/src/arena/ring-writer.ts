@@ -38,7 +38,7 @@ export interface ReleasedEntry {
 /** Called with entries before they are overwritten. */
 export interface ReleaseListener {
   release(entry: ReleasedEntry): void;
-  /** The last of some has been told: now is the time to copy what should stay. @param bytes of the ring */
+  /** The last entry of a group was announced: copy now what should stay. @param bytes of the ring */
   settle(bytes: Uint8Array<SharedArrayBuffer>): void;
 }
 

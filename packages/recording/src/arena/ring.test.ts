@@ -1,8 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { RingReader } from './ring-reader.ts';
+import { RingReader, type RingEntry } from './shared-ring.ts';
 import { RingWriter, type ReleasedEntry } from './ring-writer.ts';
-import type { RingEntry } from './shared-ring.ts';
 
 const CAPACITY = 8 * 1024;
 

@@ -1,5 +1,7 @@
-import { RingReader } from './ring-reader.ts';
-import type { RingEntry, RingMemory, RingSpan } from './shared-ring.ts';
+import { RingReader, type RingEntry, type RingMemory, type RingSpan } from './shared-ring.ts';
+
+/** Bit of the flight recorder in the targets of a record. */
+export const FLIGHT_TARGET = 1;
 
 /** Memory with records, for threads: small and large ones. */
 export interface SharedRecords {

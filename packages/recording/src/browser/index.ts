@@ -1,2 +1,1 @@
-export { BlobSource } from './blob-source.ts';
-export { RangeSource } from './range-source.ts';
+export { BlobSource, RangeSource } from './sources.ts';

@@ -3,8 +3,7 @@ import { RecordingError } from '../records/recording-error.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import { recorded } from '../testing/recorded.ts';
 import { sampleRecord } from '../testing/sample-records.ts';
-import { BlobSource } from './blob-source.ts';
-import { RangeSource } from './range-source.ts';
+import { BlobSource, RangeSource } from './sources.ts';
 
 const RECORDS = [sampleRecord('/a', 0), sampleRecord('/b', 10)];
 

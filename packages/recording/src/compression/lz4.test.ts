@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { decompress } from './decompress.ts';
+import { decompress } from '../mcap/unpack-chunk.ts';
 import { decompressLz4, Lz4Compressor } from './lz4-frame.ts';
 
 const runs = fc

@@ -5,11 +5,9 @@ import { RecordingReader } from '../reading/recording-reader.ts';
 import { createTreatment } from '../personal/create-treatment.ts';
 import { findPeople } from '../personal/known-people.ts';
 import { SHARING_RULES } from '../personal/personal-rules.ts';
-import { createPseudonymKey } from '../personal/pseudonym-key.ts';
-import { leftOutParts } from '../personal/left-out-parts.ts';
-import { Pseudonyms } from '../personal/pseudonyms.ts';
-import { TreatedReader } from '../personal/treated-reader.ts';
-import { treatRecording } from '../personal/treat-recording.ts';
+import { createPseudonymKey, Pseudonyms } from '../personal/pseudonyms.ts';
+import { leftOutParts } from '../personal/treatment-report.ts';
+import { TreatedReader, treatRecording } from '../personal/treated-reader.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecordedTopic } from '../records/recording-summary.ts';
 import {

@@ -1,11 +1,50 @@
-import { RecordingError } from '../records/recording-error.ts';
-import type { RecordingHeader } from '../records/recording-header.ts';
-import type { RecordedRecord } from '../records/recorded-record.ts';
-import type { RecordingEvent } from '../records/recording-event.ts';
 import type { EventsReader } from '../reading/recording-reader.ts';
+import type { RecordedRecord } from '../records/recorded-record.ts';
+import { RecordingError } from '../records/recording-error.ts';
+import { stateKey, type Gap, type RecordingEvent } from '../records/recording-event.ts';
+import type { RecordingHeader } from '../records/recording-header.ts';
 import type { RecordingSink } from '../storage/recording-storage.ts';
 import { RecordingWriter, type WriterStatistics } from '../writing/recording-writer.ts';
-import { eventsOfSpan, type SpanNs } from './events-of-span.ts';
+
+/** Nanoseconds since the Unix epoch, both inclusive. */
+interface SpanNs {
+  readonly fromNs: bigint;
+  readonly untilNs: bigint;
+}
+
+/**
+ * The events that apply in a span, by time: states from before at its beginning, markers as they are now, gaps that reach
+ * into it.
+ *
+ * @param events in the order in which they were written
+ */
+function eventsOfSpan(
+  events: readonly RecordingEvent[],
+  { fromNs, untilNs }: SpanNs,
+): RecordingEvent[] {
+  const before = new Map<string, RecordingEvent>();
+  const markers = new Map<string, RecordingEvent>();
+  const within: RecordingEvent[] = [];
+  for (const event of events) {
+    const key = stateKey(event);
+    if (event.kind === 'marker') markers.set(event.value.id, event);
+    else if (event.kind === 'gap') {
+      if (reaches(event.value, { fromNs, untilNs })) within.push(event);
+    } else if (key !== undefined && event.timeNs < fromNs) before.set(key, event);
+    else if (event.timeNs <= untilNs) within.push(event);
+  }
+  for (const event of markers.values()) {
+    const isWithin = event.timeNs >= fromNs && event.timeNs <= untilNs;
+    const isRemoved = event.kind === 'marker' && event.value.isRemoved === true;
+    if (isWithin && !isRemoved) within.push(event);
+  }
+  within.sort((a, b) => (a.timeNs === b.timeNs ? 0 : a.timeNs < b.timeNs ? -1 : 1));
+  return [...Array.from(before.values(), (event) => ({ ...event, timeNs: fromNs })), ...within];
+}
+
+function reaches({ fromMs, untilMs }: Gap, { fromNs, untilNs }: SpanNs): boolean {
+  return fromMs * 1e6 <= Number(untilNs) && untilMs * 1e6 >= Number(fromNs);
+}
 
 /** What of a recording a cut reads. */
 export type CutSource = Pick<
@@ -13,7 +52,7 @@ export type CutSource = Pick<
   'summary' | 'records' | 'latestOfEachAt' | 'events' | 'foreignParts'
 >;
 
-/** What is cut out, and who is told. */
+/** What is cut out, and callbacks. */
 export interface CutOptions extends Partial<SpanNs> {
   /** @default all */
   readonly topics?: readonly string[] | undefined;

@@ -1,6 +1,7 @@
-export { flattenValue, type Cell } from './flatten-value.ts';
 export {
+  flattenValue,
   topicTable,
+  type Cell,
   type TableColumn,
   type TableOptions,
   type TableRow,

@@ -3,7 +3,7 @@ import { RecordingError } from '../records/recording-error.ts';
 import type { RecordingSink } from '../storage/recording-storage.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
 
-/** What an import of any format is told. */
+/** Options of an import of any format. */
 export interface ImportOptions {
   /** Name of the recording. */
   readonly name: string;
@@ -20,7 +20,7 @@ export interface ImportOptions {
 export interface ImportResult {
   readonly records: number;
   readonly markers: number;
-  /** What was left out, as sentences; empty when nothing was. */
+  /** Sentences about parts that were left out. */
   readonly leftOut: readonly string[];
 }
 

@@ -1,7 +1,6 @@
 export type { ImportOptions, ImportResult } from './import-writer.ts';
 export { importCsv, previewCsv } from './csv/import-csv.ts';
-export type { CsvColumn, CsvOptions, CsvPlan, CsvTopic } from './csv/csv-plan.ts';
-export type { TimeUnit } from './csv/csv-time.ts';
+export type { CsvColumn, CsvOptions, CsvPlan, CsvTopic, TimeUnit } from './csv/csv-plan.ts';
 export {
   importXdf,
   previewXdf,

@@ -77,7 +77,7 @@ function put(
 
 const MAX_PLACES = 100_000;
 
-/** An element of which nothing is told: empty texts are empty cells. */
+/** An element without cells: empty texts are empty cells. */
 function emptyOf({ type }: FieldDescriptor): unknown {
   if (typeof type === 'object') return type.kind === 'message' ? {} : 0;
   return type === 'string' ? '' : 0;

@@ -1,7 +1,18 @@
 import { crc32 } from '@foxglove/crc';
-import { McapRecordBuilder, Opcode } from '@mcap/core';
+import {
+  McapRecordBuilder,
+  Opcode,
+  type AttachmentIndex,
+  type Channel,
+  type ChunkIndex,
+  type MetadataIndex,
+  type Schema,
+} from '@mcap/core';
+
 import { PROFILE } from '../records/recording-header.ts';
-import type { AttachmentIndex, Channel, ChunkIndex, MetadataIndex, Schema } from '@mcap/core';
+
+/** Bytes of the magic at both ends of a file. */
+export const MAGIC_BYTES = 8n;
 
 /** What the summary of an MCAP file says: where everything is. */
 export class FileIndex {
@@ -113,3 +124,8 @@ function writeStatistics(index: FileIndex, builder: McapRecordBuilder): void {
     channelMessageCounts: index.messages,
   });
 }
+
+/** Name of the attachments that hold the last value of each channel, as a row of MCAP message records. */
+export const SNAPSHOT_NAME = 'ubi-interact/last-values';
+/** Their media type. */
+export const SNAPSHOT_TYPE = 'application/x-ubi-interact.last-values';

@@ -1,7 +1,7 @@
 import { constants } from 'node:fs';
 import { open, type FileHandle } from 'node:fs/promises';
 import { RecordingError } from '../records/recording-error.ts';
-import { expectReadable } from '../storage/expect-readable.ts';
+import { expectReadable } from '../storage/reading-limits.ts';
 import type { RecordingFile } from '../storage/recording-storage.ts';
 
 /** A recording on disk. */

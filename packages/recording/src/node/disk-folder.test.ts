@@ -2,8 +2,7 @@ import { chmodSync, mkdirSync, readdirSync, statSync, writeFileSync } from 'node
 import { join } from 'node:path';
 import { temporaryFolder } from '@ubii/program/testing';
 import { expect, it } from 'vitest';
-import { DiskFolder, recordingPath, uploadPath } from './disk-folder.ts';
-import { keepToOwner } from './owner-modes.ts';
+import { DiskFolder, recordingPath, uploadPath, keepToOwner } from './disk-folder.ts';
 
 const modeOf = (path: string): number => statSync(path).mode & 0o777;
 const REJECTION = {

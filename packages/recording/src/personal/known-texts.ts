@@ -1,6 +1,5 @@
 import { parseJsonText, replaceInJson } from './json-texts.ts';
-import { normalForms, normalOf } from './normal-form.ts';
-import type { MappedText } from './mapped-text.ts';
+import { normalForms, normalOf, type MappedText } from './normal-form.ts';
 
 /** A text to be found. */
 export interface KnownText {
@@ -17,7 +16,7 @@ interface KnownWords {
   /** What is before its first word and after its last one. */
   readonly lead: string;
   readonly trail: string;
-  /** It goes on after these words: a text that has them is replaced as a whole. */
+  /** The text continues after these words: a text with them is replaced as a whole. */
   readonly isLonger: boolean;
 }
 
@@ -42,7 +41,7 @@ const MIN_DIGITS = 5;
 const MAX_REMEMBERED = 10_000;
 const MAX_REMEMBERED_CHARACTERS = 64;
 
-/** Whether a text, by its normal form, tells enough to be searched for in others. [PD-18] */
+/** Whether a text, by its normal form, is distinctive enough to search for it in other texts. [PD-18] */
 export function isTelling(normal: string): boolean {
   if (WITHOUT_SPACES.test(normal)) return normal.normalize('NFC').length >= MIN_CHARACTERS - 1;
   if (/\p{L}/u.test(normal)) return normal.length >= MIN_CHARACTERS;

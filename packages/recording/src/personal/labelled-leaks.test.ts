@@ -18,10 +18,8 @@ import { RecordingWriter } from '../writing/recording-writer.ts';
 import { createTreatment } from './create-treatment.ts';
 import { findPeople } from './known-people.ts';
 import { SHARING_RULES, type PersonalRules } from './personal-rules.ts';
-import { createPseudonymKey } from './pseudonym-key.ts';
-import { Pseudonyms } from './pseudonyms.ts';
-import { TreatedReader } from './treated-reader.ts';
-import { treatRecording } from './treat-recording.ts';
+import { createPseudonymKey, Pseudonyms } from './pseudonyms.ts';
+import { TreatedReader, treatRecording } from './treated-reader.ts';
 
 /** The labelled value. */
 const VALUE = 'José Müller';

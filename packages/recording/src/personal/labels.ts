@@ -60,7 +60,7 @@ export function parseFieldPath(text: string): readonly FieldDescriptor[] | undef
 /**
  * Applies a label to a decoded record.
  *
- * @param pseudonym of a text; its prefix tells what it is
+ * @param pseudonym of a text; its prefix names the kind of value
  * @returns false when the record has to be dropped
  */
 export function applyLabel(

@@ -7,7 +7,7 @@ import {
   type RecordInit,
 } from '@ubii/proto';
 import { expect, it } from 'vitest';
-import { SNAPSHOT_NAME } from '../mcap/snapshot-attachment.ts';
+import { SNAPSHOT_NAME } from '../mcap/file-index.ts';
 import { openFile } from '../mcap/open-file.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
@@ -19,9 +19,8 @@ import { RecordingWriter } from '../writing/recording-writer.ts';
 import { createTreatment } from './create-treatment.ts';
 import { findPeople } from './known-people.ts';
 import { SHARING_RULES } from './personal-rules.ts';
-import { createPseudonymKey } from './pseudonym-key.ts';
-import { Pseudonyms } from './pseudonyms.ts';
-import { treatRecording } from './treat-recording.ts';
+import { createPseudonymKey, Pseudonyms } from './pseudonyms.ts';
+import { treatRecording } from './treated-reader.ts';
 
 const { PERSONAL_TREATMENT_DROP, PERSONAL_TREATMENT_PSEUDONYM } = PersonalTreatment;
 const ID = '1b9d6bcd-bbfd-4b2d-9b5d-ab8dfbbd4bed';

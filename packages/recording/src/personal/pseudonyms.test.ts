@@ -1,6 +1,10 @@
 import { expect, it } from 'vitest';
-import { createPseudonymKey, formatPseudonymKey, parsePseudonymKey } from './pseudonym-key.ts';
-import { Pseudonyms } from './pseudonyms.ts';
+import {
+  createPseudonymKey,
+  formatPseudonymKey,
+  parsePseudonymKey,
+  Pseudonyms,
+} from './pseudonyms.ts';
 
 const key = () => createPseudonymKey((bytes) => bytes.fill(7));
 const uuid = (i: number): string => `00000000-0000-4000-8000-${String(i).padStart(12, '0')}`;

@@ -21,7 +21,7 @@ const EARLIEST_EPOCH_MS = 1e12;
 
 type TextKind = 'text' | 'code' | 'clientId' | 'dropped' | { readonly prefix: string };
 
-/** Texts whose name tells what they are, in every message. */
+/** Texts whose member name states their kind, in every message. */
 const BY_NAME: Readonly<Record<string, TextKind>> = {
   clientId: 'clientId',
   clientIds: 'clientId',
@@ -48,7 +48,7 @@ const BY_FIELD: Readonly<Record<string, TextKind>> = {
 
 const withTexts = new WeakMap<MessageDescriptor, boolean>();
 
-/** Tells whether a message, or one in it, has texts. */
+/** Returns whether a message, or one in it, has texts. */
 export function hasTexts(message: MessageDescriptor): boolean {
   const known = withTexts.get(message);
   if (known !== undefined) return known;

@@ -1,9 +1,13 @@
 import { DATA_FORMATS } from '@ubii/proto';
+
+import { cutRecording, type CutOptions } from '../cut/cut-recording.ts';
 import type { EventsReader, RecordsQuery } from '../reading/recording-reader.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { EventKind, EventValue, RecordingEvent } from '../records/recording-event.ts';
 import type { RecordedTopic, RecordingSummary } from '../records/recording-summary.ts';
-import type { Treatment } from './treatment.ts';
+import type { RecordingSink } from '../storage/recording-storage.ts';
+import type { WriterStatistics } from '../writing/recording-writer.ts';
+import type { Treatment } from './create-treatment.ts';
 
 /** A recording as it is shared: everything that is read passes the treatment. Exports read it like any other. */
 export class TreatedReader implements EventsReader {
@@ -122,4 +126,20 @@ function treatedTopics(
     shared.set(key, { ...row, topic, clientId, clientName, format, records });
   }
   return [...shared.values()];
+}
+
+/**
+ * Writes a recording, or a part of it, as it is shared. Nothing is copied that did not pass the treatment: other metadata and
+ * attachments stay behind, snapshots of last values are made of treated records.
+ *
+ * @param options topics and span as they are shared, see `TreatedReader`
+ * @throws RecordingError when nothing is left; the reason of the signal; the error of the sink
+ */
+export function treatRecording(
+  reader: EventsReader,
+  sink: RecordingSink,
+  treatment: Treatment,
+  options: CutOptions = {},
+): Promise<WriterStatistics> {
+  return cutRecording(new TreatedReader(reader, treatment), sink, options);
 }

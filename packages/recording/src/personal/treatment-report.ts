@@ -1,6 +1,8 @@
 import { counted } from '@ubii/words';
+
 import type { EventKind } from '../records/recording-event.ts';
-import type { LabelledTexts } from './labelled-texts.ts';
+import type { RecordingSummary } from '../records/recording-summary.ts';
+import type { LabelledTexts } from './known-people.ts';
 
 /** Where a labelled text stood elsewhere: a topic, or what its words say. */
 export type Place = { readonly topic: string } | EventKind | 'topic name' | 'header';
@@ -61,4 +63,14 @@ export class TreatmentReport {
         : '',
     ].filter(Boolean);
   }
+}
+
+/** Says which parts of other programs a shared copy leaves out, such as `2 attachments of other programs`; empty for none. [PD-14] */
+export function leftOutParts({ foreignParts }: Pick<RecordingSummary, 'foreignParts'>): string {
+  const { attachments, metadata } = foreignParts;
+  const parts = [
+    attachments.length > 0 ? counted(attachments.length, 'attachment') : '',
+    metadata.length > 0 ? counted(metadata.length, 'metadata record') : '',
+  ].filter(Boolean);
+  return parts.length === 0 ? '' : `${parts.join(' and ')} of other programs`;
 }

@@ -17,7 +17,7 @@ export interface FeedOptions {
   onError(error: unknown): void;
 }
 
-/** What was due. */
+/** Records that were due. */
 export interface DueRecords {
   readonly records: readonly RecordedRecord[];
   /** Nothing is missing up to here: less than what was asked for when reading is behind. */

@@ -2,7 +2,7 @@ import type { ChunkIndex } from '@mcap/core';
 import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { encodeEnd } from '../mcap/file-index.ts';
-import { readIndex } from '../mcap/read-index.ts';
+import { readIndex } from '../mcap/open-file.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import { foreignRecording } from '../testing/foreign-recording.ts';
 import { MemoryFile } from '../testing/memory-file.ts';

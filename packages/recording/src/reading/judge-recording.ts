@@ -1,9 +1,10 @@
+import { fromJson, type JsonObject, type PersonalLabel, type TextLimits } from '@ubii/proto';
+import { hasMoreCharacters, isLongerThan } from '@ubii/words';
 import { Opcode, type ChunkIndex } from '@mcap/core';
-import type { TextLimits } from '@ubii/proto';
+
 import type { FileIndex } from '../mcap/file-index.ts';
-import { readMetadata } from '../mcap/metadata-record.ts';
+import { readMetadata } from '../mcap/stored-part.ts';
 import { openFile } from '../mcap/open-file.ts';
-import { checkLabels } from '../records/check-labels.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import { headerFromMetadata, PROFILE } from '../records/recording-header.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
@@ -11,6 +12,44 @@ import { ChannelChunks } from './channel-chunks.ts';
 import { readEvents } from './recorded-events.ts';
 import { StoredFile } from './stored-file.ts';
 import { channelsOf } from './topics-of.ts';
+
+/**
+ * Checks the labels of personal data in the header of a file: one that is cut or left out would protect nothing.
+ *
+ * @throws RecordingError when they cannot be read, or there are too many or too long ones [RC-54]
+ */
+function checkLabels(personalData: string | undefined, limits: TextLimits): void {
+  if (personalData === undefined) return;
+  const labels = parseLabels(personalData);
+  const { personalLabels } = limits;
+  if (labels.length > personalLabels) {
+    throw new RecordingError(
+      `It has ${labels.length} labels of personal data, and a recording has at most ${personalLabels}.`,
+    );
+  }
+  const place = labels.findIndex((label) => isTooLong(label, limits)) + 1;
+  if (place > 0) throw new RecordingError(`Its label ${place} of personal data is too long.`);
+}
+
+function parseLabels(personalData: string): readonly PersonalLabel[] {
+  try {
+    return fromJson('ubii.extension.PersonalData', JSON.parse(personalData) as JsonObject).labels;
+  } catch (cause) {
+    throw new RecordingError('Its labels of personal data cannot be read.', { cause });
+  }
+}
+
+function isTooLong(
+  { id, topicPattern, fieldPath, note }: PersonalLabel,
+  { idCharacters, topicBytes, identifierCharacters, descriptionCharacters }: TextLimits,
+): boolean {
+  return (
+    hasMoreCharacters(id, idCharacters) ||
+    isLongerThan(topicPattern, topicBytes) ||
+    hasMoreCharacters(fieldPath, identifierCharacters) ||
+    hasMoreCharacters(note, descriptionCharacters)
+  );
+}
 
 /** What a recording may have. */
 export interface RecordingLimits extends TextLimits {

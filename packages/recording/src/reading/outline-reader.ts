@@ -1,17 +1,15 @@
 import type { ChunkIndex } from '@mcap/core';
 import { timesOf } from '../mcap/file-index.ts';
-import { readMetadata } from '../mcap/metadata-record.ts';
-import { expectMcap, indexBytesOf, readIndex } from '../mcap/read-index.ts';
+import { readMetadata } from '../mcap/stored-part.ts';
+import { expectMcap, indexBytesOf, readIndex } from '../mcap/open-file.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { Marker } from '../records/recording-event.ts';
 import { headerFromMetadata, PROFILE, type RecordingHeader } from '../records/recording-header.ts';
 import type { RecordedTopic } from '../records/recording-summary.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
-import { ChannelChunks } from './channel-chunks.ts';
-import { activityOf } from './chunk-activity.ts';
-import { markersOf, readEvents } from './recorded-events.ts';
-import { withMarkers } from './recorded-times.ts';
+import { ChannelChunks, activityOf } from './channel-chunks.ts';
+import { markersOf, readEvents, withMarkers } from './recorded-events.ts';
 import { StoredFile } from './stored-file.ts';
 import { channelsOf, type FileChannels } from './topics-of.ts';
 
@@ -25,7 +23,7 @@ export interface TopicOutline extends RecordedTopic {
   readonly activity: Float32Array;
 }
 
-/** What the index of a recording tells: when how much was recorded. */
+/** The content of the index of a recording: how much was recorded when. */
 export interface RecordingOutline {
   readonly header: RecordingHeader;
   /** As in the summary: nanoseconds since the Unix epoch, 0 without records. */

@@ -1,4 +1,5 @@
 import type { Channel, ChunkIndex } from '@mcap/core';
+
 import type { StoredMessage } from '../mcap/chunk-content.ts';
 import { parseEvent } from '../records/parse-event.ts';
 import { RecordingError, RecordingLimitError } from '../records/recording-error.ts';
@@ -41,7 +42,7 @@ export function eventKindOf(channel: Channel, schemaName: string): EventKind | u
 /**
  * Reads all events of some channels.
  *
- * @throws RecordingError when a chunk of them is broken, or they are too many for the memory [RC-43]
+ * @throws RecordingError when a chunk of events is broken, or there are too many events for the memory [RC-43]
  */
 export async function readEvents(
   file: StoredFile,
@@ -114,4 +115,17 @@ function parseEvents(
     }
   }
   return { events, malformed };
+}
+
+/** A recording lasts at least until its last marker, which may be after the last record. */
+export function withMarkers(
+  { startNs, endNs }: { readonly startNs: bigint; readonly endNs: bigint },
+  markers: readonly Marker[],
+): { readonly startNs: bigint; readonly endNs: bigint } {
+  const times = markers
+    .filter(({ timeMs }) => Number.isFinite(timeMs))
+    .map(({ timeMs }) => BigInt(Math.round(timeMs * 1000)) * 1000n);
+  const last = times.at(-1);
+  if (last === undefined) return { startNs, endNs };
+  return { startNs: startNs === 0n ? times[0]! : startNs, endNs: last > endNs ? last : endNs };
 }

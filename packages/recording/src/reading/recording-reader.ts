@@ -1,9 +1,8 @@
 import type { StoredMessage } from '../mcap/chunk-content.ts';
 import { timesOf } from '../mcap/file-index.ts';
-import { readMetadata } from '../mcap/metadata-record.ts';
+import { readMetadata, type StoredPart } from '../mcap/stored-part.ts';
 import { openFile } from '../mcap/open-file.ts';
-import type { StoredPart } from '../mcap/stored-part.ts';
-import type { ForeignParts } from '../records/foreign-part.ts';
+import type { ForeignParts, RecordingSummary } from '../records/recording-summary.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import {
   EVENT_TOPICS,
@@ -13,20 +12,18 @@ import {
   type RecordingEvent,
 } from '../records/recording-event.ts';
 import { headerFromMetadata, PROFILE } from '../records/recording-header.ts';
-import type { RecordingSummary } from '../records/recording-summary.ts';
 import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
-import { ChannelChunks } from './channel-chunks.ts';
-import { activityOf } from './chunk-activity.ts';
+import { ChannelChunks, activityOf } from './channel-chunks.ts';
 import { findLatest } from './find-latest.ts';
 import { messagesInOrder } from './messages-in-order.ts';
 import {
   markersOf,
   readEvents,
+  withMarkers,
   type EventsOfFile,
   type MalformedEvents,
 } from './recorded-events.ts';
-import { withMarkers } from './recorded-times.ts';
 import { StoredFile } from './stored-file.ts';
 import { channelsOf, type FileChannels } from './topics-of.ts';
 

@@ -1,17 +1,51 @@
 import type { AttachmentIndex, ChunkIndex } from '@mcap/core';
-import { expectChunk, messagesIn, type StoredMessage } from '../mcap/chunk-content.ts';
-import type { FileIndex } from '../mcap/file-index.ts';
-import { PROFILE } from '../records/recording-header.ts';
-import { SNAPSHOT_NAME } from '../mcap/snapshot-attachment.ts';
+
+import { byTime, expectChunk, messagesIn, type StoredMessage } from '../mcap/chunk-content.ts';
+import { SNAPSHOT_NAME, type FileIndex } from '../mcap/file-index.ts';
 import { storedAttachment, storedMetadata, type StoredPart } from '../mcap/stored-part.ts';
 import { unpackChunk } from '../mcap/unpack-chunk.ts';
 import { RecordingError } from '../records/recording-error.ts';
+import { PROFILE } from '../records/recording-header.ts';
 import { READING_LIMITS } from '../storage/reading-limits.ts';
 import type { RecordingSource } from '../storage/recording-storage.ts';
-import { ChunkAhead } from './chunk-ahead.ts';
-import { ChunkMessages } from './chunk-messages.ts';
+import {
+  ChunkAhead,
+  endOf,
+  MAX_READ_BYTES,
+  neighbours,
+  spanOf,
+  type ByteSpan,
+} from './chunk-ahead.ts';
 import { LruCache } from './lru-cache.ts';
-import { endOf, MAX_READ_BYTES, neighbours, spanOf, type ByteSpan } from './neighbours.ts';
+
+/** The messages of a chunk. */
+class ChunkMessages {
+  /** By log time. */
+  readonly all: readonly StoredMessage[];
+  #byChannel: Map<number, StoredMessage[]> | undefined;
+
+  /** @param messages in the order of the file, which those of the same time keep */
+  constructor(messages: StoredMessage[]) {
+    this.all = messages.sort(byTime);
+  }
+
+  /** The last message of a channel that is not later than a moment. */
+  latestAt(channelId: number, timeNs: bigint): StoredMessage | undefined {
+    this.#byChannel ??= group(this.all);
+    const messages = this.#byChannel.get(channelId);
+    return messages?.findLast(({ logTimeNs }) => logTimeNs <= timeNs);
+  }
+}
+
+function group(messages: readonly StoredMessage[]): Map<number, StoredMessage[]> {
+  const groups = new Map<number, StoredMessage[]>();
+  for (const message of messages) {
+    const group = groups.get(message.channelId);
+    if (group === undefined) groups.set(message.channelId, [message]);
+    else group.push(message);
+  }
+  return groups;
+}
 
 /** Decompressed chunks that are kept: those between two snapshots, and some more. */
 const CACHE_BYTES = 48 * 1024 * 1024;

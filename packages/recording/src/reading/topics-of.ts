@@ -1,7 +1,7 @@
 import type { Channel } from '@mcap/core';
 import type { FileIndex } from '../mcap/file-index.ts';
 import type { EventKind } from '../records/recording-event.ts';
-import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
+import { RECORD_SCHEMA_NAME } from '../records/event-schemas.ts';
 import type { ForeignChannel } from '../records/recorded-record.ts';
 import type { RecordedTopic } from '../records/recording-summary.ts';
 import { eventKindOf } from './recorded-events.ts';
@@ -18,7 +18,7 @@ export interface FileChannels {
   readonly topics: readonly RecordedTopic[];
 }
 
-/** Tells channels of records and of events apart. */
+/** Separates channels of records from channels of events. */
 export function channelsOf(index: FileIndex): FileChannels {
   const records = new Map<number, Channel>();
   const events = new Map<number, EventKind>();

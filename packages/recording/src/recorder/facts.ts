@@ -12,7 +12,7 @@ import {
   type Session,
 } from '@ubii/proto';
 import type { RecordedComponent, RecordingEvent } from '../records/recording-event.ts';
-import { nsOf } from './nanoseconds.ts';
+import { nsOf } from '../records/recorded-record.ts';
 
 const CLIENT_STATES: Readonly<Record<number, string>> = {
   [ClientState.ACTIVE]: 'active',
@@ -28,7 +28,7 @@ const SESSION_STATES: ReadonlyMap<number, string> = new Map(
   ]),
 );
 
-/** What a record of the master tells of a client, a device or a session; undefined for other records. [RC-12] */
+/** The event of a record of the master about a client, a device or a session; undefined for other records. [RC-12] */
 export function eventOf(
   topic: string,
   record: Uint8Array,

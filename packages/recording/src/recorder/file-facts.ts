@@ -13,7 +13,7 @@ import { shortened } from '@ubii/words';
 import type { RecordingHeader } from '../records/recording-header.ts';
 import type { RecordedTopic, RecordingSummary } from '../records/recording-summary.ts';
 import type { RecordingJob } from './recorder.ts';
-import { msOf } from './nanoseconds.ts';
+import { msOf } from '../records/recorded-record.ts';
 
 /** What the master keeps in the header of a file, besides what every reader knows. */
 export interface FileFacts {

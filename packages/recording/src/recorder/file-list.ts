@@ -1,5 +1,5 @@
 import { RecordingKind, RecordingState, ServiceError, type Recording } from '@ubii/proto';
-import { changeRecording } from '../repair/change-recording.ts';
+import { changeRecording } from '../repair/repair-recording.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import { boundFacts } from './bound-facts.ts';
@@ -15,9 +15,8 @@ import type {
 import { formatHeader, parseFacts } from './file-facts.ts';
 import { MarkerList } from './marker-list.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
-import type { OpenFile, RecordingFolder } from './recording-folder.ts';
+import { listRejected, type OpenFile, type RecordingFolder } from './recording-folder.ts';
 import { pageOf } from './recording-page.ts';
-import { listRejected } from './rejected-file.ts';
 
 /** What the list works with. */
 export interface FileListContext {
@@ -82,7 +81,7 @@ export class FileList {
     return this.values().reduce((sum, { sizeBytes }) => sum + sizeBytes, 0);
   }
 
-  /** @param page of topics and markers; default: none of them @throws ServiceError when there is none of this id */
+  /** @param page of topics and markers; default: neither @throws ServiceError when there is none of this id */
   async get(id: string, page?: RecordingPage): Promise<KeptRecording> {
     await this.scan();
     return this.#ofListed(id, async ({ facts: { makerId }, recording }) => {
@@ -205,7 +204,7 @@ export class FileList {
     return { selection, ...pageOf(id, summary, page, limits) };
   }
 
-  /** What the sender of an upload hears. The file of a node stays at the node. */
+  /** The answer to the sender of an upload. The file of a node stays at the node. */
   async #refuse(
     job: RecordingJob,
     { kind, reason }: Exclude<Verdict, { kind: 'accepted' }>,

@@ -1,7 +1,6 @@
 import type { FlightRecords } from '@ubii/proto';
-import { FLIGHT_TARGET } from '../arena/flight-target.ts';
+import { FLIGHT_TARGET, type RecordSpans } from '../arena/shared-records.ts';
 import type { NamedChannel } from '../arena/channels.ts';
-import type { RecordSpans } from '../arena/shared-records.ts';
 import type { RingEntry } from '../arena/shared-ring.ts';
 
 /** Which records of the flight recorder to read. [RC-36] */

@@ -5,13 +5,12 @@ import { RecordMemory } from '../arena/record-memory.ts';
 import type { ChannelSource } from '../arena/channels.ts';
 import { SharedReader } from '../arena/shared-records.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
-import type { RecordedRecord } from '../records/recorded-record.ts';
+import { msOf, type RecordedRecord } from '../records/recorded-record.ts';
 import { MemoryFile } from '../testing/memory-file.ts';
 import { readRecords } from '../testing/read-records.ts';
 import { SAMPLE_HEADER, SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
 import { FlightRecorder, type FlightSnapshot } from './flight-recorder.ts';
-import { msOf } from './nanoseconds.ts';
 import { writeFlight } from './write-flight.ts';
 
 const MS_PER_MINUTE = 60_000;

@@ -4,7 +4,7 @@ import type { NamedChannel } from '../arena/channels.ts';
 import type { RecordMemory } from '../arena/record-memory.ts';
 import type { RecordSpans } from '../arena/shared-records.ts';
 import { MarkerList } from './marker-list.ts';
-import { msOf, nsOf } from './nanoseconds.ts';
+import { msOf, nsOf } from '../records/recorded-record.ts';
 import type { MarkerJob } from './recorder.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import { HeldEvents } from './held-events.ts';
@@ -126,7 +126,7 @@ export class FlightRecorder {
     if (this.#cancelDrop === undefined) this.#waitForDrop();
   }
 
-  /** Tells that a topic has no value any more. [RC-33] */
+  /** Records that a topic has no value any more. [RC-33] */
   forget(topic: string): void {
     this.#pass();
     this.#memory?.endTopic(topic, this.#presentMs);

@@ -1,5 +1,4 @@
-import type { RecordingEvent } from '../records/recording-event.ts';
-import { stateKey } from '../records/state-key.ts';
+import { stateKey, type RecordingEvent } from '../records/recording-event.ts';
 
 interface HeldEvent {
   readonly event: RecordingEvent;

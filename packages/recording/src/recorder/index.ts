@@ -1,5 +1,6 @@
-export { FLIGHT_TARGET } from '../arena/flight-target.ts';
+export { FLIGHT_TARGET } from '../arena/shared-records.ts';
 export {
+  isInternalTopic,
   type FlightJob,
   type KeptRecording,
   type MarkerJob,
@@ -13,7 +14,7 @@ export {
 } from './recorder.ts';
 export { clientEvent, clockEvent, deviceEvent, eventOf, gapEvent, sessionEvent } from './facts.ts';
 export { MAX_TIME_MS } from '../records/event-schemas.ts';
-export { msOf, nsOf } from './nanoseconds.ts';
+export { msOf, nsOf } from '../records/recorded-record.ts';
 export type { RecordSearch } from './find-records.ts';
 export type { RecorderContext } from './recorder-engine.ts';
 export { recordHere } from './local-recorder.ts';
@@ -25,9 +26,9 @@ export {
   parseRejection,
   type RejectedFile,
   type Rejection,
-} from './rejected-file.ts';
-export type { OpenFile, RecordingFolder } from './recording-folder.ts';
+  type OpenFile,
+  type RecordingFolder,
+} from './recording-folder.ts';
 export { AT_MASTER, WITHOUT_PAGE } from './file-facts.ts';
 export { elementsFrom } from './recording-page.ts';
-export { isInternalTopic } from './internal-topics.ts';
 export type { ChannelSource } from '../arena/channels.ts';

@@ -2,7 +2,7 @@ import { ServiceError, type RecordingMarker, type TextLimits } from '@ubii/proto
 import { oneLine, shortened } from '@ubii/words';
 import type { Marker, RecordingEvent } from '../records/recording-event.ts';
 import type { MarkerJob } from './recorder.ts';
-import { nsOf } from './nanoseconds.ts';
+import { nsOf } from '../records/recorded-record.ts';
 
 /** Markers of one recording. [RC-20] */
 export class MarkerList {

@@ -32,7 +32,7 @@ import { factsOf, formatHeader } from './file-facts.ts';
 import { LocalChecker } from './check-file.ts';
 import type { FileChecker } from './file-checker.ts';
 import { FileList } from './file-list.ts';
-import { recordedOf } from './recorded-record.ts';
+import { recordedOf } from '../records/recorded-record.ts';
 import type { RecorderLimits } from './recorder-limits.ts';
 import type { RecordingFolder } from './recording-folder.ts';
 import { notWritten, RunningRecordings } from './running-recordings.ts';

@@ -8,6 +8,7 @@ import type {
   RecordingSelection,
   RecordingStudy,
 } from '@ubii/proto';
+
 import type { ChannelSource } from '../arena/channels.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { RecordSearch } from './find-records.ts';
@@ -113,7 +114,7 @@ export interface Recorder {
    * @param targets bits of what records it: `FLIGHT_TARGET`, and the targets of recordings
    */
   add(source: ChannelSource, record: Uint8Array, timeMs: number, targets: number): void;
-  /** Tells the flight recorder that a topic has no value any more, after the records before. Never throws. */
+  /** Records in the flight recorder that a topic has no value any more, after the records before. Never throws. */
   endTopic(topic: string): void;
   /** Records an event in these targets. Never throws. */
   addEvent(event: RecordingEvent, targets: number): void;
@@ -124,7 +125,7 @@ export interface Recorder {
   /** Closes the file. A recording that is finished stays as it is. */
   stop(id: string): Promise<Recording>;
   list(): Promise<RecorderList>;
-  /** @param page of topics and markers; default: none of them */
+  /** @param page of topics and markers; default: neither */
   get(id: string, page?: RecordingPage): Promise<KeptRecording>;
   /** Whose a recording is, without reading its file. [RC-66] */
   makerOf(id: string): Promise<string>;
@@ -144,4 +145,12 @@ export interface Recorder {
   onState(listener: (state: RecorderState) => void): void;
   /** Closes all files. */
   close(): Promise<void>;
+}
+
+/** Topics, below the id of a page, on which it publishes its state and the results of its preflight. [EX-49] [EX-56] [AC-30] */
+const OF_PAGES = ['page_state', 'graph_editor/presence', 'preflight'];
+
+/** Whether a page publishes its own state there: recorded only where a selection names it. [RC-12] */
+export function isInternalTopic(topic: string, publisherId: string): boolean {
+  return OF_PAGES.some((rest) => topic === `/${publisherId}/${rest}`);
 }

@@ -1,7 +1,6 @@
 import { RecordingKind, RecordingState, type Recording } from '@ubii/proto';
-import { changeRecording } from '../repair/change-recording.ts';
+import { changeRecording, repairRecording } from '../repair/repair-recording.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
-import { repairRecording } from '../repair/repair-recording.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import { READING_LIMITS } from '../storage/reading-limits.ts';
@@ -125,7 +124,7 @@ export class RunningRecording {
     }
   }
 
-  /** What was recorded of each topic so far. */
+  /** Statistics of each topic so far. */
   get topics(): readonly DescribedTopic[] {
     return this.#writer.topics;
   }

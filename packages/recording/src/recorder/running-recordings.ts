@@ -61,7 +61,7 @@ export class RunningRecordings {
     return this.#running.get(id)?.job.makerId;
   }
 
-  /** @param page of topics and markers; default: none of them */
+  /** @param page of topics and markers; default: neither */
   get(id: string, page?: RecordingPage): KeptRecording | undefined {
     const running = this.#running.get(id);
     if (running === undefined) return undefined;
@@ -103,7 +103,7 @@ export class RunningRecordings {
     }
   }
 
-  /** Marks one, or all. @returns false when none of them runs @throws ServiceError when a marker is refused */
+  /** Marks one, or all. @returns false when none runs @throws ServiceError when a marker is refused */
   mark(job: MarkerJob): boolean {
     const { recordingId } = job.marker;
     const all = [...this.#running.values()];

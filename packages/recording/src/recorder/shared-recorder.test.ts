@@ -2,8 +2,12 @@ import { encodeRecord, type Recording } from '@ubii/proto';
 import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import type { NamedChannel } from '../arena/channels.ts';
-import { FLIGHT_TARGET } from '../arena/flight-target.ts';
-import { SharedReader, type RecordSpans, type SharedRecords } from '../arena/shared-records.ts';
+import {
+  FLIGHT_TARGET,
+  SharedReader,
+  type RecordSpans,
+  type SharedRecords,
+} from '../arena/shared-records.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';
 import type { FileRecorder, FileState } from './file-recorder.ts';
 import { SharedRecorder } from './shared-recorder.ts';

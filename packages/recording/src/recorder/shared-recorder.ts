@@ -6,9 +6,8 @@ import type {
 } from '@ubii/proto';
 import type { Cancel, Clock } from '@ubii/timing';
 import type { ChannelSource } from '../arena/channels.ts';
-import { FLIGHT_TARGET } from '../arena/flight-target.ts';
+import { FLIGHT_TARGET, SharedReader, type RecordSpans } from '../arena/shared-records.ts';
 import { RecordMemory, type MemoryBounds } from '../arena/record-memory.ts';
-import { SharedReader, type RecordSpans } from '../arena/shared-records.ts';
 import type { RecordSearch } from './find-records.ts';
 import { FlightRecorder } from './flight-recorder.ts';
 import type { RecordingEvent } from '../records/recording-event.ts';

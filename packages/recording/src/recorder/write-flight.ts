@@ -1,10 +1,7 @@
-import { FLIGHT_TARGET } from '../arena/flight-target.ts';
+import { FLIGHT_TARGET, type SharedReader } from '../arena/shared-records.ts';
 import type { NamedChannel } from '../arena/channels.ts';
-import type { SharedReader } from '../arena/shared-records.ts';
 import { gapEvent } from './facts.ts';
-import { nsOf } from './nanoseconds.ts';
-import { recordedOf } from './recorded-record.ts';
-import type { RecordedRecord } from '../records/recorded-record.ts';
+import { nsOf, recordedOf, type RecordedRecord } from '../records/recorded-record.ts';
 import type { RecordingWriter } from '../writing/recording-writer.ts';
 import type { FlightSnapshot } from './flight-recorder.ts';
 

@@ -1,5 +1,9 @@
 import { DEFAULT_TEXT_LIMITS } from '@ubii/proto';
+
 import type { EventKind } from './recording-event.ts';
+
+/** Name of the MCAP schema of our records. */
+export const RECORD_SCHEMA_NAME = 'ubii.topicData.TopicDataRecord';
 
 /** A part of JSON Schema: what events need. */
 export type ValueSchema =

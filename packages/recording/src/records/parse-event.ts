@@ -30,7 +30,7 @@ export function parseEvent(kind: EventKind, timeNs: bigint, data: Uint8Array): R
   return { kind, timeNs, value: known(schema, value) } as RecordingEvent;
 }
 
-/** Tells whether a value from outside is the value of an event. */
+/** Returns whether a value from outside is the value of an event. */
 export function isEventValue<K extends EventKind>(kind: K, value: unknown): value is EventValue<K> {
   return findProblem(eventSchemaOf(kind), value, '') === undefined;
 }

@@ -1,3 +1,6 @@
+import { dataFormatOfField, type DataFormat } from '@ubii/proto';
+import { readRecordHead, readRecordTimestamp } from '@ubii/proto/wire';
+
 /** A record as it was published, with the times at which that happened. */
 export interface RecordedRecord {
   readonly topic: string;
@@ -22,4 +25,44 @@ export interface ForeignChannel {
   /** Such as `cdr` or `json`. */
   readonly messageEncoding: string;
   readonly metadata: ReadonlyMap<string, string>;
+}
+
+/** What the recorder has to know of an encoded record. */
+export interface RecordDescription {
+  /** Data format of the value; undefined for a record without value. */
+  readonly format: DataFormat | undefined;
+  /** Source time, milliseconds since the Unix epoch; undefined when the record has none that is plausible. */
+  readonly timestampMs: number | undefined;
+}
+
+/** Reads format and time of an encoded record without decoding its value. Never throws: broken records have neither. */
+export function describeRecord(record: Uint8Array): RecordDescription {
+  try {
+    const format = dataFormatOfField(readRecordHead(record).valueField);
+    return { format, timestampMs: readRecordTimestamp(record) };
+  } catch {
+    return { format: undefined, timestampMs: undefined };
+  }
+}
+
+/** Milliseconds of nanoseconds, with fractions. */
+export function msOf(ns: bigint): number {
+  return Number(ns / 1000n) / 1000;
+}
+
+/** Nanoseconds of milliseconds, to the microsecond. */
+export function nsOf(ms: number): bigint {
+  return BigInt(Math.round(ms * 1000)) * 1000n;
+}
+
+/** A record as it stands in files, with the time of its publisher. */
+export function recordedOf(
+  { topic, clientId }: Pick<RecordedRecord, 'topic' | 'clientId'>,
+  record: Uint8Array,
+  timeMs: number,
+): RecordedRecord {
+  const logTimeNs = nsOf(timeMs);
+  const { timestampMs } = describeRecord(record);
+  const publishTimeNs = timestampMs === undefined ? logTimeNs : nsOf(timestampMs);
+  return { topic, clientId, record, logTimeNs, publishTimeNs };
 }

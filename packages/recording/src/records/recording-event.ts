@@ -113,3 +113,18 @@ export const EVENT_TOPICS: Readonly<Record<EventKind, string>> = {
   device: '/recording/devices',
   gap: '/recording/gaps',
 };
+
+/** Key of the state that an event sets: a later event with the same key replaces it. Undefined for markers and gaps. */
+export function stateKey({ kind, value }: RecordingEvent): string | undefined {
+  switch (kind) {
+    case 'session':
+    case 'client':
+    case 'device':
+      return `${kind} ${value.id}`;
+    case 'clock':
+      return `${kind} ${value.clientId}`;
+    case 'marker':
+    case 'gap':
+      return undefined;
+  }
+}

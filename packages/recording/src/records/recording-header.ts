@@ -11,7 +11,7 @@ export interface RecordingHeader {
   /** Version of the program that wrote the file. */
   readonly version: string;
   readonly notes: string;
-  /** What was chosen to be recorded, as JSON. */
+  /** The selection of topics, as JSON. */
   readonly selection: string;
   /** `ubii.extension.PersonalData` as JSON: the labels of personal data when it was recorded. @default none */
   readonly personalData?: string;

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { beforeAll, expect, it } from 'vitest';
-import { readIndex } from '../mcap/read-index.ts';
+import { readIndex } from '../mcap/open-file.ts';
 import { RecordingReader } from '../reading/recording-reader.ts';
 import { RecordingError } from '../records/recording-error.ts';
 import type { RecordedRecord } from '../records/recorded-record.ts';
@@ -9,8 +9,7 @@ import { readRecords } from '../testing/read-records.ts';
 import { recorded } from '../testing/recorded.ts';
 import { SAMPLE_HEADER, SAMPLE_START_NS, sampleRecord } from '../testing/sample-records.ts';
 import { RecordingWriter } from '../writing/recording-writer.ts';
-import { changeRecording } from './change-recording.ts';
-import { repairRecording } from './repair-recording.ts';
+import { changeRecording, repairRecording } from './repair-recording.ts';
 
 const RECORDS = Array.from({ length: 400 }, (_, i) => sampleRecord(`/topic/${i % 7}`, i * 25));
 let whole: Uint8Array;

@@ -13,7 +13,7 @@ export interface RecordingSource {
 
 /** Where a recording is written to. Calls never overlap. */
 export interface RecordingSink {
-  /** Appends bytes; the caller may reuse them when the promise is fulfilled. On failure nothing of them is kept. */
+  /** Appends bytes; the caller may reuse them when the promise is fulfilled. On failure none is kept. */
   write(bytes: Uint8Array): Promise<void>;
   /** Bytes written so far: where the next ones go. */
   position(): bigint;

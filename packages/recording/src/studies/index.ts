@@ -1,6 +1,7 @@
 export { orderOfConditions, williamsDesign, type OrderSubject } from './condition-order.ts';
-export { labelOf, labelOfNumber } from './labels.ts';
 export {
+  labelOf,
+  labelOfNumber,
   DEFAULT_NAME_TEMPLATE,
   NAME_PLACEHOLDERS,
   NameTemplate,

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { labelOf, labelOfNumber } from './labels.ts';
-import { NameTemplate } from './name-template.ts';
+import { labelOf, labelOfNumber, NameTemplate } from './name-template.ts';
 
 const facts = {
   study: 'Touch & feel',

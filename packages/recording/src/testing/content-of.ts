@@ -1,5 +1,5 @@
 import { Opcode } from '@mcap/core';
-import { storedRecords } from '../mcap/stored-records.ts';
+import { storedRecords } from '../mcap/salvage.ts';
 import { unpackChunk } from '../mcap/unpack-chunk.ts';
 import type { MemoryFile } from './memory-file.ts';
 

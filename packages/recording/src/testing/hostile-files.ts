@@ -1,8 +1,6 @@
-import { McapRecordBuilder } from '@mcap/core';
-import type { ChunkIndex } from '@mcap/core';
-import { encodeEnd, FileIndex } from '../mcap/file-index.ts';
-import { SNAPSHOT_NAME, SNAPSHOT_TYPE } from '../mcap/snapshot-attachment.ts';
-import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
+import { McapRecordBuilder, type ChunkIndex } from '@mcap/core';
+import { encodeEnd, FileIndex, SNAPSHOT_NAME, SNAPSHOT_TYPE } from '../mcap/file-index.ts';
+import { RECORD_SCHEMA_NAME } from '../records/event-schemas.ts';
 import { PROFILE } from '../records/recording-header.ts';
 import { EVENT_TOPICS } from '../records/recording-event.ts';
 import { SAMPLE_START_NS } from './sample-records.ts';

@@ -1,4 +1,4 @@
-import { expectReadable } from '../storage/expect-readable.ts';
+import { expectReadable } from '../storage/reading-limits.ts';
 import type { RecordingFile } from '../storage/recording-storage.ts';
 
 /** A recording in memory, which counts what is read. */

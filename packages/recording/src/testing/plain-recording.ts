@@ -2,7 +2,7 @@ import { encodeRecord } from '@ubii/proto';
 import { McapWriter } from '@mcap/core';
 import { EVENT_TOPICS, type EventKind } from '../records/recording-event.ts';
 import { PROFILE } from '../records/recording-header.ts';
-import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
+import { RECORD_SCHEMA_NAME } from '../records/event-schemas.ts';
 import { MemoryFile } from './memory-file.ts';
 import { SAMPLE_START_NS } from './sample-records.ts';
 

@@ -1,12 +1,15 @@
 import { RECORD_SCHEMA } from '@ubii/proto/record-schema';
-import type { Channel } from '@mcap/core';
-import type { FileIndex } from '../mcap/file-index.ts';
-import { RECORD_SCHEMA_NAME } from '../records/record-schema-name.ts';
-import { describeRecord } from '../records/describe-record.ts';
-import { eventSchema } from '../records/event-schemas.ts';
-import type { ForeignChannel, RecordedRecord } from '../records/recorded-record.ts';
-import type { RecordedTopic } from '../records/recording-summary.ts';
+import { McapRecordBuilder, type Channel, type Attachment, type Message } from '@mcap/core';
+
+import { SNAPSHOT_NAME, SNAPSHOT_TYPE, type FileIndex } from '../mcap/file-index.ts';
+import { RECORD_SCHEMA_NAME, eventSchema } from '../records/event-schemas.ts';
+import {
+  describeRecord,
+  type ForeignChannel,
+  type RecordedRecord,
+} from '../records/recorded-record.ts';
 import { EVENT_TOPICS, type EventKind } from '../records/recording-event.ts';
+import type { RecordedTopic } from '../records/recording-summary.ts';
 
 /** Ids of channels have 16 bits; those of events come first. */
 const MAX_CHANNELS = 65_535;
@@ -49,7 +52,7 @@ export class Channels {
     return count;
   }
 
-  /** What was written of each topic and publisher so far. */
+  /** Statistics of each topic and publisher so far. */
   get recordTopics(): WrittenTopic[] {
     return [...this.#records.values()].flatMap((byClient) =>
       [...byClient.values()].map(({ id, topic, metadata }) => ({
@@ -151,4 +154,49 @@ function nextId(used: ReadonlyMap<number, unknown>, first: number): number {
 
 function recordSchemaBytes(): Uint8Array {
   return Uint8Array.from(atob(RECORD_SCHEMA), (character) => character.charCodeAt(0));
+}
+
+/** Larger records are found in their chunks. */
+const MAX_RECORD_BYTES = 16 * 1024;
+/** A file has a snapshot for each so many bytes: that much is read, at most, to seek. */
+const BYTES_BETWEEN = 4 * 1024 * 1024;
+/** Snapshots take up to a 16th of a file. */
+const SHARE = 16;
+
+type LastValue = { -readonly [K in keyof Message]: Message[K] };
+
+/**
+ * The last value of each channel, written as a snapshot now and then: seeking reads one and the few chunks that follow it,
+ * and not the chunk that each value was written in. A snapshot is a row of MCAP message records.
+ */
+export class LastValues {
+  readonly #latest = new Map<number, LastValue>();
+  #endNs = 0n;
+  #nextAt = BigInt(BYTES_BETWEEN);
+
+  /** Remembers a copy of a message, unless a later one of its channel is known. */
+  add(message: Message): void {
+    if (message.logTime > this.#endNs) this.#endNs = message.logTime;
+    const known = this.#latest.get(message.channelId);
+    if (known !== undefined && known.logTime > message.logTime) return;
+    if (message.data.length > MAX_RECORD_BYTES) {
+      this.#latest.delete(message.channelId);
+    } else if (known?.data.length === message.data.length) {
+      known.data.set(message.data);
+      known.logTime = message.logTime;
+      known.publishTime = message.publishTime;
+      known.sequence = message.sequence;
+    } else this.#latest.set(message.channelId, { ...message, data: message.data.slice() });
+  }
+
+  /** A snapshot, when one is due. @param position bytes of the file so far */
+  snapshotAt(position: bigint): Attachment | undefined {
+    if (position < this.#nextAt) return undefined;
+    const builder = new McapRecordBuilder();
+    for (const message of this.#latest.values()) builder.writeMessage(message);
+    const data = builder.buffer;
+    this.#nextAt = position + BigInt(Math.max(BYTES_BETWEEN, SHARE * data.length));
+    const times = { logTime: this.#endNs, createTime: this.#endNs };
+    return { name: SNAPSHOT_NAME, mediaType: SNAPSHOT_TYPE, ...times, data };
+  }
 }

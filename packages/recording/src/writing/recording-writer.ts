@@ -1,5 +1,4 @@
-import { McapRecordBuilder } from '@mcap/core';
-import type { Attachment, Channel } from '@mcap/core';
+import { McapRecordBuilder, type Attachment, type Channel } from '@mcap/core';
 import { Lz4Compressor } from '../compression/lz4-frame.ts';
 import { encodeEnd, FileIndex, indexBytesOf } from '../mcap/file-index.ts';
 import { OpenChunk } from '../mcap/open-chunk.ts';
@@ -9,8 +8,7 @@ import { RecordingError } from '../records/recording-error.ts';
 import type { Marker, RecordingEvent } from '../records/recording-event.ts';
 import { headerToMetadata, PROFILE, type RecordingHeader } from '../records/recording-header.ts';
 import type { RecordingSink } from '../storage/recording-storage.ts';
-import { Channels, type WrittenTopic } from './channels.ts';
-import { LastValues } from './last-values.ts';
+import { Channels, LastValues, type WrittenTopic } from './channels.ts';
 
 /** A chunk ends with this many bytes before compression … */
 const CHUNK_BYTES = 1024 * 1024;
@@ -95,7 +93,7 @@ export class RecordingWriter {
     };
   }
 
-  /** What was written so far; topics with messages of other programs are left out. */
+  /** Statistics of the records written so far; topics with messages of other programs are left out. */
   get topics(): readonly WrittenTopic[] {
     return this.#channels.recordTopics;
   }

@@ -4,8 +4,7 @@ import { encode } from 'jpeg-js';
 import { describe, expect, it } from 'vitest';
 import { readPhoto } from '../../test/photos.ts';
 import { chunk, png } from '../../test/write-png.ts';
-import { decodePicture, readImage2D } from './decode-picture.ts';
-import { orient } from './orient.ts';
+import { decodePicture, readImage2D, orient } from './decode-picture.ts';
 
 const photo = (file: string) =>
   new Uint8Array(readFileSync(new URL(`../../photos/${file}`, import.meta.url)));

@@ -1,4 +1,5 @@
-import { ModelChoice, type ModelSources } from '../model-choice.ts';
+import { ModelChoice } from '../model-choice.ts';
+import type { ModelSources } from '../model-sources.ts';
 import type { Picture } from '../picture.ts';
 import type { BackendName } from '../tensorflow/backend-names.ts';
 import type { Files } from '../tensorflow/memory-platform.ts';

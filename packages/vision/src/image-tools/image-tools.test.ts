@@ -1,10 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { CHANNELS, type OwnPicture, type PixelFormat } from '../picture.ts';
 import { convertPicture, greyPicture } from './convert-picture.ts';
-import { cropPicture } from './crop-picture.ts';
-import { histogram } from './histogram.ts';
-import { motionEnergy } from './motion-energy.ts';
-import { scalePicture } from './scale-picture.ts';
+import { cropPicture, scalePicture } from './crop-and-scale.ts';
+import { histogram, motionEnergy } from './measure-picture.ts';
 
 /** A scene whose pixels are known by their place. */
 function scene(

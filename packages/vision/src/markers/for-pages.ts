@@ -3,4 +3,3 @@ export * from './camera-calibration.ts';
 export { WANTED_VIEWS } from './calibration-views.ts';
 export * from './charuco-board.ts';
 export * from './dictionaries.ts';
-export * from './marker-cells.ts';

@@ -1,5 +1,5 @@
 import { greyPicture } from '../image-tools/convert-picture.ts';
-import { scalePicture } from '../image-tools/scale-picture.ts';
+import { scalePicture } from '../image-tools/crop-and-scale.ts';
 import type { CvMat, OpenCv } from '../opencv/open-cv.ts';
 import type { Keep } from '../opencv/open-cv-runtime.ts';
 import type { Picture } from '../picture.ts';

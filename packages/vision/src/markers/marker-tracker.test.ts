@@ -7,8 +7,7 @@ import { convertPicture } from '../image-tools/convert-picture.ts';
 import type { OpenCv } from '../opencv/open-cv.ts';
 import { OpenCvError, type OpenCvRuntime } from '../opencv/open-cv-runtime.ts';
 import { assumedCalibration, type CameraCalibration } from './camera-calibration.ts';
-import { MARKER_DICTIONARIES, markerDictionary } from './dictionaries.ts';
-import { markerCells } from './marker-cells.ts';
+import { MARKER_DICTIONARIES, markerDictionary, markerCells } from './dictionaries.ts';
 import { MarkerTracker, type TrackedMarker } from './marker-tracker.ts';
 import { angleBetween, type Vector3Value } from './rotations.ts';
 

@@ -1,12 +1,13 @@
 import * as tf from '@tensorflow/tfjs-core';
 import { beforeAll, describe, expect, it } from 'vitest';
+
 import { readAssetSet } from '../../scripts/asset-sets.mjs';
 import { readPhoto } from '../../test/photos.ts';
 import { convertPicture } from '../image-tools/convert-picture.ts';
 import type { OwnPicture, Picture } from '../picture.ts';
 import { createTensorflow, type Tensorflow } from '../tensorflow/create-tensorflow.ts';
 import { BODY_BONES, BODY_KEYPOINTS, type BodyKeypointName } from './body-keypoints.ts';
-import { type BodyPoseDetector, createBodyPose } from './body-pose.ts';
+import { createBodyPose, PoseSmoother, type BodyPoseDetector, type BodyPose } from './body-pose.ts';
 
 /**
  * Largest distance of a keypoint from its manually marked position, in heights of the picture. In a face, positions are
@@ -112,4 +113,41 @@ describe('MoveNet', () => {
 
 it('bones join each keypoint to another', () => {
   expect(new Set(BODY_BONES.flat())).toEqual(new Set(BODY_KEYPOINTS));
+});
+
+const poseAt = (x: number, score = 0.9): BodyPose => ({
+  score,
+  keypoints: [{ name: 'nose', x, y: 0.5, score }],
+});
+const xOf = (pose: BodyPose) => pose.keypoints[0]!.x;
+
+describe('PoseSmoother', () => {
+  it('goes 63 % of the way in its time constant, in one step or in many', () => {
+    const coarse = new PoseSmoother({ timeConstantMs: 100 });
+    coarse.smooth(poseAt(0), 0);
+    expect(xOf(coarse.smooth(poseAt(1), 100))).toBeCloseTo(1 - 1 / Math.E);
+    const fine = new PoseSmoother({ timeConstantMs: 100 });
+    fine.smooth(poseAt(0), 0);
+    const last = Array.from({ length: 10 }, () => fine.smooth(poseAt(1), 10)).at(-1)!;
+    expect(xOf(last)).toBeCloseTo(1 - 1 / Math.E);
+  });
+
+  it('starts where a keypoint is first seen, and where it is seen again', () => {
+    const smoother = new PoseSmoother();
+    expect(xOf(smoother.smooth(poseAt(0.7), 16))).toBe(0.7);
+    expect(xOf(smoother.smooth(poseAt(0.1, 0.05), 16))).toBe(0.1);
+    expect(xOf(smoother.smooth(poseAt(0.8), 16))).toBe(0.8);
+  });
+
+  it('does nothing with a time constant of 0', () => {
+    const smoother = new PoseSmoother({ timeConstantMs: 0 });
+    smoother.smooth(poseAt(0), 0);
+    expect(xOf(smoother.smooth(poseAt(1), 0))).toBe(1);
+  });
+
+  it('stays when no time has passed', () => {
+    const smoother = new PoseSmoother();
+    smoother.smooth(poseAt(0.2), 0);
+    expect(xOf(smoother.smooth(poseAt(1), -5))).toBe(0.2);
+  });
 });

@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { readAssetSet } from '../../scripts/asset-sets.mjs';
 import { HAND_POINTS, handPicture } from '../hand-picture.ts';
 import { readPhoto } from '../../test/photos.ts';
-import { cutSquare } from '../image-tools/cut-square.ts';
+import { cutSquare } from '../image-tools/crop-and-scale.ts';
 import { createTensorflow, type Tensorflow } from '../tensorflow/create-tensorflow.ts';
 import { HAND_BONES, HAND_KEYPOINTS } from './hand-keypoints.ts';
 import { createHandPose, type HandPose, type HandPoseDetector } from './hand-pose.ts';

@@ -1,13 +1,72 @@
 import type { GraphModel } from '@tensorflow/tfjs-converter';
 import * as tf from '@tensorflow/tfjs-core';
+
+import { boxBetween, withoutCovered } from '../detection/boxes.ts';
+import type { Detection } from '../detection/detector.ts';
 import { convertPicture } from '../image-tools/convert-picture.ts';
-import { cutSquare, placeInPicture, type TurnedSquare } from '../image-tools/cut-square.ts';
-import { scalePicture } from '../image-tools/scale-picture.ts';
+import {
+  cutSquare,
+  placeInPicture,
+  scalePicture,
+  type TurnedSquare,
+} from '../image-tools/crop-and-scale.ts';
+import { fitModelInput } from '../model-input.ts';
 import { checkPicture, type Picture } from '../picture.ts';
 import type { Tensorflow } from '../tensorflow/create-tensorflow.ts';
 import type { Files } from '../tensorflow/memory-platform.ts';
-import { findHandBoxes } from './hand-boxes.ts';
 import { HAND_KEYPOINTS, type HandKeypointName } from './hand-keypoints.ts';
+
+/** Sides of what the model sees, in pixels. From its signature. */
+const DETECTOR_SIZE = 320;
+
+/** Scores of 7 classes for each box, and boxes (y, x, y, x; 0 to 1 of the input), before the model's own choice. */
+const OUTPUTS = [
+  'StatefulPartitionedCall/Postprocessor/Slice',
+  'StatefulPartitionedCall/Postprocessor/ExpandDims_1',
+];
+
+/** Classes of the model (V. Dibia, Handtrack.js 0.1). */
+const CLASSES = ['hand', 'fist', 'pinch', 'point', 'face', 'tip', 'pinchtip'] as const;
+/** The first four are hands. */
+const HAND_CLASSES = 4;
+
+/** Low, because the second model rejects boxes without a hand. */
+const THRESHOLD = 0.2;
+/** Two hands may touch; two boxes of one hand overlap by more. */
+const MAX_OVERLAP = 0.3;
+
+/**
+ * Returns where hands may be, the highest score first.
+ *
+ * @param model `handtrack`
+ * @param maxHands most to return
+ */
+async function findHandBoxes(
+  model: GraphModel,
+  picture: Picture,
+  maxHands: number,
+): Promise<Detection[]> {
+  const { rgb, pictureWidth, pictureHeight } = fitModelInput(picture, DETECTOR_SIZE, DETECTOR_SIZE);
+  const input = tf.tensor4d(Int32Array.from(rgb), [1, DETECTOR_SIZE, DETECTOR_SIZE, 3]);
+  const results = (await model.executeAsync(input, OUTPUTS)) as tf.Tensor[];
+  const [scores, boxes] = await Promise.all(results.map((result) => result.data()));
+  tf.dispose([input, ...results]);
+  const [across, down] = [DETECTOR_SIZE / pictureWidth, DETECTOR_SIZE / pictureHeight];
+  const found: Detection[] = [];
+  for (let at = 0, box = 0; at < scores!.length; at += CLASSES.length, box += 4) {
+    const ofBox = scores!.subarray(at, at + CLASSES.length);
+    const score = Math.max(...ofBox.subarray(0, HAND_CLASSES));
+    if (!(score >= THRESHOLD) || Math.max(...ofBox) > score) continue;
+    const [top, left, bottom, right] = boxes!.subarray(box, box + 4);
+    found.push({
+      class: 'hand',
+      score,
+      box: boxBetween(left! * across, top! * down, right! * across, bottom! * down),
+    });
+  }
+  found.sort((a, b) => b.score - a.score);
+  return withoutCovered(found, MAX_OVERLAP, maxHands);
+}
 
 /** The models' files in their asset set. */
 export const HAND_POSE_MODELS = {

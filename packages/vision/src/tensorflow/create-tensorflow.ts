@@ -6,8 +6,15 @@ import { type GraphModel, loadGraphModel } from '@tensorflow/tfjs-converter';
 import * as tf from '@tensorflow/tfjs-core';
 import type { BackendName } from './backend-names.ts';
 import { type BackendCandidate, type BackendChoice, chooseBackend } from './choose-backend.ts';
-import { BackendLostError, lossOf, runUnlessLost, startBackend } from './gpu-backend.ts';
-import { type GpuSupport, webglSupport, webgpuSupport } from './gpu-support.ts';
+import {
+  BackendLostError,
+  lossOf,
+  runUnlessLost,
+  startBackend,
+  webglSupport,
+  webgpuSupport,
+  type GpuSupport,
+} from './gpu-backend.ts';
 import { type Files, useMemoryPlatform } from './memory-platform.ts';
 import { readModelFiles } from './model-files.ts';
 import { knownResults, probeError, runProbe } from './probe.ts';

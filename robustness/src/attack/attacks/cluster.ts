@@ -5,8 +5,7 @@ import { type MasterProcess, reasonAgainstNats, startNats, StartRefused } from '
 import { AccessRole } from '@ubii/proto';
 
 import { pause } from '../../pause.ts';
-import { comparison, finding, type Attack, type Finding } from '../attack.ts';
-import { roleName } from '../parts/role-name.ts';
+import { comparison, finding, roleName, type Attack, type Finding } from '../attack.ts';
 import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 /** Time in which masters of a cluster find each other. */

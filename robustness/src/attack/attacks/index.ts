@@ -2,21 +2,17 @@ import type { Attack } from '../attack.ts';
 import { amplification } from './amplification.ts';
 import { awayClients } from './away.ts';
 import { clusterSecrets } from './cluster.ts';
-import { connections } from './connections.ts';
-import { descriptors } from './descriptors.ts';
+import { connections, descriptors } from './connections.ts';
 import { frames } from './frames.ts';
 import { guests } from './guests.ts';
 import { deletedIds, fileModes, flightSilence } from './kept-data.ts';
-import { largeBodies } from './large-bodies.ts';
+import { largeBodies, slowHeads, unfinishedBodies } from './requests.ts';
 import { longNames } from './long-names.ts';
-import { moduleMemory } from './module-memory.ts';
+import { moduleMemory, runawayDemuxer } from './modules.ts';
 import { localName, localUsers, originNull, proxies } from './pretenders.ts';
 import { ghostInputs, replayRights, studyCodes } from './replays.ts';
-import { revoking } from './revoking.ts';
-import { runawayDemuxer } from './runaway-demuxer.ts';
+import { revoking, wrongCodes } from './credentials.ts';
 import { shares } from './shares.ts';
-import { slowHeads } from './slow-heads.ts';
-import { unfinishedBodies } from './unfinished-bodies.ts';
 import {
   uploadClaims,
   uploadLengths,
@@ -24,7 +20,6 @@ import {
   uploadTexts,
   uploadWeight,
 } from './uploads.ts';
-import { wrongCodes } from './wrong-codes.ts';
 
 /** Every attack, in the order of the report. */
 export const ATTACKS: readonly Attack[] = [

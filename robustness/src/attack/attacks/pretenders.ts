@@ -4,8 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { type MasterProcess, StartRefused } from '@ubii/harness';
 import { AccessRole } from '@ubii/proto';
 
-import { finding, type Attack, type Finding } from '../attack.ts';
-import { roleName } from '../parts/role-name.ts';
+import { finding, roleName, type Attack, type Finding } from '../attack.ts';
 import type { AttackEnvironment } from '../environment/attack-environment.ts';
 
 const NOBODY = 65_534;

@@ -17,8 +17,8 @@ import {
   MALFORMED_EVENTS,
   MARKER,
   recordingWith,
-} from '../../fixtures/hostile-recordings.ts';
-import { uploadRecording } from '../../fixtures/recordings.ts';
+  uploadRecording,
+} from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import { comparison, finding, type Attack, type Finding } from '../attack.ts';
 import { tryUpload, type HostileFile } from '../parts/try-upload.ts';

@@ -1,9 +1,48 @@
-import { dialLoopback, hasFlag, MasterProcess, type MasterStart, Outsider } from '@ubii/harness';
+import { fork, type ChildProcess } from 'node:child_process';
+import { once } from 'node:events';
+import { fileURLToPath } from 'node:url';
+
+import { dialLoopback, hasFlag, MasterProcess, Outsider, type MasterStart } from '@ubii/harness';
 import type { AccessRole, AccessGrantCreated, AccessGrantCreateRequest, Init } from '@ubii/proto';
 
-import { MASTER_V4, MASTER_V6, OUTSIDE_V4, OUTSIDE_V6 } from './attack-network.ts';
-import type { Dialer } from './dialer.ts';
-import { GapMeter } from './gap-meter.ts';
+import { MASTER_V4, MASTER_V6, OUTSIDE_V4, OUTSIDE_V6, type Dialer } from './attack-network.ts';
+
+const program = fileURLToPath(new URL('gap-process.ts', import.meta.url));
+/** Time in which delayed records arrive. */
+const CALM_MS = 1_500;
+
+/** Publishes at 100 Hz in a process of its own, through the master, and measures the longest time without a record. */
+class GapMeter {
+  readonly #child: ChildProcess;
+
+  private constructor(child: ChildProcess) {
+    this.#child = child;
+  }
+
+  static async open(url: string): Promise<GapMeter> {
+    const child = fork(program, [url], { execArgv: ['--import', import.meta.resolve('tsx')] });
+    await once(child, 'message');
+    return new GapMeter(child);
+  }
+
+  /** The longest time without a record, beyond the 10 ms between two, while something is done and shortly after. */
+  async during(action: () => Promise<unknown>): Promise<number> {
+    await this.#ask('begin');
+    await action();
+    await new Promise((resolve) => setTimeout(resolve, CALM_MS));
+    return this.#ask('read');
+  }
+
+  close(): void {
+    this.#child.kill('SIGKILL');
+  }
+
+  async #ask(word: string): Promise<number> {
+    const answer = once(this.#child, 'message');
+    this.#child.send(word);
+    return (await answer)[0] as number;
+  }
+}
 
 /** A build of the master, and callers at different addresses. Closes everything that it opened. */
 export class AttackEnvironment {

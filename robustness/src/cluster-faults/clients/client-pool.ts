@@ -14,7 +14,7 @@ export interface PoolPlan {
   readonly count: number;
   /** Topics that the first members publish on, one each. */
   readonly publishes: readonly string[];
-  /** All topics; each member subscribes to some of them. */
+  /** All topics; each member subscribes to some. */
   readonly topics: readonly string[];
   readonly topicsPerMember: number;
   /** Time between two records of a topic, milliseconds. */

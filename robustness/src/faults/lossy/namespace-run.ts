@@ -2,9 +2,8 @@ import { createInterface } from 'node:readline';
 
 import { pause } from '../../pause.ts';
 import { Random } from '../../random.ts';
-import { median } from '../../soak/growth.ts';
-import type { Outcome } from '../scenario.ts';
-import { FaultRun } from '../fault-run.ts';
+import { median } from '../../soak/measure.ts';
+import { FaultRun, type Outcome } from '../fault-run.ts';
 import { FAR, GOOD_LINK, type LinkQuality } from './lossy-link.ts';
 
 /*

@@ -3,8 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 import { pause } from '../../pause.ts';
-import type { Scenario } from '../scenario.ts';
-import { FaultRun } from '../fault-run.ts';
+import { FaultRun, type Scenario } from '../fault-run.ts';
 
 const HOUR_MS = 3_600_000;
 /** Invitations last for seven days here: none of these ends one. */

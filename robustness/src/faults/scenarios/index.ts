@@ -1,8 +1,7 @@
-import type { Scenario } from '../scenario.ts';
+import type { Scenario } from '../fault-run.ts';
 import { clockJumps } from './clock-jumps.ts';
 import { fullDisk, readOnlyDisk } from './full-disk.ts';
-import { killMaster } from './kill-master.ts';
-import { killNode } from './kill-node.ts';
+import { killMaster, killNode } from './kill-processes.ts';
 import { killTab } from './kill-tab.ts';
 import { lossyNetwork } from './lossy-network.ts';
 import { roughNetwork } from './rough-network.ts';

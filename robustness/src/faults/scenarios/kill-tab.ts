@@ -3,8 +3,7 @@ import { existsSync } from 'node:fs';
 import { chromium, type Browser, type CDPSession, type Page } from '@playwright/test';
 
 import { periodicSession } from '../../fixtures/sessions.ts';
-import type { Scenario } from '../scenario.ts';
-import { FaultRun } from '../fault-run.ts';
+import { FaultRun, type Scenario } from '../fault-run.ts';
 import { ModuleOutput } from '../module-output.ts';
 
 const SYSTEM_CHROMIUM = '/usr/bin/chromium';

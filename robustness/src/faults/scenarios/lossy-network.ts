@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 
 import { LossyLink } from '../lossy/lossy-link.ts';
 import type { NamespaceMessage } from '../lossy/namespace-run.ts';
-import type { Outcome, Scenario } from '../scenario.ts';
+import type { Outcome, Scenario } from '../fault-run.ts';
 
 const PROGRAM = fileURLToPath(new URL('../lossy/namespace-run.ts', import.meta.url));
 const SEEDS = 2 ** 32;

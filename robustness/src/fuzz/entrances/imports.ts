@@ -90,7 +90,7 @@ const XDF = await (async () => {
   return joined(...parts);
 })();
 
-/** What was imported can be read again, and is not much longer than the file. */
+/** An imported recording can be read again, and is not much longer than the file. */
 async function imported(
   write: (sink: MemoryFile) => Promise<unknown>,
   input: Uint8Array,

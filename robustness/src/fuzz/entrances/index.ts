@@ -1,13 +1,11 @@
 import type { Entrance } from '../entrance.ts';
-import { files } from './files.ts';
-import { http } from './http.ts';
+import { files, sessionFiles } from './files.ts';
+import { http, join } from './http.ts';
 import { csv, xdf } from './imports.ts';
-import { join } from './join.ts';
 import { codec, jsonCodec } from './parsers.ts';
 import { pictures } from './pictures.ts';
 import { recordingFiles, uploads } from './recordings.ts';
 import { binary, json } from './services.ts';
-import { sessionFiles } from './session-files.ts';
 import { start } from './start.ts';
 import { frames, preflight, topicData } from './websocket.ts';
 

@@ -19,8 +19,12 @@ import {
   sampleRecord,
 } from '@ubii/recording/testing';
 
-import { MALFORMED_EVENTS, recordingWith } from '../../fixtures/hostile-recordings.ts';
-import { readUploadAnswer, type UploadAnswer } from '../../fixtures/recordings.ts';
+import {
+  MALFORMED_EVENTS,
+  recordingWith,
+  readUploadAnswer,
+  type UploadAnswer,
+} from '../../fixtures/recordings.ts';
 import { pause } from '../../pause.ts';
 import type { Entrance, FuzzTarget } from '../entrance.ts';
 import { mutateBytes } from '../mutate-bytes.ts';

@@ -1,15 +1,36 @@
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { MasterProcess, type MasterStart, StartRefused } from '@ubii/harness';
+
+import { MasterProcess, StartRefused, type MasterStart } from '@ubii/harness';
 
 import type { Random } from '../../random.ts';
 import type { Entrance } from '../entrance.ts';
 import { joined, mutateBytes } from '../mutate-bytes.ts';
 import { mutateJson } from '../mutate-json.ts';
-import { CERTIFICATE_PEM, KEY_PEM } from '../../fixtures/test-certificate.ts';
 
-/** Files that a master reads when it starts, and how they are told. */
+/** A certificate for `localhost` that no client trusts, and its key: for tests alone. */
+const CERTIFICATE_PEM = `-----BEGIN CERTIFICATE-----
+MIIBlTCCATugAwIBAgIUIifbZeQyBnD7PITLSWkMvoOuVlswCgYIKoZIzj0EAwIw
+FDESMBAGA1UEAwwJbG9jYWxob3N0MCAXDTI2MTEyMjIwMjY0MVoYDzIxMjYxMDI5
+MjAyNjQxWjAUMRIwEAYDVQQDDAlsb2NhbGhvc3QwWTATBgcqhkjOPQIBBggqhkjO
+PQMBBwNCAAR4KrH4Eb0fAOJFn+vNJGe94KLBVJoFxL3Q8mIUz0dGYSZXKrz7L099
+N5/wcZzghJ12aI0/T4uYeNrZs6gBO7f1o2kwZzAdBgNVHQ4EFgQUzvaLJsc9Y+W7
+9nXQG5x2TWEW/cIwHwYDVR0jBBgwFoAUzvaLJsc9Y+W79nXQG5x2TWEW/cIwDwYD
+VR0TAQH/BAUwAwEB/zAUBgNVHREEDTALgglsb2NhbGhvc3QwCgYIKoZIzj0EAwID
+SAAwRQIgfczkhikWrJfa4UEY9RwryZ5yVeCEbbr0vusA37678pwCIQDSjGh1hRx/
+pu7JFOoZTAdPLKzSnUej0SFFhpEXN3S8LQ==
+-----END CERTIFICATE-----
+`;
+
+const KEY_PEM = `-----BEGIN PRIVATE KEY-----
+MIGHAgEAMBMGByqGSM49AgEGCCqGSM49AwEHBG0wawIBAQQg31vTyklPF4G086zW
+FKasUATJ/yq0pXm6gP0yNYZ/jcGhRANCAAR4KrH4Eb0fAOJFn+vNJGe94KLBVJoF
+xL3Q8mIUz0dGYSZXKrz7L099N5/wcZzghJ12aI0/T4uYeNrZs6gBO7f1
+-----END PRIVATE KEY-----
+`;
+
+/** Files that a master reads when it starts, and the options that name them. */
 const FILES = [
   { path: 'resume-token.key', content: 'aGVsbG8gaGVsbG8gaGVsbG8gaGVsbG8gaGVsbG8gaGU=\n' },
   { path: 'grants/one.json', content: '' },

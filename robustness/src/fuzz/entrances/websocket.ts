@@ -131,7 +131,7 @@ export const preflight: Entrance = {
 async function deliverFrames(input: Uint8Array, target: FuzzTarget): Promise<void> {
   const { master, clientId, resumeToken } = target;
   const path = `/topicdata?clientID=${clientId}&token=${resumeToken}`;
-  // Who has ended before the master knew whose connection it is gets no socket.
+  // A client that ends its connection before the master has identified it gets no socket.
   const answer = await sendAndWaitForEnd(master.port, joined(handshake(path), input), true);
   const head = answer.toString('latin1', 0, 60);
   if (!head.startsWith('HTTP/1.1 101')) {

@@ -7,8 +7,9 @@ import {
   recordChunkIndexOf3Gib,
 } from '@ubii/recording/testing';
 
-import { MALFORMED_EVENTS, recordingWith } from '../../fixtures/hostile-recordings.ts';
 import {
+  MALFORMED_EVENTS,
+  recordingWith,
   readUploadAnswer,
   recordingFile,
   recordingFilePath,

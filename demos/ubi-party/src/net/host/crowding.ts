@@ -11,7 +11,7 @@ export interface CrowdingOptions {
   remove(key: string): void;
 }
 
-/** Shares out seats and places to watch between addresses: one person can take all of them with many clients. */
+/** Divides seats and places to watch between addresses: one person can take all of them with many clients. */
 export class Crowding {
   readonly #options: CrowdingOptions;
   #asking = new Set<string>();
@@ -62,7 +62,7 @@ export class Crowding {
           .map(({ clientId, addressGroup }) => [clientId, addressGroup]),
       );
     } catch {
-      return new Map(); // Not connected, or not allowed: nobody gives a place
+      return new Map(); // Not connected, or not allowed: no client gives its place
     }
   }
 }

@@ -1,9 +1,74 @@
+import { MuxIdentity, SessionState, type Init, type Session } from '@ubii/proto';
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { SessionState, type Session } from '@ubii/proto';
-import type { GameId } from '../../sim/index.ts';
-import { gameSession, PARTY_TAG } from './game-session.ts';
 
-/** The sessions of the games on the master: one at a time, so that nothing runs that nobody plays. */
+import { partyModuleName, takesAnswers } from '../../modules/index.ts';
+import { GAMES, type GameId } from '../../sim/index.ts';
+import {
+  PHONE_DEVICE,
+  PHONE_COMPONENTS,
+  ROUND_TOPIC,
+  SEATS_TOPIC,
+  settingTopic,
+  stateTopic,
+} from '../protocol.ts';
+
+/** Marks the sessions of the party. */
+const PARTY_TAG = 'ubi-party';
+
+/** The session that a game is played in: all phones by muxers, a demuxer to each, settings as topics. */
+export function gameSession(id: GameId): Init<Session> {
+  const name = partyModuleName(id);
+  const { title, settings, explanation } = GAMES[id];
+  return {
+    name: `Ubi-Party: ${title}`,
+    description: explanation[0],
+    tags: [PARTY_TAG, id],
+    processingModules: [{ name }],
+    ioMappings: [
+      {
+        processingModuleName: name,
+        inputMappings: [
+          { inputName: 'round', topic: ROUND_TOPIC },
+          { inputName: 'seats', topic: SEATS_TOPIC },
+          muxer('sticks', 'stick'),
+          muxer('buttons', 'button'),
+          muxer('pressed', 'pressed'),
+          ...(takesAnswers(id) ? [muxer('answers', 'answer')] : []),
+          ...Object.keys(settings).map((setting) => ({
+            inputName: setting,
+            topic: settingTopic(id, setting),
+          })),
+        ],
+        outputMappings: [
+          { outputName: 'state', topic: stateTopic(id) },
+          {
+            outputName: 'feedback',
+            topicDemux: {
+              name: 'feedback of each player',
+              dataType: 'string',
+              outputTopicFormat: `/{{#0}}/${PHONE_DEVICE}/feedback`,
+            },
+          },
+        ],
+      },
+    ],
+  };
+}
+
+/** The topics of one component of all phones, with the client that publishes as identity. */
+function muxer(inputName: string, component: 'stick' | 'button' | 'pressed' | 'answer'): object {
+  return {
+    inputName,
+    topicMux: {
+      name: `${component} of each player`,
+      dataType: PHONE_COMPONENTS[component].format,
+      topicGlob: `/*/${PHONE_DEVICE}/${component}`,
+      identitySource: MuxIdentity.MUX_IDENTITY_CLIENT_ID,
+    },
+  };
+}
+
+/** The sessions of the games on the master: one at a time, so that no unused session runs. */
 export class GameSessions {
   readonly #client: UbiiClient;
   readonly #handleTrouble: (sentence: string) => void;

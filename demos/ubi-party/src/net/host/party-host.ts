@@ -4,51 +4,35 @@ import {
   gameOf,
   nextRoom,
   type GameId,
-  type Player,
   type Room,
   type RoomEvent,
   type Seat,
   toRoom,
 } from '../../sim/index.ts';
-import { PhotoBoard } from '../photos/photo-board.ts';
-import type { RoomView } from '../room-view.ts';
-import {
-  LIVE_TOPIC,
-  phoneOf,
-  ROOM_TOPIC,
-  ROUND_TOPIC,
-  SEATS_TOPIC,
-  settingTopic,
-} from '../topics.ts';
+import { settingTopic, type RoomView } from '../protocol.ts';
 import { Audience } from './audience.ts';
-import { Crowding } from './crowding.ts';
-import { DelayWatch } from './delay-watch.ts';
-import { GameSessions } from './game-sessions.ts';
-import { EMPTY_MEMORY } from './host-memory.ts';
-import type { PartyHostOptions } from './party-host-options.ts';
-import { PhoneWishes } from './phone-wishes.ts';
+import { EMPTY_MEMORY, type PartyHostOptions } from './party-host-options.ts';
+import { PhoneRequests } from './phone-requests.ts';
+import { PhotoBoard } from './photo-board.ts';
 import { Presence } from './presence.ts';
-import { RoomTeller, sinceMsOf } from './room-teller.ts';
-import { RoundLeader } from './round-leader.ts';
-import { publishSettings, settingTopics } from './setting-topics.ts';
+import { RoomPublisher, sinceMsOf } from './room-publisher.ts';
+import { RoundLeader, publishSettings, retainedTopics } from './round-leader.ts';
 
 const TICK_MS = 250;
 const SAVE_STATE_MS = 1000;
 
 /**
- * Leads a party: knows the room, starts the session of each game, and tells everybody. It is where the big screen is,
- * or in a program without a screen. What it knows is stored, and told on topics.
+ * Leads a party: keeps the room, starts the session of each game, and publishes both. It runs in the page of the big screen,
+ * or in a program without a screen. Its state is stored, and published on topics.
  */
 export class PartyHost {
   readonly #options: PartyHostOptions;
   readonly #client: UbiiClient;
-  readonly #sessions: GameSessions;
   readonly #photos: PhotoBoard;
-  readonly #presence = new Presence();
-  readonly #delays: DelayWatch;
-  readonly #teller: RoomTeller;
+  readonly #presence: Presence;
+  readonly #publisher: RoomPublisher;
   readonly #rounds: RoundLeader;
-  readonly #wishes: PhoneWishes;
+  readonly #requests: PhoneRequests;
   readonly #audience: Audience;
   readonly #ends: (() => void)[] = [];
   readonly #storedSinceMs: number;
@@ -64,66 +48,57 @@ export class PartyHost {
     const { room, round, state, arePhotosHidden = false, sinceMs = 0 } = memory;
     this.#room = toRoom(room);
     this.#storedSinceMs = sinceMs;
+    const { client, clock, drawByte, listener } = options;
+    const shared = { client, nowMs: () => this.#nowMs(), room: () => this.#room };
     this.#photos = new PhotoBoard(
       {
-        client: options.client,
+        client,
         isPlayer: (id) => this.#room.players.some(({ key }) => key === id),
-        handleChange: () => this.#handlePhotos(),
+        handleChange: () => {
+          listener.handlePhotos?.(this.#photos.photos);
+          this.#publish();
+        },
       },
       arePhotosHidden,
     );
-    const { client, clock, drawByte } = options;
-    const keys = (): string[] => this.#room.players.flatMap(({ key }) => key ?? []);
-    this.#delays = new DelayWatch({ client, clock, keys });
-    this.#teller = new RoomTeller({
+    this.#presence = new Presence({ ...shared, clock, apply: (event) => this.apply(event) });
+    this.#publisher = new RoomPublisher({
       client,
       clock,
       handleSuperseded: (byId) => {
         this.close();
-        options.listener.handleSuperseded?.(byId);
+        listener.handleSuperseded?.(byId);
       },
     });
     this.#rounds = new RoundLeader(
-      { client, drawByte, handleState: (game, next) => this.#handleState(game, next) },
+      {
+        client,
+        drawByte,
+        handleState: (game, next) => this.#handleState(game, next),
+        handleTrouble: (sentence) => listener.handleTrouble?.(sentence),
+      },
       { ...(round && { round }), ...(state && { state }) },
     );
     this.#audience = new Audience({
-      client,
-      nowMs: () => this.#nowMs(),
-      room: () => this.#room,
-      handleCheer: (cheer) => options.listener.handleCheer?.(cheer),
+      ...shared,
+      handleCheer: (cheer) => listener.handleCheer?.(cheer),
     });
-    const crowding = new Crowding({
-      client,
-      room: () => this.#room,
-      remove: (key) => this.#decide(key, { type: 'leave', key }),
-    });
-    this.#wishes = new PhoneWishes({
-      client,
+    this.#requests = new PhoneRequests({
+      ...shared,
       drawByte,
-      nowMs: () => this.#nowMs(),
-      hasSeat: (key) => this.#room.players.some((player) => player.key === key),
       decide: (key, event) => this.#decide(key, event),
-      makeRoom: (key, as) => crowding.makeRoom(key, as),
     });
-    this.#sessions = new GameSessions(options.client, (sentence) =>
-      options.listener.handleTrouble?.(sentence),
-    );
   }
 
   get view(): RoomView {
-    const lags = this.#presence.lags(this.#room.players, this.#nowMs(), (key) =>
-      this.#delays.delays.lagOf(key),
-    );
-    const { id } = this.#client;
     const { hidden } = this.#photos;
     const { round } = this.#rounds;
-    const { sinceMs } = this.#teller;
+    const { sinceMs } = this.#publisher;
     return {
       room: this.#room,
-      hostId: id,
+      hostId: this.#client.id,
       ...(sinceMs !== undefined && { sinceMs }),
-      lags,
+      lags: this.#presence.lags(),
       ...(round && { round }),
       ...((hidden.all || hidden.ids.length > 0) && { hiddenPhotos: hidden }),
     };
@@ -131,39 +106,35 @@ export class PartyHost {
 
   /** Begins to lead, with what was stored. The client is connected. */
   async start(): Promise<void> {
-    const rooms = this.#teller.open();
+    const rooms = this.#publisher.open();
     this.#ends.push(() => rooms.close());
     try {
       this.#adopt(await rooms.before);
-      if (!this.#isClosed) await this.#hearPhones();
+      if (!this.#isClosed) await this.#listenToPhones();
     } catch (cause) {
       if (!this.#isClosed) throw cause;
     }
     if (this.#isClosed) return;
-    this.#teller.lead();
+    this.#publisher.lead();
     const stopState = this.#client.onState(({ status }) => {
       if (status === 'connected') void this.#handleConnected();
     });
     const stopTicks = this.#options.clock.every(TICK_MS, () => this.#tick());
-    this.#ends.push(stopState, stopTicks, this.#delays.start());
+    this.#ends.push(stopState, stopTicks);
     await this.#handleConnected();
-    this.#tell();
+    this.#publish();
   }
 
-  async #hearPhones(): Promise<void> {
-    const wishes = this.#wishes.open();
+  async #listenToPhones(): Promise<void> {
+    const requests = this.#requests.open();
     const audience = this.#audience.open();
-    const here = this.#client.subscribe({ glob: '/*/party/here' }, { format: 'double' });
-    here.onRecord(({ topic, value }) => {
-      const key = phoneOf(topic, 'here');
-      if (key !== undefined) this.#handleHere(key, value);
-    });
+    const presence = this.#presence.open();
     this.#ends.push(
-      () => wishes.close(),
+      () => requests.close(),
       () => audience.close(),
-      () => void here.close(),
+      () => presence.close(),
     );
-    await Promise.all([wishes.ready, audience.ready, here.ready]);
+    await Promise.all([requests.ready, audience.ready, presence.ready]);
   }
 
   /** Number of cheers dropped by the rate limit and not shown. */
@@ -171,28 +142,28 @@ export class PartyHost {
     return this.#audience.dropped;
   }
 
-  /** Applies an event of the host itself; those of leading phones arrive as wishes. @throws RoomRefusal */
+  /** Applies an event of the host itself; those of leading phones arrive as requests. @throws RoomRefusal */
   apply(event: RoomEvent): void {
     this.#become(nextRoom(this.#room, event, this.#nowMs()));
   }
 
   /** A code with which another phone takes a seat over; undefined for a seat without a person. */
   offerSeat(seat: Seat): string | undefined {
-    const key = this.#room.players.find((player) => player.seat === seat)?.key;
-    return key === undefined ? undefined : this.#wishes.offer(key);
+    const key = this.#keyOf(seat);
+    return key === undefined ? undefined : this.#requests.offer(key);
   }
 
   /** Changes a setting of a game for everybody, now. */
   setSetting(game: GameId, setting: string, value: number): void {
     const event = { type: 'set-setting', by: 'host', game, setting, value } as const;
-    // A slider changes many times a second: the next tick saves it and tells others
+    // A slider changes many times a second: the next tick saves and publishes it
     this.#room = nextRoom(this.#room, event, this.#nowMs());
     this.#client.publish(settingTopic(game, setting), 'double', value);
   }
 
   /** Takes the photo of a seat off the big screen, for everybody. */
   takeDownPhoto(seat: Seat): void {
-    const key = this.#room.players.find((player) => player.seat === seat)?.key;
+    const key = this.#keyOf(seat);
     if (key !== undefined) this.#photos.takeDown(key);
   }
 
@@ -202,7 +173,7 @@ export class PartyHost {
     this.#save();
   }
 
-  /** Leads no longer. The sessions and what was told stay, so that another screen can go on. */
+  /** Leads no longer. The sessions and the retained topics stay, so that another screen can continue. */
   close(): void {
     if (this.#isClosed) return;
     this.#isClosed = true;
@@ -214,10 +185,13 @@ export class PartyHost {
   /** Ends the party: sessions, and what the topics say. */
   async end(): Promise<void> {
     this.close();
-    const topics = [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, LIVE_TOPIC, ...settingTopics()];
-    for (const topic of topics) this.#client.endTopic(topic);
+    for (const topic of retainedTopics()) this.#client.endTopic(topic);
     this.#options.storage.save(EMPTY_MEMORY);
-    await this.#sessions.removeAll();
+    await this.#rounds.end();
+  }
+
+  #keyOf(seat: Seat): string | undefined {
+    return this.#room.players.find((player) => player.seat === seat)?.key;
   }
 
   #nowMs(): number {
@@ -226,20 +200,7 @@ export class PartyHost {
 
   #decide(key: string, event: RoomEvent): void {
     this.apply(event);
-    if (event.type === 'leave' || event.type === 'away') this.#presence.forget(key);
-    else if (this.#personOf(key)) this.#presence.hear(key, 0, this.#nowMs());
-  }
-
-  /** Clients without a place are not remembered: there may be any number of them. */
-  #handleHere(key: string, lagMs: number): void {
-    const one = this.#personOf(key);
-    if (!one) return;
-    this.#presence.hear(key, lagMs, this.#nowMs());
-    if (one.awaySinceMs !== undefined) this.apply({ type: 'back', key });
-  }
-
-  #personOf(key: string): Pick<Player, 'awaySinceMs'> | undefined {
-    return peopleOf(this.#room).find((one) => one.key === key);
+    this.#presence.handleRequest(key, event);
   }
 
   /** Continues with the party that another screen has led, when this one knows none or has led before it. */
@@ -258,11 +219,9 @@ export class PartyHost {
     const game = gameOf(this.#room) as GameId | undefined;
     const { phase } = this.#room;
     if (game === undefined || phase === 'lobby' || phase === 'end') return;
-    this.#listenTo(game);
-    const isNew = await this.#sessions.open(game);
-    if (this.#isClosed) return;
-    if (isNew && phase === 'play') this.#rounds.resume(this.#nowMs());
-    this.#tell();
+    this.#openPhotos(game);
+    await this.#rounds.continue(game, phase === 'play');
+    this.#publish();
   }
 
   #become(room: Room): void {
@@ -270,7 +229,7 @@ export class PartyHost {
     if (room === before) return;
     this.#room = room;
     if (room.phase !== before.phase) this.#enter(room);
-    this.#tell();
+    this.#publish();
     this.#save();
   }
 
@@ -278,29 +237,21 @@ export class PartyHost {
     const game = gameOf(room) as GameId | undefined;
     if (game === undefined) return;
     if (room.phase === 'explanation') {
-      this.#rounds.clear();
       this.#audience.clear();
-      this.#listenTo(game);
-      void this.#sessions.open(game).then(() => this.#tell());
+      this.#openPhotos(game);
+      void this.#rounds.prepare(game).then(() => this.#publish());
     }
     if (room.phase === 'podium') this.#photos.close();
     if (room.phase === 'countdown') this.#rounds.plan(game, room, room.endsAtMs ?? this.#nowMs());
     if (room.phase === 'lobby' || room.phase === 'end') {
       this.#photos.close();
-      this.#rounds.clear();
       this.#audience.clear();
-      void this.#sessions.removeAll();
+      void this.#rounds.end();
     }
   }
 
-  #listenTo(game: GameId): void {
-    this.#rounds.listenTo(game);
+  #openPhotos(game: GameId): void {
     if (takesAnswers(game)) this.#photos.open();
-  }
-
-  #handlePhotos(): void {
-    this.#options.listener.handlePhotos?.(this.#photos.photos);
-    this.#tell();
   }
 
   #handleState(game: GameId, state: RoundState): void {
@@ -313,23 +264,18 @@ export class PartyHost {
   }
 
   #tick(): void {
-    const nowMs = this.#nowMs();
-    for (const { key, awaySinceMs } of peopleOf(this.#room)) {
-      if (key === undefined || awaySinceMs !== undefined) continue;
-      if (!this.#presence.isHere(key, nowMs)) this.apply({ type: 'away', key });
-    }
+    this.#presence.update();
     this.apply({ type: 'time' });
-    this.#presence.tidy(nowMs);
     if (this.#room !== this.#savedRoom) this.#save();
-    this.#tell();
+    this.#publish();
   }
 
-  #tell(): void {
-    if (this.#isClosed || this.#teller.sinceMs === undefined) return;
-    this.#rounds.tellSeats(this.#room, (key) => this.#delays.delays.of(key));
-    this.#rounds.setSession((game) => this.#sessions.idOf(game));
+  #publish(): void {
+    if (this.#isClosed || this.#publisher.sinceMs === undefined) return;
+    this.#rounds.publishSeats(this.#room, (key) => this.#presence.delayOf(key));
+    this.#rounds.updateSession();
     const view = this.view;
-    if (this.#teller.tell(view)) this.#options.listener.handleView?.(view);
+    if (this.#publisher.publish(view)) this.#options.listener.handleView?.(view);
   }
 
   #save(): void {
@@ -337,7 +283,7 @@ export class PartyHost {
     const { round, state } = this.#rounds;
     const room = this.#room;
     this.#savedRoom = room;
-    const { sinceMs } = this.#teller;
+    const { sinceMs } = this.#publisher;
     const { all: arePhotosHidden } = this.#photos.hidden;
     this.#options.storage.save({
       room,
@@ -348,9 +294,3 @@ export class PartyHost {
     });
   }
 }
-
-/** All who may be away: players, bots and spectators. */
-const peopleOf = ({
-  players,
-  spectators,
-}: Room): readonly Pick<Player, 'key' | 'awaySinceMs'>[] => [...players, ...spectators];

@@ -5,7 +5,7 @@ import { PhoneDelays } from './phone-delays.ts';
 function measured(...roundTripsMs: readonly number[]): PhoneDelays {
   const delays = new PhoneDelays();
   roundTripsMs.forEach((roundTripMs, index) =>
-    delays.hear('mara', { roundTripMs, measuredAtMs: index * 5000 }),
+    delays.record('mara', { roundTripMs, measuredAtMs: index * 5000 }),
   );
   return delays;
 }
@@ -54,19 +54,19 @@ describe('the delay of a phone', () => {
 
   it('goes by the last minute, and takes a measurement once', () => {
     const delays = new PhoneDelays();
-    for (let n = 0; n < 20; n += 1) delays.hear('mara', { roundTripMs: 300, measuredAtMs: 7 });
+    for (let n = 0; n < 20; n += 1) delays.record('mara', { roundTripMs: 300, measuredAtMs: 7 });
     for (let n = 0; n < 3; n += 1)
-      delays.hear('mara', { roundTripMs: 10, measuredAtMs: 5000 * (n + 1) });
+      delays.record('mara', { roundTripMs: 10, measuredAtMs: 5000 * (n + 1) });
     expect(delays.lagOf('mara')).toBe(10);
     for (let n = 0; n < 3; n += 1)
-      delays.hear('mara', { roundTripMs: 80, measuredAtMs: 90_000 + n * 5000 });
+      delays.record('mara', { roundTripMs: 80, measuredAtMs: 90_000 + n * 5000 });
     expect(delays.of('mara')!.leastMs).toBeGreaterThan(30);
   });
 
   it('forgets phones that were not measured for minutes, and remembers a bounded number', () => {
     const delays = measured(5);
     for (let n = 0; n < 300; n += 1)
-      delays.hear(`p${n}`, { roundTripMs: 5, measuredAtMs: 600_001 });
+      delays.record(`p${n}`, { roundTripMs: 5, measuredAtMs: 600_001 });
     expect(delays.of('mara')).toBeUndefined();
     expect(delays.of('p299')).toBeUndefined();
     expect(delays.of('p0')).toBeDefined();

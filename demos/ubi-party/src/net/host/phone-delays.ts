@@ -1,3 +1,5 @@
+import type { Clock, UbiiClient } from '@ubii/client-web';
+
 import type { PhoneDelay } from '../../modules/index.ts';
 import { WAIT_FOR_LATE_MS } from '../../sim/index.ts';
 
@@ -33,7 +35,7 @@ interface RoundTrips {
 export class PhoneDelays {
   readonly #measured = new Map<string, MeasuredRoundTrip[]>();
 
-  hear(key: string, { roundTripMs, measuredAtMs }: MeasuredRoundTrip): void {
+  record(key: string, { roundTripMs, measuredAtMs }: MeasuredRoundTrip): void {
     if (!(roundTripMs > 0) || !Number.isFinite(measuredAtMs)) return;
     for (const [one, samples] of this.#measured)
       if (samples.at(-1)!.measuredAtMs < measuredAtMs - FORGET_MS) this.#measured.delete(one);
@@ -78,5 +80,44 @@ export class PhoneDelays {
     return leastMs === undefined || medianMs === undefined
       ? undefined
       : { leastMs, medianMs, count: sorted.length };
+  }
+}
+
+/** The master measures each client at least every 5 s (CL-12). */
+const ASK_MS = 2000;
+
+interface DelayWatchOptions {
+  readonly client: UbiiClient;
+  readonly clock: Clock;
+  /** Clients of the phones that play now. */
+  keys(): readonly string[];
+}
+
+/** Asks the master for the round trips that it measured. */
+export class DelayWatch {
+  readonly delays = new PhoneDelays();
+  readonly #options: DelayWatchOptions;
+
+  constructor(options: DelayWatchOptions) {
+    this.#options = options;
+  }
+
+  /** @returns ends it */
+  start(): () => void {
+    return this.#options.clock.every(ASK_MS, () => void this.#ask());
+  }
+
+  async #ask(): Promise<void> {
+    const clientIds = [...this.#options.keys()];
+    if (clientIds.length === 0) return;
+    try {
+      const { clients, masterTimeMs } = await this.#options.client.call('clientReport', {
+        clientIds,
+      });
+      for (const { clientId, roundTripMs, roundTripAgeMs } of clients)
+        this.delays.record(clientId, { roundTripMs, measuredAtMs: masterTimeMs - roundTripAgeMs });
+    } catch {
+      // Not connected, or not allowed: the earlier measurements stay
+    }
   }
 }

@@ -1,19 +1,45 @@
-import type { Subscription, UbiiClient } from '@ubii/client-web';
+import type { UbiiClient, Subscription } from '@ubii/client-web';
+
 import type { PhoneDelay, RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
 import {
+  GAMES,
   PACES,
   playersOf,
   STEPS_PER_SECOND,
-  type GameId,
   type Room,
+  type GameId,
   type Seat,
 } from '../../sim/index.ts';
-import { readJson } from '../read-json.ts';
-import type { RoundView } from '../room-view.ts';
-import { ROUND_TOPIC, SEATS_TOPIC, stateTopic } from '../topics.ts';
-import type { HostMemory } from './host-memory.ts';
+import {
+  LIVE_TOPIC,
+  ROOM_TOPIC,
+  settingTopic,
+  readJson,
+  ROUND_TOPIC,
+  SEATS_TOPIC,
+  stateTopic,
+  type RoundView,
+} from '../protocol.ts';
+import { GameSessions } from './game-sessions.ts';
+import type { HostMemory } from './party-host-options.ts';
 
-/** The round goes on so long after a restart of its module, milliseconds. */
+/** Publishes the settings that differ from the default of their game: a restarted master has lost them. */
+export function publishSettings(client: UbiiClient, { settings }: Room): void {
+  for (const [game, values] of Object.entries(settings)) {
+    for (const [name, value] of Object.entries(values))
+      client.publish(settingTopic(game, name), 'double', value);
+  }
+}
+
+/** All topics of a party that the master retains; a setting that was changed back to its default has a value, too. */
+export function retainedTopics(): string[] {
+  const settings = Object.values(GAMES).flatMap((game) =>
+    Object.keys(game.settings).map((name) => settingTopic(game.id, name)),
+  );
+  return [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, LIVE_TOPIC, ...settings];
+}
+
+/** The round continues this long after a restart of its module, milliseconds. */
 const RESUME_IN_MS = 3000;
 
 export interface RoundLeaderOptions {
@@ -21,9 +47,11 @@ export interface RoundLeaderOptions {
   /** A random integer from 0 to 255. */
   readonly drawByte: () => number;
   handleState(game: GameId, state: RoundState): void;
+  /** @param sentence why a session failed */
+  readonly handleTrouble: (sentence: string) => void;
 }
 
-/** Leads the module of a game: tells it the round and who sits where, and follows its state. */
+/** Controls the module of a game: publishes the round, its seats and settings, and follows its state. */
 export class RoundLeader {
   readonly #options: RoundLeaderOptions;
   readonly #client: UbiiClient;
@@ -31,10 +59,13 @@ export class RoundLeader {
   #state: RoundState | undefined;
   #states: Subscription<'string'> | undefined;
   #seatsText = '';
+  readonly #sessions: GameSessions;
+  #isClosed = false;
 
   constructor(options: RoundLeaderOptions, { round, state }: Pick<HostMemory, 'round' | 'state'>) {
     this.#options = options;
     this.#client = options.client;
+    this.#sessions = new GameSessions(options.client, options.handleTrouble);
     this.#round = round;
     this.#state = state;
   }
@@ -53,11 +84,24 @@ export class RoundLeader {
     this.#round = round;
   }
 
-  /** Follows the states of a game. */
-  listenTo(game: GameId): void {
-    this.close();
-    this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
-    this.#states.onRecord(({ value }) => this.#handleState(game, value));
+  /** A game is explained: opens its session, and follows its states. */
+  async prepare(game: GameId): Promise<void> {
+    this.#clear();
+    this.#follow(game);
+    await this.#sessions.open(game);
+  }
+
+  /** Opens the session again after a lost connection: the master may have lost it, and with it the round. */
+  async continue(game: GameId, isPlaying: boolean): Promise<void> {
+    this.#follow(game);
+    const isNew = await this.#sessions.open(game);
+    if (isNew && isPlaying && !this.#isClosed) this.#resume(this.#client.masterTime.nowMs());
+  }
+
+  /** No game is played: removes the sessions. */
+  end(): Promise<void> {
+    this.#clear();
+    return this.#sessions.removeAll();
   }
 
   /** Says when the round starts, and with whom. */
@@ -72,8 +116,8 @@ export class RoundLeader {
     this.#publishPlan(undefined);
   }
 
-  /** The module was started again: it goes on from the newest state that came here. */
-  resume(nowMs: number): void {
+  /** The module was started again: it continues from the newest state that came here. */
+  #resume(nowMs: number): void {
     const round = this.#round;
     if (!round) return;
     const { step = 0, state } = this.#state?.id === round.id ? this.#state : {};
@@ -83,22 +127,16 @@ export class RoundLeader {
     this.#publishPlan(state === undefined ? undefined : { step, state });
   }
 
-  /** There is no round. */
-  clear(): void {
-    this.#round = undefined;
-    this.#state = undefined;
-  }
-
-  /** In which session it is played. */
-  setSession(idOf: (game: GameId) => string | undefined): void {
+  /** Notes in which session the round is played. */
+  updateSession(): void {
     const round = this.#round;
-    const sessionId = round && idOf(round.game as GameId);
+    const sessionId = round && this.#sessions.idOf(round.game as GameId);
     if (!round || sessionId === round.sessionId) return;
     this.#round = { ...round, ...(sessionId !== undefined && { sessionId }) };
   }
 
-  /** Tells the module who plays now: phones that are there, with what their way takes, and bots. */
-  tellSeats(room: Room, delayOf: (key: string) => PhoneDelay | undefined): void {
+  /** Publishes who plays now: the present phones with their delays, and bots. */
+  publishSeats(room: Room, delayOf: (key: string) => PhoneDelay | undefined): void {
     const clients: Record<Seat, string> = {};
     const delays: Record<Seat, PhoneDelay> = {};
     const bots: Seat[] = [];
@@ -118,6 +156,22 @@ export class RoundLeader {
   }
 
   close(): void {
+    this.#isClosed = true;
+    this.#stopFollowing();
+  }
+
+  #clear(): void {
+    this.#round = undefined;
+    this.#state = undefined;
+  }
+
+  #follow(game: GameId): void {
+    this.#stopFollowing();
+    this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
+    this.#states.onRecord(({ value }) => this.#handleState(game, value));
+  }
+
+  #stopFollowing(): void {
     void this.#states?.close();
     this.#states = undefined;
   }

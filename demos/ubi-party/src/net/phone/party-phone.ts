@@ -2,12 +2,19 @@ import type { Clock, Subscription, UbiiClient } from '@ubii/client-web';
 import type { PhoneFacts, PhoneLink } from './phone-link.ts';
 import { toRoom, type Answer, type CheerKind, type Feedback } from '../../sim/index.ts';
 import { readLiveRound, type LiveRound } from '../live-round.ts';
-import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
-import type { Photo } from '../photos/photo.ts';
-import { ShownPhoto } from '../photos/shown-photo.ts';
-import { readJson } from '../read-json.ts';
-import type { RoomView } from '../room-view.ts';
-import { LIVE_TOPIC, PHONE_COMPONENTS, phoneTopic, ROOM_TOPIC } from '../topics.ts';
+import {
+  readJson,
+  LIVE_TOPIC,
+  PHONE_COMPONENTS,
+  phoneTopic,
+  ROOM_TOPIC,
+  type HostReply,
+  type PhoneRequest,
+  type PhoneAction,
+  type Photo,
+  type RoomView,
+} from '../protocol.ts';
+import { ShownPhoto } from './shown-photo.ts';
 import { PhoneDevices } from './phone-devices.ts';
 
 /** A phone says once a second that it is there. */
@@ -23,7 +30,7 @@ interface Waiting {
   readonly cancel: () => void;
 }
 
-/** The phone of a player as a client: a device with components, and the room as it is told. */
+/** The phone of a player as a client: a device with components, and the room as it is feedback. */
 export class PartyPhone implements PhoneLink {
   readonly #client: UbiiClient;
   readonly #clock: Clock;
@@ -46,7 +53,7 @@ export class PartyPhone implements PhoneLink {
     this.#clock = clock;
     this.#shownPhoto = new ShownPhoto(client, clock);
     this.#devices = new PhoneDevices(client);
-    // Of another start of the page, numbers go on: an old answer is for nobody
+    // Numbers continue after a reload of the page, so that an old reply matches no request
     this.#number = Math.floor(clock.nowMs());
   }
 
@@ -89,9 +96,9 @@ export class PartyPhone implements PhoneLink {
     return () => this.#listeners.delete(fn);
   }
 
-  async ask(wish: PhoneWish): Promise<{ readonly code?: string }> {
+  async ask(action: PhoneAction): Promise<{ readonly code?: string }> {
     this.#number += 1;
-    const request: PhoneRequest = { number: this.#number, wish };
+    const request: PhoneRequest = { number: this.#number, wish: action };
     const answer = new Promise<HostReply>((resolve, reject) => {
       const { number } = request;
       const cancel = this.#clock.after(ANSWER_WITHIN_MS, () => {
@@ -180,9 +187,9 @@ export class PartyPhone implements PhoneLink {
     });
     const feedback = client.subscribe(phoneTopic(clientId, 'feedback'), { format: 'string' });
     feedback.onRecord(({ value }) => {
-      const told = readJson<Feedback>(value);
-      if (typeof told?.headline !== 'string') return;
-      this.#feedback = told as Feedback;
+      const newest = readJson<Feedback>(value);
+      if (typeof newest?.headline !== 'string') return;
+      this.#feedback = newest as Feedback;
       this.#changed();
     });
     const replies = client.subscribe(phoneTopic(clientId, 'reply'), { format: 'string' });

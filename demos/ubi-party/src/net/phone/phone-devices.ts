@@ -6,7 +6,7 @@ import {
   SEAT_DEVICE,
   WATCH_COMPONENTS,
   type PhoneComponent,
-} from '../topics.ts';
+} from '../protocol.ts';
 
 /** Registers the phone's devices: few components while it watches, those of the controller while it has a seat. */
 export class PhoneDevices {

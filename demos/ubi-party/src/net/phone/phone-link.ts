@@ -1,8 +1,6 @@
 import type { Answer, CheerKind, Feedback, Player, Spectator } from '../../sim/index.ts';
 import type { LiveRound } from '../live-round.ts';
-import type { PhoneWish } from '../messages.ts';
-import type { Photo } from '../photos/photo.ts';
-import type { RoomView } from '../room-view.ts';
+import type { PhoneAction, Photo, RoomView } from '../protocol.ts';
 
 /** Current state of the party, as known to a phone. */
 export interface PhoneFacts {
@@ -36,7 +34,7 @@ export interface PhoneLink {
    * Asks the host. @returns the code of `offer`
    * @throws Error whose message is a sentence for the player
    */
-  ask(wish: PhoneWish): Promise<{ readonly code?: string }>;
+  ask(action: PhoneAction): Promise<{ readonly code?: string }>;
   /** Sets the position of stick, wheel or tilt, each axis from -1 to 1. */
   steer(x: number, y: number): void;
   /** The button goes down or up. */

@@ -1,3 +1,5 @@
+import { onScopeDispose, toValue, watchEffect, type MaybeRefOrGetter } from 'vue';
+
 import { identityOf, type Seat } from '../../sim/index.ts';
 
 // Deeper paint, not greyer.
@@ -71,4 +73,19 @@ function mixed(first: string, second: string, share: number): string {
       .padStart(2, '0');
   };
   return `#${channel(1)}${channel(3)}${channel(5)}`;
+}
+
+/** The bars of the browser around the page have its colour, too. */
+export function usePageColour(colour: MaybeRefOrGetter<string>): void {
+  const meta = document.createElement('meta');
+  meta.name = 'theme-color';
+  document.head.append(meta);
+  watchEffect(() => {
+    meta.content = toValue(colour);
+    document.documentElement.style.background = toValue(colour);
+  });
+  onScopeDispose(() => {
+    meta.remove();
+    document.documentElement.style.removeProperty('background');
+  });
 }

@@ -1,7 +1,7 @@
 import { computed, inject, onScopeDispose, shallowRef, triggerRef, type ComputedRef } from 'vue';
 import type { InjectionKey, ShallowRef } from 'vue';
 import type { Player, Room, Spectator } from '../../sim/index.ts';
-import type { PhoneWish, RoundView } from '../../net/index.ts';
+import type { PhoneAction, RoundView } from '../../net/index.ts';
 import type { PhoneFacts, PhoneLink } from '../../net/phone/phone-link.ts';
 
 /** Dependencies of every screen of the phone. */
@@ -15,7 +15,7 @@ export interface PhoneContext {
   /** The leader's phone leads the game. */
   readonly isLeader: ComputedRef<boolean>;
   /** @throws Error whose message is a sentence for the player */
-  ask(wish: PhoneWish): Promise<{ readonly code?: string }>;
+  ask(action: PhoneAction): Promise<{ readonly code?: string }>;
 }
 
 export const PHONE: InjectionKey<PhoneContext> = Symbol('phone');
@@ -39,7 +39,7 @@ export function createPhoneContext(link: PhoneLink): PhoneContext {
     room,
     round: computed(() => facts.value.view?.round),
     isLeader: computed(() => me.value !== undefined && room.value?.leader === me.value.seat),
-    ask: (wish) => link.ask(wish),
+    ask: (action) => link.ask(action),
   };
 }
 
@@ -56,13 +56,13 @@ export function useAsking() {
   const refusal = shallowRef<string>();
   return {
     isAsking,
-    /** One sentence; undefined after the next wish that is granted. */
+    /** One sentence; undefined after the next request that is granted. */
     refusal,
-    async wish(wish: PhoneWish): Promise<{ readonly code?: string } | undefined> {
+    async request(action: PhoneAction): Promise<{ readonly code?: string } | undefined> {
       if (isAsking.value) return undefined;
       isAsking.value = true;
       try {
-        const reply = await ask(wish);
+        const reply = await ask(action);
         refusal.value = undefined;
         return reply;
       } catch (error) {

@@ -5,9 +5,8 @@ import { afterAll, afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Feedback, Question } from '../../sim/index.ts';
 import { FEEDBACK, type FakeParty } from '../testing/fake-phone-link.ts';
 import { inRound, PhonePage } from '../testing/phone-page.ts';
-import type { Sighting } from './detector/detector.ts';
-import { bestFor } from './detector/sightings.ts';
-import { liveSentence } from './live-sentence.ts';
+import { bestFor, type Sighting } from './detector/detector.ts';
+import { liveSentence } from './useHunt.ts';
 
 // Files share their modules: what is mocked here is neither there before nor afterwards
 vi.hoisted(() => vi.resetModules());

@@ -24,7 +24,7 @@ export function pixelsOf(still: Still): ImageData {
   return contextOf(still).getImageData(0, 0, still.width, still.height);
 }
 
-/** A canvas knows nothing of the Exif of a file: no place and no device is in what it writes. */
+/** The file has no Exif, so neither a location nor a device: a canvas writes none. */
 export async function photoOf(still: Still, atMs: number): Promise<Photo | undefined> {
   for (const quality of [0.8, 0.6, 0.4, 0.25]) {
     const blob = await new Promise<Blob | null>((resolve) =>

@@ -114,6 +114,6 @@ async function isCameraAllowed(): Promise<boolean> {
   try {
     return (await navigator.permissions.query({ name: 'camera' })).state === 'granted';
   } catch {
-    return false; // a browser that does not tell
+    return false; // the browser does not report it
   }
 }

@@ -1,12 +1,29 @@
+import { MAX_CHOSEN_PIXELS, readPictureFile } from '@ubii/pictures';
+import { useLocalStorage } from '@vueuse/core';
 import { computed, onScopeDispose, shallowRef, watch, type Ref } from 'vue';
-import { usePhone } from '../frame/phone-context.ts';
+
+import { thingOf, type Question } from '../../sim/index.ts';
 import { PRESS_MS, vibrate } from '../frame/haptics.ts';
-import { bestFor } from './detector/sightings.ts';
-import type { Sighting } from './detector/detector.ts';
+import { usePhone } from '../frame/phone-context.ts';
+import { bestFor, type Sighting } from './detector/detector.ts';
 import { photoOf, pixelsOf, takeStill, type PictureSource, type Still } from './picture.ts';
 import { useEyes } from './useEyes.ts';
 
-/** Between two looks of the live picture: the phone has other things to do, milliseconds. */
+/** Whether this player shows photos on the big screen: off by default, then the last choice. */
+export function useShownSetting(): Ref<boolean> {
+  return useLocalStorage('ubii.party.shows-photos', false);
+}
+
+/** Sentence for the current detection, shown before the player presses. */
+export function liveSentence(question: Question, seen: Sighting | undefined): string {
+  const { text, name } = question;
+  if (seen === undefined) return `Looking for ${name}`;
+  if (seen.label === text)
+    return text === 'scissors' ? 'Scissors. Take it!' : `That’s ${name}. Take it!`;
+  return `That’s ${thingOf(seen.label).name}, not ${name}`;
+}
+
+/** Pause between two detections in the live picture, milliseconds. */
 const REST_MS = 120;
 
 /** A photo that was taken for the thing that is hunted. */
@@ -16,7 +33,7 @@ interface Taken {
 }
 
 /**
- * Looks at the live picture, and hands photos in.
+ * Detects things in the live picture, and submits photos.
  *
  * @param live the picture of the camera now; undefined while there is none
  * @param isShown the player shows photos on the big screen
@@ -75,6 +92,21 @@ export function useHunt(live: () => PictureSource | undefined, isShown: Ref<bool
     }
   }
 
+  /** Uses a picture file in place of the camera. */
+  async function shootFile(chosen: File): Promise<void> {
+    try {
+      const file = readPictureFile(new Uint8Array(await chosen.arrayBuffer()), MAX_CHOSEN_PIXELS);
+      const bitmap = await createImageBitmap(new Blob([file.data.slice()]));
+      await shoot({ element: bitmap, width: bitmap.width, height: bitmap.height });
+      bitmap.close();
+    } catch (error) {
+      trouble.value =
+        error instanceof RangeError
+          ? error.message
+          : `“${chosen.name}” is not a picture that this browser can read.`;
+    }
+  }
+
   async function show(): Promise<void> {
     const { still, atMs } = taken.value ?? {};
     if (!still || atMs === undefined) return;
@@ -96,5 +128,5 @@ export function useHunt(live: () => PictureSource | undefined, isShown: Ref<bool
   });
   void lookOn();
 
-  return { question, seen, taken, isLooking, trouble, shoot };
+  return { question, seen, taken, isLooking, trouble, shoot, shootFile };
 }

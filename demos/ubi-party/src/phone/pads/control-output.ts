@@ -53,7 +53,7 @@ export class ControlOutput {
     return this.#sent;
   }
 
-  /** Lets everything go, such as when the page is hidden: nobody holds a stick that is not seen. */
+  /** Releases all inputs, such as when the page is hidden. */
   release(): void {
     this.#steering.clear();
     this.#pressing.clear();

@@ -1,14 +1,32 @@
 import { useEventListener, useRafFn } from '@vueuse/core';
-import { computed, inject, onScopeDispose, shallowRef, toValue, watch } from 'vue';
-import type { ComputedRef, InjectionKey, MaybeRefOrGetter, ShallowRef } from 'vue';
+import {
+  computed,
+  inject,
+  onScopeDispose,
+  shallowRef,
+  toValue,
+  watch,
+  type ComputedRef,
+  type InjectionKey,
+  type MaybeRefOrGetter,
+  type ShallowRef,
+} from 'vue';
+
+import type { PhoneLink } from '../../net/phone/phone-link.ts';
 import type { Controller } from '../../sim/index.ts';
 import { PRESS_MS, vibrate } from '../frame/haptics.ts';
-import type { PhoneLink } from '../../net/phone/phone-link.ts';
 import type { PhoneSettings } from '../settings/settings.ts';
 import { ControlOutput, PRESSERS, type Presser } from './control-output.ts';
-import { readGamepads } from './gamepad.ts';
-import { isPressKey, isSteeringKey, steeringOfKeys } from './keys.ts';
-import { ONE_BUTTON_AT_REST, pressed, sweepOf, swept } from './one-button.ts';
+import {
+  readGamepads,
+  isPressKey,
+  isSteeringKey,
+  steeringOfKeys,
+  ONE_BUTTON_AT_REST,
+  pressed,
+  sweepOf,
+  swept,
+} from './steering-inputs.ts';
 import { STRAIGHT, type Steering } from './stick.ts';
 import type { Tilt } from './useTilt.ts';
 
@@ -87,7 +105,7 @@ export function createControls(options: ControlOptions): Controls {
   function readKey(event: KeyboardEvent, isKeyDown: boolean): void {
     if (toValue(options.isPaused) || event.metaKey || event.ctrlKey || event.altKey) return;
     if (isPressKey(event.code)) {
-      // A focused button of the page is for whoever reads it with a screen reader or Tab.
+      // A focused button of the page is for users of a screen reader or of Tab.
       if ((event.target as Element | null)?.closest?.('button:not([data-pad])')) return;
       event.preventDefault();
       if (!event.repeat) press('keys', isKeyDown);
@@ -148,4 +166,9 @@ export function useControls(): Controls {
   const controls = inject(CONTROLS);
   if (!controls) throw new Error('Pads live inside PlayScreen.');
   return controls;
+}
+
+/** Puts the focus on the button of the round, so that Space plays and does not open the menu again. */
+export function focusPad(): void {
+  document.querySelector<HTMLElement>('[data-pad]')?.focus({ preventScroll: true });
 }

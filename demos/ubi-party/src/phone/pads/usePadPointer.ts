@@ -1,6 +1,7 @@
 import { watch } from 'vue';
-import { useControls } from './useControls.ts';
+
 import type { PagePoint } from './stick.ts';
+import { useControls } from './useControls.ts';
 
 interface PadHandlers {
   down(point: PagePoint): void;
@@ -41,5 +42,23 @@ export function usePadPointer({ down, move, up }: PadHandlers) {
     pointercancel: end,
     lostpointercapture: end,
     contextmenu: (event: Event) => event.preventDefault(),
+  };
+}
+
+/** Listeners of a button that is played with. */
+export function usePressPad() {
+  const { press } = useControls();
+  const pointer = usePadPointer({
+    down: () => press('pad', true),
+    up: () => press('pad', false),
+  });
+  return {
+    ...pointer,
+    /** Screen readers and switches click without a pointer; the button is down for one frame. */
+    click: (event: MouseEvent) => {
+      if (event.detail !== 0) return;
+      press('pad', true);
+      requestAnimationFrame(() => press('pad', false));
+    },
   };
 }

@@ -1,6 +1,6 @@
 import { useEventListener } from '@vueuse/core';
 import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
-import { steeringOfTilt, tiltOf } from './tilt.ts';
+import { steeringOfTilt, tiltOf } from './steering-inputs.ts';
 
 /**
  * `ask`: the browser wants a tap first (iOS). `silent`: nothing came yet, such as on a laptop or over plain HTTP.
@@ -14,7 +14,7 @@ interface Asks {
 
 export interface Tilt {
   readonly access: Readonly<ShallowRef<TiltAccess>>;
-  /** To be called at once in the handler of a tap. Does nothing where nobody has to be asked. */
+  /** To be called at once in the handler of a tap. Does nothing where no permission is needed. */
   ask(): Promise<void>;
   /** Straight ahead is how the phone is held now. */
   recentre(): void;

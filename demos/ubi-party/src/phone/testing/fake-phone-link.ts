@@ -1,4 +1,4 @@
-import type { LiveRound, Photo, PhoneWish, RoundView } from '../../net/index.ts';
+import type { LiveRound, Photo, PhoneAction, RoundView } from '../../net/index.ts';
 import {
   EMPTY_ROOM,
   nextRoom,
@@ -24,10 +24,10 @@ export interface FakeParty {
   readonly masterUrl?: string;
 }
 
-/** A phone whose host is the rules of the room: wishes change it, refusals are those of the rules. */
+/** A phone whose host is the rules of the room: actions change it, refusals are those of the rules. */
 export class FakePhoneLink implements PhoneLink {
   party: FakeParty;
-  readonly asked: PhoneWish[] = [];
+  readonly asked: PhoneAction[] = [];
   /** The sent controls in their order: steering or a press. */
   readonly sent: ({ readonly x: number; readonly y: number } | boolean)[] = [];
   readonly answers: Answer[] = [];
@@ -60,7 +60,7 @@ export class FakePhoneLink implements PhoneLink {
     };
   }
 
-  /** Changes the party, and tells the page so. */
+  /** Changes the party, and notifies the page. */
   set(change: Partial<FakeParty>): void {
     this.party = { ...this.party, ...change };
     for (const listener of this.#listeners) listener();
@@ -76,12 +76,12 @@ export class FakePhoneLink implements PhoneLink {
     return () => this.#listeners.delete(fn);
   }
 
-  ask(wish: PhoneWish): Promise<{ readonly code?: string }> {
-    this.asked.push(wish);
+  ask(action: PhoneAction): Promise<{ readonly code?: string }> {
+    this.asked.push(action);
     try {
-      if (wish.type === 'offer') return Promise.resolve({ code: '7KRM' });
-      if (wish.type === 'take') this.#take(wish.code);
-      else this.happens(eventOf(wish));
+      if (action.type === 'offer') return Promise.resolve({ code: '7KRM' });
+      if (action.type === 'take') this.#take(action.code);
+      else this.happens(eventOf(action));
       return Promise.resolve({});
     } catch (error) {
       return Promise.reject(error as Error);
@@ -120,16 +120,16 @@ export class FakePhoneLink implements PhoneLink {
   }
 }
 
-function eventOf(wish: Exclude<PhoneWish, { type: 'offer' | 'take' }>): RoomEvent {
+function eventOf(action: Exclude<PhoneAction, { type: 'offer' | 'take' }>): RoomEvent {
   const by: Asker = { key: KEY };
-  switch (wish.type) {
+  switch (action.type) {
     case 'join':
     case 'watch':
     case 'leave':
     case 'away':
     case 'back':
     case 'ready':
-      return { ...wish, key: KEY };
+      return { ...action, key: KEY };
     case 'proceed':
     case 'kick':
     case 'lead':
@@ -140,7 +140,7 @@ function eventOf(wish: Exclude<PhoneWish, { type: 'offer' | 'take' }>): RoomEven
     case 'set-pace':
     case 'set-games':
     case 'fill':
-      return { ...wish, by };
+      return { ...action, by };
   }
 }
 

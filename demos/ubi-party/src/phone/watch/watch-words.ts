@@ -1,8 +1,7 @@
 import { counted, plural } from '@ubii/words';
 
 import type { Player, Room } from '../../sim/index.ts';
-import { gameTexts, nextGame } from '../round/game-of.ts';
-import { placeTable } from '../round/place-table.ts';
+import { gameTexts, nextGame, placeTable } from '../round/useStanding.ts';
 
 /** The states of a player, shown behind the name before a round. */
 export function statusOf(player: Player, { leader }: Room): string[] {
@@ -27,7 +26,7 @@ export function winnersOf(room: Room): string {
   return `${names.join(' and ')} ${plural(names.length, 'wins', 'win')}`;
 }
 
-/** One sentence on what goes on, for who watches. */
+/** One sentence about the current phase, for spectators. */
 export function watchSentence(room: Room, game: string | undefined, playing: number): string {
   const { title } = gameTexts(game);
   const next = nextGame(room)?.title;

@@ -1,20 +1,61 @@
-import { duelHud } from './duel-hud.ts';
-import type { Bout, DuelState } from './duel-state.ts';
-export type { DuelState } from './duel-state.ts';
-import { placeOf, type Feedback } from '../feedback.ts';
+import { counted } from '@ubii/words';
+
 import {
+  placeOf,
+  STEPS_PER_SECOND,
   AT_REST,
   placesByScore,
-  STEPS_PER_SECOND,
   WAIT_FOR_LATE_MS,
+  withPace,
+  NEWS_STEPS,
+  type Feedback,
+  type WithPace,
+  type Seat,
   type Game,
   type Places,
-  type Seat,
   type GameSettings,
-  type WithPace,
-  withPace,
+  type Hud,
 } from '../game.ts';
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
+
+/** One signal, and who pressed when. */
+interface Bout {
+  /** Milliseconds since the start of the round; a press before belongs to the bout before. */
+  readonly beganAtMs: number;
+  /** On the same clock. */
+  readonly signalAtMs: number;
+  /** When each pressed first in this bout. */
+  readonly presses: Record<Seat, number>;
+}
+
+export interface DuelState extends WithRandom, WithPace {
+  /** Steps since the start. */
+  step: number;
+  readonly seats: readonly Seat[];
+  bout: Bout;
+  /** Bouts that are decided, with the winner (undefined: none) and the reaction time, milliseconds. */
+  readonly decided: { readonly winner?: Seat; readonly reactionMs?: number }[];
+}
+
+function duelHud(state: DuelState, headline: string, nameOf: (seat: Seat) => string): Hud {
+  const { seats, decided, bout, step } = state;
+  const winsOf = (seat: Seat): number => decided.filter(({ winner }) => winner === seat).length;
+  const notes = Object.fromEntries(seats.map((seat) => [seat, counted(winsOf(seat), 'win')]));
+  const last = decided.at(-1);
+  const sinceSteps = step - (bout.beganAtMs / 1000) * STEPS_PER_SECOND;
+  const isNew = last?.winner !== undefined && sinceSteps < NEWS_STEPS;
+  return {
+    headline,
+    notes,
+    out: [],
+    ...(isNew && {
+      news: {
+        seat: last.winner!,
+        sentence: `${nameOf(last.winner!)} draws after ${Math.round(last.reactionMs ?? 0)} ms`,
+      },
+    }),
+  };
+}
 
 export interface DuelSettings extends GameSettings {
   /** Factor of the wait for the signal: 1 is 1.5 to 5 seconds. */

@@ -1,8 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { AT_REST, STEPS_PER_SECOND, type Controls } from '../game.ts';
 import { hillGame } from './hill-game.ts';
-import { onUnitCircle, PLATFORM_RADIUS, startHill, type HillState } from './hill-state.ts';
-import { nextRing, radiusAt, RINGS } from './rings.ts';
+import {
+  onUnitCircle,
+  PLATFORM_RADIUS,
+  startHill,
+  nextRing,
+  radiusAt,
+  RINGS,
+  type HillState,
+} from './hill-state.ts';
 
 const stick = (x: number, y: number, isPressed = false): Controls => ({ x, y, isPressed });
 

@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { AT_REST, STEPS_PER_SECOND, type Answer, type Controls, type Seat } from '../game.ts';
 import { huntGame } from './hunt-game.ts';
-import type { HuntSettings, HuntState } from './hunt-state.ts';
-import { THINGS } from './things.ts';
+import { THINGS, type HuntSettings, type HuntState } from './hunt-state.ts';
 
 /** Hands in photos: what each seat's controller says, until changed. */
 class HuntPlay {

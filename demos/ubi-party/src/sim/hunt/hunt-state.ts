@@ -1,7 +1,52 @@
-import type { Area, GameSettings, Seat, WithPace } from '../game.ts';
-import { STEPS_PER_SECOND } from '../game.ts';
+import {
+  STEPS_PER_SECOND,
+  placesByScore,
+  type Area,
+  type GameSettings,
+  type Seat,
+  type WithPace,
+  type Places,
+} from '../game.ts';
 import type { WithRandom } from '../random.ts';
-import { THINGS, type ThingId } from './things.ts';
+
+/** Something to find: a class of COCO that homes and schools have. */
+export interface Thing {
+  /** The class, as detectors name it. */
+  readonly label: string;
+  /** For people, behind `Find`; at most 11 characters. */
+  readonly name: string;
+}
+
+/** By the name of the setting that leaves the thing out. */
+export const THINGS = {
+  cup: { label: 'cup', name: 'a cup' },
+  bottle: { label: 'bottle', name: 'a bottle' },
+  book: { label: 'book', name: 'a book' },
+  chair: { label: 'chair', name: 'a chair' },
+  keyboard: { label: 'keyboard', name: 'a keyboard' },
+  mouse: { label: 'mouse', name: 'a PC mouse' },
+  phone: { label: 'cell phone', name: 'a phone' },
+  backpack: { label: 'backpack', name: 'a backpack' },
+  scissors: { label: 'scissors', name: 'scissors' },
+  clock: { label: 'clock', name: 'a clock' },
+  spoon: { label: 'spoon', name: 'a spoon' },
+  fork: { label: 'fork', name: 'a fork' },
+  bowl: { label: 'bowl', name: 'a bowl' },
+  banana: { label: 'banana', name: 'a banana' },
+  apple: { label: 'apple', name: 'an apple' },
+  laptop: { label: 'laptop', name: 'a laptop' },
+  plant: { label: 'potted plant', name: 'a plant' },
+  umbrella: { label: 'umbrella', name: 'an umbrella' },
+  remote: { label: 'remote', name: 'a remote' },
+  teddy: { label: 'teddy bear', name: 'a teddy' },
+} as const satisfies Readonly<Record<string, Thing>>;
+export type ThingId = keyof typeof THINGS;
+
+const ALL: readonly Thing[] = Object.values(THINGS);
+
+export function thingOf(label: string): Thing {
+  return ALL.find((thing) => thing.label === label) ?? { label, name: `a ${label}` };
+}
 
 /** The newest photo of a player. Times are milliseconds since the start of the round. */
 export interface HuntPhoto {
@@ -71,4 +116,45 @@ export const WRONG_COSTS_MS = 2000;
 
 export function nowMsOf({ step }: HuntState): number {
   return (step * 1000) / STEPS_PER_SECOND;
+}
+
+const BY_PLACE = [3, 2] as const;
+const LATER = 1;
+const OF_BEST_SCORE = 1;
+
+/** Points of a place, from 1, without the one of the best score. */
+export const pointsOfPlace = (place: number): number => BY_PLACE[place - 1] ?? LATER;
+
+/** The players who have found the thing, the earliest shutter first. */
+export function findersOf({ photos, hunters }: Hunt): readonly Seat[] {
+  return hunters
+    .filter((seat) => photos[seat]?.verdict === 'found')
+    .sort((a, b) => photos[a]!.atMs - photos[b]!.atMs || a - b);
+}
+
+/** Points that the players get for the thing in the present state. Of equal best scores the earlier one counts. */
+export function gainsOf(hunt: Hunt): Record<Seat, HuntGain> {
+  const finders = findersOf(hunt);
+  const scoreOf = (seat: Seat): number => hunt.photos[seat]!.score;
+  const best = finders.reduce<Seat | undefined>(
+    (one, seat) => (one === undefined || scoreOf(seat) > scoreOf(one) ? seat : one),
+    undefined,
+  );
+  return Object.fromEntries(
+    finders.map((seat, index) => {
+      const isBest = seat === best;
+      const points = pointsOfPlace(index + 1) + (isBest ? OF_BEST_SCORE : 0);
+      return [seat, { place: index + 1, points, isBest }];
+    }),
+  );
+}
+
+export function placesOf({ seats, points }: HuntState): Places {
+  return placesByScore(seats, (seat) => points[seat] ?? 0);
+}
+
+/** `1st`, `2nd`, `11th`, `23rd`. */
+export function ordinal(place: number): string {
+  const isTeen = place % 100 >= 11 && place % 100 <= 13;
+  return `${place}${(isTeen ? undefined : ['th', 'st', 'nd', 'rd'][place % 10]) ?? 'th'}`;
 }

@@ -1,15 +1,17 @@
 import { WAIT_FOR_LATE_MS, type Controls, type ReadControls, type Seat } from '../game.ts';
 import { drawInteger } from '../random.ts';
-import { gainsOf, placesOf } from './hunt-points.ts';
 import {
+  gainsOf,
+  placesOf,
   nowMsOf,
   THINGS_A_ROUND,
   WRONG_COSTS_MS,
+  THINGS,
   type Hunt,
   type HuntSettings,
   type HuntState,
+  type ThingId,
 } from './hunt-state.ts';
-import { THINGS, type ThingId } from './things.ts';
 
 const TIME_MS = 30_000;
 const MIN_TIME_MS = 5000;

@@ -1,10 +1,8 @@
-import { standInRows } from '../stand-in-rows.ts';
-import { placeOf, type Feedback } from '../feedback.ts';
-import { placesByScore, STEPS_PER_SECOND, STEP_S, withPace } from '../game.ts';
-import type { Controls, Game, Seat, WithPace } from '../game.ts';
-import type { Hud } from '../hud.ts';
-import { clamp } from '../plane/vector.ts';
+import { placeOf, placesByScore, STEPS_PER_SECOND, STEP_S, withPace } from '../game.ts';
+import type { Controls, Feedback, Game, Hud, Seat, WithPace } from '../game.ts';
+import { clamp } from '../plane/plane.ts';
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
+import { standInRows } from '../stand-in-rows.ts';
 import { STATEMENTS } from './statements.ts';
 
 interface Answerer {

@@ -3,8 +3,7 @@ import { AT_REST, STEPS_PER_SECOND, type Controls } from '../game.ts';
 import { playWithBots } from '../testing/play-with-bots.ts';
 import { raceGame } from './race-game.ts';
 import { lapOf, startRace, trackOf, type RaceState } from './race-state.ts';
-import { findOnTrack, placeAt } from './track.ts';
-import { TRACKS } from './tracks.ts';
+import { findOnTrack, placeAt, TRACKS } from './track.ts';
 
 const seedFor = (track: number): number => track;
 

@@ -1,7 +1,6 @@
 import { STEPS_PER_SECOND, withPace, type RoundSetup, type Seat, type WithPace } from '../game.ts';
-import type { Vector } from '../plane/vector.ts';
-import { placeAt, type Track } from './track.ts';
-import { TRACKS } from './tracks.ts';
+import type { Vector } from '../plane/plane.ts';
+import { placeAt, TRACKS, type Track } from './track.ts';
 
 export interface Cart {
   readonly seat: Seat;

@@ -5,8 +5,7 @@ import {
   type ReadControls,
   type GameSettings,
 } from '../game.ts';
-import { collide, type Disc } from '../plane/collide.ts';
-import { clamp, dot, length, turned } from '../plane/vector.ts';
+import { collide, clamp, dot, length, turned, type Disc } from '../plane/plane.ts';
 import { trackOf, type Cart, type RaceState } from './race-state.ts';
 import { findOnTrack, isOn, placeAt, type Track } from './track.ts';
 

@@ -1,8 +1,7 @@
 import { counted } from '@ubii/words';
 
-import { placeOf } from '../feedback.ts';
-import { placesByScore, STEP_S, STEPS_PER_SECOND, type Game, type Seat } from '../game.ts';
-import { clamp, length, unit, withinOne, type Vector } from '../plane/vector.ts';
+import { placeOf, placesByScore, STEP_S, STEPS_PER_SECOND, type Game, type Seat } from '../game.ts';
+import { clamp, length, unit, withinOne, type Vector } from '../plane/plane.ts';
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
 
 interface Runner {

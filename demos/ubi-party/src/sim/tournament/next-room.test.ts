@@ -1,10 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import { MAX_SEATS } from '../seats/identity.ts';
 import { nextRoom } from './next-room.ts';
-import type { Pace } from './pace.ts';
-import { EMPTY_ROOM, gameOf, teamOf, type Room } from './room.ts';
-import { RoomRefusal, type RoomEvent } from './room-event.ts';
-import { KEPT_FOR_MS } from './seating.ts';
+import {
+  EMPTY_ROOM,
+  gameOf,
+  teamOf,
+  RoomRefusal,
+  type Pace,
+  type Room,
+  type RoomEvent,
+} from './room.ts';
+import { KEPT_FOR_MS } from './members.ts';
 
 /** A room after some events, a millisecond apart. */
 function after(room: Room, ...events: RoomEvent[]): Room {

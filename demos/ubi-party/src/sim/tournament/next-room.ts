@@ -1,12 +1,61 @@
-import type { Places } from '../game.ts';
+import type { Places, Seat, GameSettings } from '../game.ts';
 import { GAMES, type GameId } from '../games.ts';
-import { pointsOf } from './points.ts';
-import { COUNTDOWN_MS, isPace, readingMs, type Pace } from './pace.ts';
-import { gameOf, playersOf, type Phase, type Room } from './room.ts';
-import { RoomRefusal, type Asker, type RoomEvent } from './room-event.ts';
-import { setSetting } from './room-settings.ts';
-import { watch, withoutSpectators } from './watching.ts';
-import { fill, handOver, join, remove, removeLongAway, setAway, setReady } from './seating.ts';
+import {
+  watch,
+  withoutSpectators,
+  fill,
+  handOver,
+  join,
+  remove,
+  removeLongAway,
+  setAway,
+  setReady,
+} from './members.ts';
+import {
+  RoomRefusal,
+  COUNTDOWN_MS,
+  isPace,
+  readingMs,
+  gameOf,
+  playersOf,
+  type Room,
+  type Pace,
+  type Phase,
+  type Asker,
+  type RoomEvent,
+} from './room.ts';
+
+/** By place; players who share a place all get its points. */
+const BY_PLACE = [10, 8, 6, 5, 4, 3, 2, 1];
+
+/** The points of a round, by seat. Everybody who played gets one at least. */
+function pointsOf(places: Places): Record<Seat, number> {
+  const points: Record<Seat, number> = {};
+  let place = 0;
+  for (const seats of places) {
+    for (const seat of seats) points[seat] = BY_PLACE[place] ?? 1;
+    place += seats.length;
+  }
+  return points;
+}
+
+/** The greatest setting that modules accept. */
+const MAX_SETTING = 5;
+
+/** Changes a setting of a game. Default values are not kept. */
+function setSetting(room: Room, game: string, setting: string, value: number): Room {
+  const defaults = Object.hasOwn(GAMES, game)
+    ? (GAMES[game as keyof typeof GAMES].settings as GameSettings)
+    : {};
+  if (!Object.hasOwn(defaults, setting) || !Number.isFinite(value))
+    throw new RoomRefusal('This game does not have this setting.');
+  const { [game]: before = {}, ...others } = room.settings;
+  const { [setting]: _, ...rest } = before;
+  const kept = Math.min(MAX_SETTING, Math.max(0, value));
+  const changed = kept === defaults[setting] ? rest : { ...rest, [setting]: kept };
+  const hasDefaults = Object.keys(changed).length === 0;
+  return { ...room, settings: hasDefaults ? others : { ...others, [game]: changed } };
+}
 
 export const MIN_PLAYERS = 2;
 const MAX_TEAMS = 4;

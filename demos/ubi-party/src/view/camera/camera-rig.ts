@@ -1,6 +1,19 @@
-import { PerspectiveCamera } from 'three';
-import { approach } from '../motion/ease.ts';
+import { PerspectiveCamera, type Vector3 } from 'three';
+
+import { approach } from '../motion/motion.ts';
+import type { Quality } from '../quality/quality.ts';
 import { fitCamera, type CameraPlace, type FrameRect, type Point3 } from './fit-camera.ts';
+
+/** A frame that is drawn. */
+export interface Frame {
+  readonly nowMs: number;
+  /** Since the frame before. */
+  readonly dtS: number;
+  readonly isReduced: boolean;
+  readonly quality: Quality;
+  /** Position of the camera in the previous frame. */
+  readonly eye: Readonly<Vector3>;
+}
 
 /** Framing that a scene requests of the camera. */
 export interface Framing {

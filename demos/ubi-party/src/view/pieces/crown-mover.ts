@@ -1,5 +1,5 @@
 import { Group, Mesh, Vector3 } from 'three';
-import { hop, smooth } from '../motion/ease.ts';
+import { hop, smooth } from '../motion/motion.ts';
 import type { PieceKit } from './piece-kit.ts';
 
 const HOP_S = 0.3;

@@ -1,8 +1,7 @@
 import type { BufferGeometry } from 'three';
 import { identityOf, MAX_SEATS, type Seat, type Shape } from '../../sim/index.ts';
 import { Paints } from '../light/paints.ts';
-import { buildFoot, buildFootRing, buildNeck } from '../toys/bases.ts';
-import { buildCrown } from '../toys/crown.ts';
+import { buildFoot, buildFootRing, buildNeck, buildCrown } from '../toys/piece-parts.ts';
 import { GlyphSheet } from './glyph-sheet.ts';
 import { buildToken } from './token-geometry.ts';
 

@@ -1,10 +1,10 @@
 import { Group, Mesh, type Object3D } from 'three';
+
 import { identityOf, type Seat } from '../../sim/index.ts';
-import { Spring } from '../motion/spring.ts';
-import { BASE_HEIGHT } from '../toys/bases.ts';
-import { outlineOf } from './outlines.ts';
+import { Spring } from '../motion/motion.ts';
+import { BASE_HEIGHT } from '../toys/piece-parts.ts';
+import { outlineOf, letterDepth } from './token-geometry.ts';
 import type { PieceKit } from './piece-kit.ts';
-import { letterDepth } from './token-geometry.ts';
 
 /** On what a token stands. Seats whose shape is taken already always have a ringed foot. */
 export type Stand = 'foot' | 'table';
@@ -85,4 +85,46 @@ function solid<T extends Object3D>(mesh: T): T {
   mesh.castShadow = true;
   mesh.receiveShadow = true;
   return mesh;
+}
+
+/** The pieces of a scene by seat. */
+export class PieceSet {
+  readonly #pieces = new Map<Seat, Piece>();
+  readonly #root: Group;
+  readonly #kit: PieceKit;
+  readonly #stand: Stand;
+
+  constructor(root: Group, kit: PieceKit, stand: Stand) {
+    this.#root = root;
+    this.#kit = kit;
+    this.#stand = stand;
+  }
+
+  /** The piece of a seat, which is made when it is not there yet. */
+  get(seat: Seat): Piece {
+    let piece = this.#pieces.get(seat);
+    if (!piece) {
+      piece = new Piece(seat, this.#kit, this.#stand);
+      this.#pieces.set(seat, piece);
+      this.#root.add(piece.root);
+    }
+    return piece;
+  }
+
+  find(seat: Seat): Piece | undefined {
+    return this.#pieces.get(seat);
+  }
+
+  /** Removes the pieces of all other seats. */
+  keep(seats: ReadonlySet<Seat>): void {
+    for (const [seat, piece] of this.#pieces) {
+      if (seats.has(seat)) continue;
+      piece.root.removeFromParent();
+      this.#pieces.delete(seat);
+    }
+  }
+
+  [Symbol.iterator](): IterableIterator<Piece> {
+    return this.#pieces.values();
+  }
 }

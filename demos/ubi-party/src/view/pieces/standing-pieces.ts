@@ -1,13 +1,31 @@
 import type { Group, Vector3 } from 'three';
+
 import type { Seat } from '../../sim/index.ts';
+import type { Frame } from '../camera/camera-rig.ts';
 import type { ContactShades } from '../light/ground-shade.ts';
-import { dropHeight, DROP_S, touchesDown } from '../motion/drop.ts';
-import { approach, clamp01, scatter } from '../motion/ease.ts';
-import { Spring } from '../motion/spring.ts';
-import type { Frame } from '../camera/frame.ts';
+import { hop, approach, clamp01, scatter, Spring } from '../motion/motion.ts';
 import type { PieceKit } from './piece-kit.ts';
-import { PieceSet } from './piece-set.ts';
-import type { Piece, Stand } from './piece.ts';
+import { PieceSet, type Piece, type Stand } from './piece.ts';
+
+const FROM_Y = 10;
+const GRAVITY = 44;
+/** Seconds until it touches the table. */
+export const FALL_S = Math.sqrt((2 * FROM_Y) / GRAVITY);
+const BOUNCE = { lastsS: 0.36, height: 0.8 } as const;
+/** From here on it stands still. */
+export const DROP_S = FALL_S + BOUNCE.lastsS;
+
+/** Height of a piece that joins: it drops in, bounces once, and stands. @param sinceS seconds since it came */
+export function dropHeight(sinceS: number): number {
+  if (sinceS <= 0) return FROM_Y;
+  if (sinceS < FALL_S) return FROM_Y - (GRAVITY * sinceS * sinceS) / 2;
+  return hop((sinceS - FALL_S) / BOUNCE.lastsS) * BOUNCE.height;
+}
+
+/** Whether it touches the table between two times. */
+export function touchesDown(beforeS: number, nowS: number): boolean {
+  return [FALL_S, DROP_S].some((at) => beforeS < at && nowS >= at);
+}
 
 /** Position and posture of a piece. Units, on the table. */
 export interface Standing {
@@ -49,7 +67,7 @@ export class StandingPieces {
     this.#set = new PieceSet(root, kit, stand);
   }
 
-  /** @param drops whether who is new drops in; else it is there */
+  /** @param drops whether new pieces drop in */
   show(standings: readonly Standing[], drops: boolean): void {
     const seats = new Set<Seat>();
     for (const goal of standings) {
@@ -154,7 +172,7 @@ export class StandingPieces {
   }
 }
 
-/** A small turn of its own for each seat: nobody stands like on parade. */
+/** A small turn of its own for each seat: pieces are not aligned exactly. */
 export function yawOf(seat: Seat, most = 0.2): number {
   return (scatter(seat, 7) - 0.5) * 2 * most;
 }

@@ -1,8 +1,7 @@
 import { Box3, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { identityOf, MAX_SEATS } from '../../sim/index.ts';
-import { outlineOf } from './outlines.ts';
-import { buildConfetti, buildToken, TOKEN_DEPTH } from './token-geometry.ts';
+import { outlineOf, buildConfetti, buildToken, TOKEN_DEPTH } from './token-geometry.ts';
 
 const SHAPES = [...new Set(Array.from({ length: MAX_SEATS }, (_, seat) => identityOf(seat).shape))];
 

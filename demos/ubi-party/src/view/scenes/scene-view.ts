@@ -1,8 +1,7 @@
 import type { Group, Vector3 } from 'three';
 import type { Seat } from '../../sim/index.ts';
-import type { Framing } from '../camera/camera-rig.ts';
-import type { Frame } from '../camera/frame.ts';
-export type { Frame } from '../camera/frame.ts';
+import type { Framing, Frame } from '../camera/camera-rig.ts';
+export type { Frame } from '../camera/camera-rig.ts';
 import type { HOURS } from '../light/hours.ts';
 import type { Scene } from '../stage.ts';
 

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import type { Power } from '../../sim/index.ts';
 import type { Paints } from '../light/paints.ts';
-import { merged } from './crown.ts';
+import { merged } from './piece-parts.ts';
 import { buildCylinder } from './turned.ts';
 
 /** The three powers as toys that stand on y = 0, about 1.5 units high. */

@@ -1,9 +1,9 @@
 import type { EventsReader } from '../../reading/recording-reader.ts';
 import type { RecordedTopic } from '../../records/recording-summary.ts';
-import type { Cell } from '../flatten-value.ts';
-import { topicTable, type TableOptions, type TopicTable } from '../topic-table.ts';
-import { footerXml, headerXml } from './stream-xml.ts';
+import { topicTable, type Cell, type TableOptions, type TopicTable } from '../topic-table.ts';
 import {
+  footerXml,
+  headerXml,
   clockOffset,
   fileHeader,
   samples,

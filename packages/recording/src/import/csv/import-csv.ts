@@ -14,13 +14,14 @@ import {
   isMissing,
   numberIn,
   planCsv,
+  isRelative,
+  parseTimeNs,
   type CsvColumn,
   type CsvOptions,
   type CsvPlan,
   type CsvTopic,
 } from './csv-plan.ts';
 import { csvRows, type CsvRow } from './csv-rows.ts';
-import { isRelative, parseTimeNs } from './csv-time.ts';
 
 /** Says how a table would be imported. @throws RecordingError when it is none */
 export async function previewCsv(

@@ -1,7 +1,13 @@
 import { decodeRecord, encodeRecord, type RecordInit } from '@ubii/proto';
 import { expect, test } from 'vitest';
-import { headerXml, type StreamFacts } from '../../export/xdf/stream-xml.ts';
-import { clockOffset, fileHeader, samples, streamHeader } from '../../export/xdf/xdf-chunks.ts';
+import {
+  headerXml,
+  clockOffset,
+  fileHeader,
+  samples,
+  streamHeader,
+  type StreamFacts,
+} from '../../export/xdf/xdf-chunks.ts';
 import { xdfOf } from '../../export/index.ts';
 import { RecordingReader } from '../../reading/recording-reader.ts';
 import { MemoryFile, recorded, SAMPLE_START_NS } from '../../testing/index.ts';

@@ -5,8 +5,14 @@ import { levelOf } from '../csv/csv-plan.ts';
 import { ImportWriter, type ImportOptions, type ImportResult } from '../import-writer.ts';
 import { hasPaths, valueFromPaths } from '../value-from-paths.ts';
 import { ClockFit, type ClockOffset } from './clock-fit.ts';
-import { element, parseStream, SampleReader, type XdfStream } from './xdf-stream.ts';
-import { XDF_TAG, XdfSource } from './xdf-source.ts';
+import {
+  element,
+  parseStream,
+  SampleReader,
+  XDF_TAG,
+  XdfSource,
+  type XdfStream,
+} from './xdf-stream.ts';
 
 /** Which streams are imported. */
 export interface XdfImportOptions {

@@ -1,24 +1,70 @@
-import { systemClock } from '@ubii/client-web';
-import { moduleLibrary } from '@ubii/modules';
 import {
   createAssetStore,
   createHttpAssets,
   createModuleRuntime,
+  type EncodedRecord,
+  type TopicListener,
+  type TopicPort,
+  type TopicSelector,
   type AssetStore,
 } from '@ubii/pm-sandbox';
-import { createBrowserSandboxes } from '@ubii/pm-sandbox/browser';
 import {
+  DATA_FORMATS,
+  encodeRecord,
   decodeRecord,
   fromJson,
   Image2DDataFormat,
   ProcessingModuleStatus,
+  type Image2D,
   type IOMapping,
   type Object2DList,
 } from '@ubii/proto';
-import type { Detector, Pixels, Sighting } from './detector.ts';
-import { inTurn } from './in-turn.ts';
-import { PageTopics } from './page-topics.ts';
-import { sightingsOf } from './sightings.ts';
+import { systemClock } from '@ubii/client-web';
+import { moduleLibrary } from '@ubii/modules';
+import { createBrowserSandboxes } from '@ubii/pm-sandbox/browser';
+
+import { sightingsOf, type Detector, type Pixels, type Sighting } from './detector.ts';
+
+/** Calls a function for one value after the other: a result is that of its own value. */
+export function inTurn<T, R>(act: (value: T) => Promise<R>): (value: T) => Promise<R> {
+  let last: Promise<unknown> = Promise.resolve();
+  return (value) => {
+    const done = last.then(() => act(value));
+    last = done.catch(() => undefined);
+    return done;
+  };
+}
+
+/** Topics inside of this page: pictures go to the module, and what it finds comes back. Nothing of it leaves. */
+export class PageTopics implements TopicPort {
+  readonly #listeners = new Map<string, TopicListener>();
+  readonly #handleOutput: (topic: string, record: Uint8Array) => void;
+
+  constructor(handleOutput: (topic: string, record: Uint8Array) => void) {
+    this.#handleOutput = handleOutput;
+  }
+
+  subscribe(selector: TopicSelector, listener: TopicListener): () => void {
+    if (selector.kind !== 'topic') throw new Error('This page has no patterns of topics.');
+    this.#listeners.set(selector.topic, listener);
+    return () => void this.#listeners.delete(selector.topic);
+  }
+
+  publish(topic: string, record: Uint8Array): undefined {
+    this.#handleOutput(topic, record);
+  }
+
+  put(topic: string, value: Image2D): void {
+    const record: EncodedRecord = {
+      topic,
+      bytes: encodeRecord({ topic, format: 'image2D', value }),
+      valueField: DATA_FORMATS.image2D.fieldNumber,
+      publisherId: '',
+      isOwned: true,
+    };
+    this.#listeners.get(topic)?.onRecord(record);
+  }
+}
 
 const MODULE = 'object-detection';
 /** A phone that needs longer for one picture does not answer, milliseconds. */
@@ -122,7 +168,7 @@ export async function openDetector(
   };
 }
 
-/** Tells how many bytes of all sets were loaded. */
+/** Reports how many bytes of all sets were loaded. */
 function counted(store: AssetStore, onLoaded: (bytes: number) => void): AssetStore {
   const loaded = new Map<string, number>();
   return {

@@ -1,8 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { GAMES, isSignalled } from '../../../sim/index.ts';
 import { playWithBots } from '../../../sim/testing/play-with-bots.ts';
-import { duelEvents, glanceAtDuel, isEarly, nextFlag, type DuelEvent } from './duel-events.ts';
-import { duelSpots } from './duel-spots.ts';
+import {
+  duelEvents,
+  glanceAtDuel,
+  isEarly,
+  nextFlag,
+  duelSpots,
+  type DuelEvent,
+} from './duel-scene.ts';
 
 describe('duel events', () => {
   it('tell the signal and the winner of each bout of bots once', () => {

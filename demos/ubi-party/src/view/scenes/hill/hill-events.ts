@@ -71,7 +71,7 @@ export function hillEvents(before: HillGlance, state: HillState): HillEvent[] {
   return events;
 }
 
-/** Both pieces of a push remember it: the one of the lower seat tells it, unless the other was pushed again since. */
+/** Both pieces of a push remember it: that of the lower seat reports it, unless the other was pushed again since. */
 function isToldBy(state: HillState, seat: Seat, push: { by: Seat; at: number }): boolean {
   const other = state.pieces.find((one) => one.seat === push.by);
   if (!other) return false;

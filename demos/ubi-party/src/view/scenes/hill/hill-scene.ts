@@ -1,4 +1,13 @@
-import { BoxGeometry, Group, MeshStandardMaterial, Vector3 } from 'three';
+import {
+  Group,
+  Mesh,
+  SphereGeometry,
+  BoxGeometry,
+  MeshStandardMaterial,
+  Vector3,
+  type BufferGeometry,
+} from 'three';
+
 import {
   identityOf,
   PLATFORM_RADIUS,
@@ -9,23 +18,42 @@ import {
 import type { Framing } from '../../camera/camera-rig.ts';
 import { ContactShades, GroundShade } from '../../light/ground-shade.ts';
 import { HOURS } from '../../light/hours.ts';
-import { approach, scatter } from '../../motion/ease.ts';
-import { FlyingBits } from '../../motion/flying-bits.ts';
-import { PulseRings } from '../../motion/pulse-rings.ts';
-import { StepClock } from '../../motion/step-clock.ts';
+import type { Paints } from '../../light/paints.ts';
+import { FlyingBits, PulseRings } from '../../motion/effects.ts';
+import { approach, scatter, StepClock } from '../../motion/motion.ts';
 import { CrownMover } from '../../pieces/crown-mover.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
-import { PieceSet } from '../../pieces/piece-set.ts';
+import { PieceSet } from '../../pieces/piece.ts';
 import { disposeToys } from '../../toys/toy-box.ts';
+import { buildBlock, buildCone, buildCylinder } from '../../toys/turned.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
-import { ChargeArcs } from './charge-arcs.ts';
+import { ChargeArcs, Offer, PowerMarks } from './hill-marks.ts';
 import { glanceAtHill, hillEvents, type HillEvent, type HillGlance } from './hill-events.ts';
 import { placePiece } from './hill-pieces.ts';
-import { buildHillProps } from './hill-props.ts';
-import { Offer } from './offer.ts';
 import { PLATFORM_Y } from './platform-motion.ts';
 import { Platform } from './platform.ts';
-import { PowerMarks } from './power-marks.ts';
+
+const COLOUR = '#4e5c93';
+
+/** Toys round the hill in the colour of the evening: there, but never in the way of the eye. */
+function buildHillProps(paints: Paints): Group {
+  const root = new Group();
+  const add = (geometry: BufferGeometry, x: number, y: number, z: number, turn = 0): void => {
+    const mesh = new Mesh(geometry, paints.of(COLOUR, 'matte'));
+    mesh.position.set(x, y, z);
+    mesh.rotation.y = turn;
+    mesh.castShadow = true;
+    mesh.receiveShadow = true;
+    root.add(mesh);
+  };
+  add(buildBlock(2.6, 2.6, 2.6, 0.14), -16.6, 0, -8.5, 0.35);
+  add(buildBlock(2, 2, 2, 0.12), -16.7, 2.6, -8.5, -0.3);
+  add(buildCylinder(1.6, 2.4, 0.16), 17, 0, -9.5);
+  add(new SphereGeometry(1.35, 40, 28), 17, 3.6, -9.5);
+  add(buildCone(1.7, 3.2, 0.16), 21.5, 0, -1.5);
+  add(buildCone(1.2, 2.2, 0.14), -22, 0, 2);
+  return root;
+}
 
 /** Degrees that the camera sways with a push. */
 const SWAY_DEG = 0.5;

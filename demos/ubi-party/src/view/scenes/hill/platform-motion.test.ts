@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { RINGS } from '../../../sim/index.ts';
-import { fallPose, lyingSpot, type FallPose } from './fall-path.ts';
+import { fallPose, lyingSpot, type FallPose } from './hill-pieces.ts';
 import { BLOCKS, blockPose, dangerOf, PLATFORM_Y, type BlockPose } from './platform-motion.ts';
 
 const POSE: BlockPose = { out: 0, up: 0, tilt: 0, turn: 0, down: 0 };

@@ -1,5 +1,5 @@
 import { RINGS, STEPS_PER_SECOND } from '../../../sim/index.ts';
-import { clamp01, scatter } from '../../motion/ease.ts';
+import { clamp01, scatter } from '../../motion/motion.ts';
 
 /** Height of the platform above the table, units. */
 export const PLATFORM_Y = 3.4;

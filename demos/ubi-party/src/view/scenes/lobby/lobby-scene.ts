@@ -1,15 +1,115 @@
 import { Group, type Vector3 } from 'three';
-import type { Seat } from '../../../sim/index.ts';
+
+import { MAX_SEATS, type Seat } from '../../../sim/index.ts';
 import type { Framing } from '../../camera/camera-rig.ts';
 import { ContactShades, GroundShade } from '../../light/ground-shade.ts';
 import { HOURS } from '../../light/hours.ts';
+import type { Paints } from '../../light/paints.ts';
+import { scatter } from '../../motion/motion.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import { StandingPieces, yawOf } from '../../pieces/standing-pieces.ts';
 import type { Scene } from '../../stage.ts';
-import { disposeToys } from '../../toys/toy-box.ts';
+import {
+  buildArch,
+  buildMarble,
+  buildRamp,
+  placer,
+  WOOD,
+  disposeToys,
+} from '../../toys/toy-box.ts';
+import { buildBlock, buildCone, buildCylinder } from '../../toys/turned.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
-import { lobbyPlan, lobbySize, lobbySpot, type LobbyPlan } from './lobby-spots.ts';
-import { buildLobbyMarbles, buildLobbyToys, shadeMarbles, shadeToys } from './lobby-toys.ts';
+
+/** Number of rows and distance between pieces on a table, units. */
+interface LobbyPlan {
+  readonly seats: number;
+  readonly rows: number;
+  readonly columns: number;
+  readonly column: number;
+  /** Deep enough for a name between two rows. */
+  readonly row: number;
+  /** Of a piece: the fewer there are, the larger. */
+  readonly size: number;
+}
+
+const PLANS: readonly LobbyPlan[] = [
+  { seats: 8, rows: 2, columns: 4, column: 3.5, row: 5.8, size: 1.34 },
+  { seats: 18, rows: 3, columns: 6, column: 3.2, row: 7, size: 1.16 },
+  { seats: MAX_SEATS, rows: 4, columns: 8, column: 2.95, row: 7.2, size: 1.04 },
+];
+
+/** The smallest table for the highest seat that is taken: who sits keeps the place until the table is full. */
+export function lobbyPlan(highest: Seat): LobbyPlan {
+  return PLANS.find(({ seats }) => highest < seats) ?? PLANS.at(-1)!;
+}
+
+/** Position of a seat: the front row is filled first, rows stand in the gaps of those before them. */
+export function lobbySpot(seat: Seat, plan: LobbyPlan): { readonly x: number; readonly z: number } {
+  const row = Math.floor(seat / plan.columns);
+  const column = seat % plan.columns;
+  const shift = row % 2 === 0 ? -0.22 : 0.22;
+  return {
+    x: (column - (plan.columns - 1) / 2 + shift) * plan.column + (scatter(seat, 1) - 0.5) * 0.3,
+    z: -row * plan.row + (scatter(seat, 2) - 0.5) * 0.5,
+  };
+}
+
+/** Half of the width, and the depth, that pieces cover. */
+export function lobbySize(plan: LobbyPlan): { readonly half: number; readonly depth: number } {
+  return { half: (plan.columns / 2) * plan.column, depth: (plan.rows - 1) * plan.row };
+}
+
+/** The toys behind the players, on a strip of 16 units; the back row stands at z = 0. */
+function buildLobbyToys(paints: Paints): Group {
+  const root = new Group();
+  const add = placer(root, paints);
+  add(buildCylinder(0.95, 3.9, 0.1), '#3f6fc0', [-5.7, 0, -3.4]);
+  add(buildMarble(1), '#f2a71e', [-5.7, 3.86, -3.4], { finish: 'marble' });
+  add(buildArch(5, 4.9, 1.6, 1.35), WOOD, [0.1, 0, -5.6], { turn: 0.06 });
+  add(buildRamp(4.2, 2.2, 1.6), '#f191b8', [4.3, 0, -5.6], { turn: 0.12 });
+  add(buildBlock(2.3, 2.5, 2.3, 0.12), '#e8843c', [6.9, 0, -4.4], { turn: 0.14 });
+  add(buildBlock(2.3, 2.3, 2.3, 0.12), WOOD, [9.4, 0, -5.4], { turn: 0.1 });
+  add(buildCone(1.35, 2.6, 0.12), '#3aa66f', [9.4, 2.3, -5.4]);
+  add(buildBlock(2, 2, 2, 0.12), '#e9dcc2', [12, 0, -6.6], { turn: -0.2 });
+  return root;
+}
+
+const SHADES: readonly (readonly [x: number, z: number, width: number, depth: number])[] = [
+  [-5.7, -3.4, 3.4, 2.8],
+  [-1.6, -5.6, 3, 3],
+  [2, -5.6, 3, 3],
+  [4.3, -5.6, 6, 3],
+  [6.9, -4.4, 4, 3.6],
+  [9.4, -5.4, 4, 3.6],
+];
+
+function shadeToys(toys: Group, shades: ContactShades): void {
+  const { position, scale } = toys;
+  for (const [x, z, width, depth] of SHADES) {
+    const size = scale.x;
+    shades.add(position.x + x * size, 0, position.z + z * size, width * size, depth * size);
+  }
+}
+
+const MARBLES = [
+  { colour: '#e8452f', radius: 0.5, x: -4.7, z: -3.1 },
+  { colour: '#0e6e78', radius: 0.42, x: -0.4, z: -3 },
+  { colour: '#efe3cb', radius: 0.42, x: 7.5, z: -1.6 },
+] as const;
+
+/** Marbles between the rows. */
+function buildLobbyMarbles(paints: Paints): Group {
+  const root = new Group();
+  const add = placer(root, paints);
+  for (const { colour, radius, x, z } of MARBLES)
+    add(buildMarble(radius), colour, [x, 0, z], { finish: 'marble' });
+  return root;
+}
+
+function shadeMarbles(root: Group, shades: ContactShades): void {
+  for (const { x, z, radius } of MARBLES)
+    shades.add(root.position.x + x, 0, z, radius * 2.2, radius * 1.8);
+}
 
 /** A slow drift, degrees and seconds. */
 const DRIFT = { deg: 2, periodS: 40 } as const;

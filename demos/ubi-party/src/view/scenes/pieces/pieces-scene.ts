@@ -13,7 +13,7 @@ import type { Frame, SceneView } from '../scene-view.ts';
 /** A table of games reaches so far to all sides, units. */
 const HALF = 10;
 
-/** Mats under the pieces at the left and at the right, units; nobody stands between. */
+/** Mats under the pieces at the left and at the right, units; no piece stands between. */
 const MAT = { x: 6.8, z: 3.4, width: 8.2, depth: 9.6, height: 0.16 } as const;
 
 /** Pieces on a bare table: the picture of games without a scene of their own. */

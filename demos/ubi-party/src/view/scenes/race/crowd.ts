@@ -1,4 +1,4 @@
-import { clamp01 } from '../../motion/ease.ts';
+import { clamp01 } from '../../motion/motion.ts';
 
 /** Position of a cart on the table, units; z grows towards the camera. */
 export interface CrowdSpot {

@@ -1,28 +1,61 @@
 import { Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
-import { placeAt, trackOf, type RaceState, type Seat, type Track } from '../../../sim/index.ts';
+
+import {
+  lapOf,
+  placeAt,
+  trackOf,
+  type RaceState,
+  type Track,
+  type Seat,
+} from '../../../sim/index.ts';
 import type { Framing } from '../../camera/camera-rig.ts';
 import { ContactShades, GroundShade } from '../../light/ground-shade.ts';
 import { HOURS } from '../../light/hours.ts';
-import { approach } from '../../motion/ease.ts';
-import { StepClock } from '../../motion/step-clock.ts';
+import { mix, smooth, approach, StepClock } from '../../motion/motion.ts';
 import { CrownMover } from '../../pieces/crown-mover.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
-import { closeIn } from './close-in.ts';
 import { standInCrowd } from './crowd.ts';
-import { RaceBits } from './race-bits.ts';
-import { RaceCarts } from './race-carts.ts';
 import {
+  RaceBits,
   glanceAtRace,
   leaderOf,
   raceEvents,
   type RaceEvent,
   type RaceGlance,
-} from './race-events.ts';
+} from './race-effects.ts';
+import { RaceCarts } from './race-carts.ts';
 import { RaceScenery } from './race-scenery.ts';
-import { buildRoad } from './road-geometry.ts';
-import { roadHeight } from './road-height.ts';
+import { buildRoad, roadHeight } from './road.ts';
 import { boundsOf } from './scenery.ts';
+
+/** The camera closes in by so much on the last lap. */
+const LAST_LAP = 1.15;
+/** Shares of half of the circuit's width: carts that are further apart than the second need the whole picture. */
+const NEAR = 0.45;
+const FAR = 0.85;
+
+/** Zoom of the camera, and the point of the table that keeps its place in the picture. */
+interface CloseIn {
+  readonly zoom: number;
+  readonly x: number;
+  readonly z: number;
+}
+
+/** On the last lap of the first, around the carts that still drive, as long as all stay in the picture. */
+export function closeIn({ carts }: RaceState, track: Track, halfWidth: number): CloseIn {
+  const driving = carts.filter(({ finishedAt }) => finishedAt === undefined);
+  const seen = driving.length > 0 ? driving : carts;
+  const xs = seen.map(({ position }) => position.x);
+  const ys = seen.map(({ position }) => position.y);
+  const middle = (values: readonly number[]): number =>
+    values.length === 0 ? 0 : (Math.min(...values) + Math.max(...values)) / 2;
+  const [x, y] = [middle(xs), middle(ys)];
+  const isLast = carts.some((cart) => lapOf(cart, track) === track.laps);
+  const spread = Math.max(0, ...xs.map((at) => Math.abs(at - x))) / halfWidth;
+  const zoom = isLast ? mix(LAST_LAP, 1, smooth((spread - NEAR) / (FAR - NEAR))) : 1;
+  return { zoom, x, z: -y };
+}
 
 /** Marble Dash. */
 export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> {

@@ -9,11 +9,11 @@ import {
 } from 'three';
 import { placeAt, type Track } from '../../../sim/index.ts';
 import type { Paints } from '../../light/paints.ts';
-import { scatter } from '../../motion/ease.ts';
-import { merged } from '../../toys/crown.ts';
+import { scatter } from '../../motion/motion.ts';
+import { merged } from '../../toys/piece-parts.ts';
 import { buildArch, buildMarble, disposeToys, placer, WOOD } from '../../toys/toy-box.ts';
 import { buildBlock, buildCone, buildCylinder, buildTurned } from '../../toys/turned.ts';
-import { beside } from './road-geometry.ts';
+import { beside } from './road.ts';
 import { boundsOf, freeSpots, offRoad, pillarsOf, type Spot } from './scenery.ts';
 
 const GREENS = ['#3a9158', '#2f8350', '#4aa062'] as const;
@@ -44,7 +44,7 @@ export class RaceScenery {
     disposeToys(this.root);
   }
 
-  /** Behind the start line: it hides nobody on the grid. */
+  /** Behind the start line: it hides no cart on the grid. */
   #addArch(track: Track): void {
     const at = 3.2;
     const { direction } = placeAt(track, at);
@@ -103,7 +103,7 @@ export class RaceScenery {
     }
   }
 
-  /** Somebody left it at the front right: it tells how large all of this is. */
+  /** A pencil at the front right shows the scale of the scene. */
   #addPencil(track: Track): void {
     const { maxX, minY } = boundsOf(track);
     const pencil = new Group();

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { GAMES, TRACKS } from '../../../sim/index.ts';
-import { buildRoad } from './road-geometry.ts';
-import { BRIDGE_HEIGHT, duckOf, roadHeight, ROAD_Y, underpassOf } from './road-height.ts';
+import { buildRoad, BRIDGE_HEIGHT, duckOf, roadHeight, ROAD_Y, underpassOf } from './road.ts';
 import { freeSpots, offRoad, pillarsOf } from './scenery.ts';
 
 describe.each(TRACKS.map((track) => [track.id, track] as const))('road of %s', (_, track) => {

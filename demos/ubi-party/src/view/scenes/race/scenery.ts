@@ -1,6 +1,6 @@
 import type { Track } from '../../../sim/index.ts';
-import { scatter } from '../../motion/ease.ts';
-import { roadHeight } from './road-height.ts';
+import { scatter } from '../../motion/motion.ts';
+import { roadHeight } from './road.ts';
 
 /** A place beside the road, in the plane of the rules, units. */
 export interface Spot {
