@@ -5,7 +5,7 @@ import globals from 'globals';
 import ts from 'typescript-eslint';
 import vueParser from 'vue-eslint-parser';
 
-import ubii, { HAND_WRITTEN_PLURALS } from './scripts/lib/lint-rules.mjs';
+import ubii, { HAND_WRITTEN_PLURALS, SPREAD_LITERALS } from './scripts/lib/lint-rules.mjs';
 
 /** Imports that the dependency arrows of docs/architecture.md forbid, with what to do instead. */
 const noApps = {
@@ -155,7 +155,12 @@ export default ts.config(
   },
   {
     files: ['**/*.vue'],
-    rules: { 'vue/no-restricted-syntax': ['error', ...HAND_WRITTEN_PLURALS] },
+    rules: { 'vue/no-restricted-syntax': ['error', ...HAND_WRITTEN_PLURALS, ...SPREAD_LITERALS] },
+  },
+  {
+    files: ['**/*.{ts,vue,js,mjs}'],
+    plugins: { ubii },
+    rules: { 'ubii/no-spread-literals': 'error' },
   },
   { files: ['**/*.test.ts'], rules: { 'vue/one-component-per-file': 'off' } },
   { files: ['packages/**'], rules: restrict(noApps, noVue) },

@@ -119,7 +119,9 @@ export class PartyPhonePage {
   async #send(type: 'touchStart' | 'touchMove' | 'touchEnd'): Promise<void> {
     this.#session ??= await this.page.context().newCDPSession(this.page);
     const touchPoints = [...this.#down].map(([finger, { x, y }]) => ({
-      ...{ x, y, id: finger === 'steer' ? 0 : 1 },
+      x,
+      y,
+      id: finger === 'steer' ? 0 : 1,
     }));
     await this.#session.send('Input.dispatchTouchEvent', { type, touchPoints });
   }

@@ -17,8 +17,10 @@ const browserPackages = ['chromium', 'chromium-headless-shell', 'fonts-liberatio
  * with them. Debian starts no service in a container; elsewhere its Mosquitto listens on loopback only.
  */
 const tools = {
-  ...{ certutil: 'libnss3-tools', ip: 'iproute2' },
-  ...{ mosquitto: 'mosquitto', 'nats-server': 'nats-server' },
+  certutil: 'libnss3-tools',
+  ip: 'iproute2',
+  mosquitto: 'mosquitto',
+  'nats-server': 'nats-server',
 };
 
 const playwright = readJson(inRoot('e2e/package.json')).devDependencies['@playwright/test'];

@@ -28,6 +28,15 @@ export const HAND_WRITTEN_PLURALS = [
   message: 'Use `plural` or `counted` of @ubii/words.',
 }));
 
+/** @type {readonly Restriction[]} */
+export const SPREAD_LITERALS = [
+  {
+    selector: 'ObjectExpression > SpreadElement > ObjectExpression',
+    message:
+      'Write the members out: the compiler finds no excess member of a literal that is spread.',
+  },
+];
+
 /** @param {readonly Restriction[]} restrictions @returns {Rule} */
 function restrictSyntax(restrictions) {
   return {
@@ -76,6 +85,7 @@ export default {
   rules: {
     'no-native-patterns': restrictSyntax(NATIVE_PATTERNS),
     'no-hand-written-plurals': restrictSyntax(HAND_WRITTEN_PLURALS),
+    'no-spread-literals': restrictSyntax(SPREAD_LITERALS),
     ...Object.fromEntries(
       [...MORE_IN_ESLINT].map(([name, pattern]) => [shortName(name), ruleOfEslint(name, pattern)]),
     ),

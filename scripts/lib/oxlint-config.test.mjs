@@ -115,6 +115,7 @@ const FAULTS = [
   ['no-console', 'console.info(1);'],
   ['ubii/no-native-patterns', 'export const f = (a: string) => new RegExp(a);'],
   ['ubii/no-hand-written-plurals', 'export const f = (a: number) => (a === 1 ? "one" : "many");'],
+  ['ubii/no-spread-literals', 'export const a = { ...{ b: 1 }, c: 2 };'],
 ];
 
 /** Where a package must not look: folder, import. */

@@ -65,7 +65,10 @@ function mqttLink(context: LinkContext): RunningLink {
   const { homeAssistant: settings, availability = defaultAvailability(client.name) } =
     context.file();
   const system = createMqttSystem({
-    ...{ url: target.url, ...credentials, ca, availability },
+    url: target.url,
+    ...credentials,
+    ca,
+    availability,
     clientId: `ubii-${createHash('sha256').update(client.id).digest('hex').slice(0, 16)}`,
     masterId: context.masterId,
     isMasterOfCluster: (id) => context.bridges.isMaster(id),
@@ -73,7 +76,9 @@ function mqttLink(context: LinkContext): RunningLink {
   const homeAssistant =
     settings &&
     new HomeAssistant({
-      ...{ settings, availability, clock: systemClock },
+      settings,
+      availability,
+      clock: systemClock,
       ownId: () => client.id,
       send: (message) => void system.send(message),
       onChange: () => refresh(),
@@ -121,7 +126,10 @@ function oscLink(context: LinkContext): RunningLink {
 function rosbridgeLink(context: LinkContext): RunningLink {
   const { url } = context.target;
   const system = createRosbridgeSystem({
-    ...{ url, ...context.credentials, ca: context.ca, clock: systemClock },
+    url,
+    ...context.credentials,
+    ca: context.ca,
+    clock: systemClock,
   });
   return followFile(context, { system: context.seen.watch(system), codec: rosCodec });
 }

@@ -17,8 +17,11 @@ describe('the configuration of a bridge', () => {
     );
     expect(read.words).toEqual(['mqtt://localhost']);
     expect(read.values).toMatchObject({
-      ...{ mapping: '/home/ada/hall.json', name: 'hall', ca: '/home/ada/ca.pem' },
-      ...{ protocol: undefined, master: 'http://localhost:8080' },
+      mapping: '/home/ada/hall.json',
+      name: 'hall',
+      ca: '/home/ada/ca.pem',
+      protocol: undefined,
+      master: 'http://localhost:8080',
     });
   });
 

@@ -124,7 +124,9 @@ export function parseTarget(words: readonly string[], protocol: Protocol | undef
   const port = url.port === '' ? known.port : Number(url.port);
   const host = url.hostname.replace(/^\[(.*)\]$/, '$1');
   return {
-    ...{ protocol: known.protocol, host, port },
+    protocol: known.protocol,
+    host,
+    port,
     url: `${known.scheme}//${url.hostname}:${port}${known.protocol === 'rosbridge' ? url.pathname : ''}`,
     system: `${known.protocol} ${url.hostname.toLowerCase()}:${port}`,
   };

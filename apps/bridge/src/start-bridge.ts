@@ -86,7 +86,10 @@ export function startBridge(setup: BridgeSettings): RunningBridge {
   const onError = (error: unknown): void => log('warn', messageOf(error));
   const bridges = new OtherBridges(system);
   const standBy = createStandBy({
-    ...{ client, bridges, clock: systemClock, file: () => store.file },
+    client,
+    bridges,
+    clock: systemClock,
+    file: () => store.file,
     onChange(isActive) {
       log('info', isActive ? PASSES : STANDS_BY);
       link?.refresh();
@@ -101,7 +104,12 @@ export function startBridge(setup: BridgeSettings): RunningBridge {
     isOpening = true;
     const { credentials, ca } = setup;
     const opened = createLink({
-      ...{ client, target, bridges, credentials, ca, listen: config.listen },
+      client,
+      target,
+      bridges,
+      credentials,
+      ca,
+      listen: config.listen,
       file: () => store.file,
       seen,
       isActive: () => standBy.isActive,
@@ -115,7 +123,10 @@ export function startBridge(setup: BridgeSettings): RunningBridge {
     opened.setAvailable(client.state.status === 'connected');
     opened.open();
     reports = startReports(client, systemClock, () => ({
-      ...{ protocol: target.protocol, system, file: store.path, revision: store.revision },
+      protocol: target.protocol,
+      system,
+      file: store.path,
+      revision: store.revision,
       isStandingBy: !standBy.isActive,
       ...opened.report(),
     }));
@@ -177,7 +188,9 @@ export function startBridge(setup: BridgeSettings): RunningBridge {
 
 function createBridgeClient({ config, log }: BridgeSettings, system: string): UbiiClient {
   return createClient({
-    ...{ url: config.master, name: config.name, publishIntervalMs: 0 },
+    url: config.master,
+    name: config.name,
+    publishIntervalMs: 0,
     description: `Connects topics with ${system}`,
     tags: ['bridge', bridgeTag(system)],
     // As a node, it is told which topics end [TD-42]; it runs no modules.

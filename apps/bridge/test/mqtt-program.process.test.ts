@@ -52,8 +52,12 @@ async function startTwo(root: string, masters: readonly string[], isOther = fals
     const file = mappingFile({
       mappings: [
         {
-          ...{ name: isOther ? `mapping ${index}` : 'mapping', direction: 'both', qos: 1 },
-          ...{ foreign: `${root}/+`, topic: `/${root}/{1}`, format: 'double' },
+          name: isOther ? `mapping ${index}` : 'mapping',
+          direction: 'both',
+          qos: 1,
+          foreign: `${root}/+`,
+          topic: `/${root}/{1}`,
+          format: 'double',
         },
       ],
     });
@@ -217,8 +221,12 @@ describe('the bridge as a process, with Mosquitto', () => {
     const file = mappingFile({
       mappings: [
         {
-          ...{ direction: 'both', foreign: 'kept/+', topic: '/kept/{1}', format: 'double' },
-          ...{ retained: true, qos: 1 },
+          direction: 'both',
+          foreign: 'kept/+',
+          topic: '/kept/{1}',
+          format: 'double',
+          retained: true,
+          qos: 1,
         },
       ],
     });
@@ -276,7 +284,8 @@ describe('the bridge as a process, with Mosquitto', () => {
     const { url } = await startMaster();
     const client = await joinAs(url);
     const device = await client.registerDevice({
-      ...{ name: 'lamp', components: [{ name: 'v', format: 'double' }] },
+      name: 'lamp',
+      components: [{ name: 'v', format: 'double' }],
     });
     device.component('v').publish(0.5);
     client.publish('/lost/x', 'double', 2);
@@ -329,7 +338,8 @@ describe('the bridge as a process, with Mosquitto', () => {
     expect(refused.stderr).toContain('Use --credentials-file');
     expect(refused.stderr).not.toContain('top-secret');
     const bridge = startBridge([broker.url, '--log-level', 'debug'], url, file, {
-      ...{ UBII_BRIDGE_USER: 'ada', UBII_BRIDGE_PASSWORD: 'top-secret' },
+      UBII_BRIDGE_USER: 'ada',
+      UBII_BRIDGE_PASSWORD: 'top-secret',
     });
     await connected(bridge);
     expect(bridge.stdout + bridge.stderr).not.toContain('top-secret');

@@ -22,8 +22,13 @@ afterAll(() => broker?.close());
 function openSystem(more: Partial<Parameters<typeof createMqttSystem>[0]> = {}) {
   serial++;
   return createMqttSystem({
-    ...{ url: broker.url, clientId: `bridge-${serial}`, user: undefined, password: undefined },
-    ...{ ca: undefined, availability: `status/${serial}`, masterId: () => 'master' },
+    url: broker.url,
+    clientId: `bridge-${serial}`,
+    user: undefined,
+    password: undefined,
+    ca: undefined,
+    availability: `status/${serial}`,
+    masterId: () => 'master',
     // Without chance, attempts come as early as they can.
     random: () => 0,
     ...more,
@@ -48,7 +53,8 @@ foreignSystemSuite<Uint8Array>('MqttSystem', async () => {
   );
   await peer.subscribeAsync([`${root}/result`, `${root}/early`]);
   return {
-    ...{ system, received },
+    system,
+    received,
     address: (level) => `${root}/${level}`,
     mapping: (direction, foreign) =>
       mappingOf(direction, foreign, foreign.includes('+') ? '/x/{1}' : '/x', { qos: 1 }),
@@ -212,7 +218,10 @@ describe('the broker and the bridge', () => {
     await states.next(isConnected);
     // Another connection with the same client id takes its place, without a new session.
     const thief = await connectAsync(broker.url, {
-      ...{ protocolVersion: 5, clientId: `bridge-${serial}`, clean: false, reconnectPeriod: 0 },
+      protocolVersion: 5,
+      clientId: `bridge-${serial}`,
+      clean: false,
+      reconnectPeriod: 0,
       properties: { sessionExpiryInterval: 3_600 },
     });
     await states.next(({ status }) => status === 'waiting');

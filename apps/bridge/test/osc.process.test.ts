@@ -39,7 +39,7 @@ async function openPeer() {
       heard.add({ address, args, types: types.replace(',', '') });
     }
   });
-  return { ...{ socket, heard, times }, port: socket.address().port };
+  return { socket, heard, times, port: socket.address().port };
 }
 
 interface OscJsMessage {
@@ -58,7 +58,10 @@ const message = (address: string, ...args: (number | string | boolean)[]) =>
 foreignSystemSuite<OscContent>('OscSystem', async () => {
   const peer = await openPeer();
   const system = createOscSystem({
-    ...{ host: '127.0.0.1', port: peer.port, listen: undefined, clock: systemClock },
+    host: '127.0.0.1',
+    port: peer.port,
+    listen: undefined,
+    clock: systemClock,
   });
   const received = new Inbox<{ address: string; number: number }>();
   const add = peer.heard.add.bind(peer.heard);
@@ -67,7 +70,8 @@ foreignSystemSuite<OscContent>('OscSystem', async () => {
     received.add({ address: item.address, number: Number(item.args[0]) });
   };
   return {
-    ...{ system, received },
+    system,
+    received,
     address: (level) => `/suite/${level}`,
     mapping: (direction, foreign) =>
       mappingOf(direction, foreign, foreign.includes('+') ? '/x/{1}' : '/x'),
@@ -84,7 +88,10 @@ describe('OSC', () => {
   async function open() {
     const peer = await openPeer();
     const system = createOscSystem({
-      ...{ host: '127.0.0.1', port: peer.port, listen: undefined, clock: systemClock },
+      host: '127.0.0.1',
+      port: peer.port,
+      listen: undefined,
+      clock: systemClock,
     });
     const events = new SystemEvents<OscContent>();
     system.open(events);
@@ -93,7 +100,7 @@ describe('OSC', () => {
       await system.close();
       peer.socket.close();
     });
-    return { ...{ peer, system, messages: events.messages, refused: events.refused } };
+    return { peer, system, messages: events.messages, refused: events.refused };
   }
 
   it.each([
@@ -114,7 +121,9 @@ describe('OSC', () => {
       expect(oscCodec.read(payload, mapping)).toMatchObject({ format, value });
       const written = oscCodec.write(
         {
-          ...{ topic: '/a', format, bytes: new Uint8Array() },
+          topic: '/a',
+          format,
+          bytes: new Uint8Array(),
           value: oscCodec.read(payload, mapping).value,
         },
         mapping,
@@ -157,7 +166,8 @@ describe('OSC', () => {
     const mapping = mappingOf('out', '/{1}', '/x/*');
     const send = (address: string, bytes = 4) =>
       system.send({
-        ...{ address, mapping },
+        address,
+        mapping,
         payload: { args: [{ type: 's', value: 'x'.repeat(bytes) }], timestampMs: undefined },
       });
     expect(send('/a b').kind).toBe('refused');
@@ -172,7 +182,11 @@ describe('OSC', () => {
     const closed = vi.spyOn(Socket.prototype, 'close');
     onTestFinished(() => closed.mockRestore());
     const system = createOscSystem({
-      ...{ host: '127.0.0.1', port: 9, listen: taken.port, clock, random: () => 0 },
+      host: '127.0.0.1',
+      port: 9,
+      listen: taken.port,
+      clock,
+      random: () => 0,
     });
     system.open(events);
     for (let attempt = 0; attempt < 3; attempt++) {
@@ -195,7 +209,10 @@ describe('OSC', () => {
     const { states, messages } = events;
     const addresses = ['127.0.0.2', '127.0.0.2', '127.0.0.1'];
     const system = createOscSystem({
-      ...{ host: 'controller.local', port: peer.port, listen: undefined, clock },
+      host: 'controller.local',
+      port: peer.port,
+      listen: undefined,
+      clock,
       lookUp: async () => ({ address: addresses.shift() ?? '127.0.0.1', family: 4 }),
     });
     onTestFinished(async () => {

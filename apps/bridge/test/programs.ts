@@ -43,7 +43,10 @@ export function startBridge(
 /** A client of the test. */
 export async function joinAs(url: string, name = 'guest'): Promise<UbiiClient> {
   const client = createClient({
-    ...{ url, name, identity: createMemoryIdentity(), publishIntervalMs: 0 },
+    url,
+    name,
+    identity: createMemoryIdentity(),
+    publishIntervalMs: 0,
   });
   onTestFinished(() => client.close());
   await client.connect();

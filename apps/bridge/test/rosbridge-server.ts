@@ -54,7 +54,10 @@ export async function startRosbridge(port = 0) {
       case 'subscribe':
         if (type !== '') types.set(topic, type);
         return void subscriptions.add({
-          ...{ socket, id, topic, compression: operation.compression ?? 'none' },
+          socket,
+          id,
+          topic,
+          compression: operation.compression ?? 'none',
           throttleMs: operation.throttle_rate ?? 0,
         });
       case 'unsubscribe':
@@ -95,7 +98,10 @@ export async function startRosbridge(port = 0) {
   });
   const { port: bound } = server.address() as AddressInfo;
   return {
-    ...{ port: bound, url: `ws://127.0.0.1:${bound}`, operations, logins },
+    port: bound,
+    url: `ws://127.0.0.1:${bound}`,
+    operations,
+    logins,
     /** Resolves when a client has subscribed to the topic, or only one client is left. */
     untilSubscribed: (topic: string): Promise<void> =>
       new Promise((resolve) => {

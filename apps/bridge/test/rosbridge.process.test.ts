@@ -46,7 +46,8 @@ foreignSystemSuite<RosMessage>('RosbridgeSystem', async () => {
   };
   listen();
   return {
-    ...{ system, received },
+    system,
+    received,
     // Single topics only.
     address: (level) => `/suite/${level === '+' ? 'first' : level === 'again' ? 'first' : level}`,
     mapping: (direction, foreign) => mappingOf(direction, foreign, '/x', { rosType: FLOAT }),
@@ -140,7 +141,8 @@ describe('values and messages of ROS [BR-70]', () => {
 
   it('takes the time of a header', () => {
     const mapping = mappingOf('in', '/a', '/a', {
-      ...{ rosType: 'geometry_msgs/PointStamped', format: 'vector3' },
+      rosType: 'geometry_msgs/PointStamped',
+      format: 'vector3',
     });
     const point = { x: 1, y: 2, z: 3 };
     const read = (stamp: object) =>
@@ -191,7 +193,8 @@ describe('values and messages of ROS [BR-70]', () => {
 
   it('reads a vector with null as one with NaN, and never as one with 0 [BR-72]', () => {
     const mapping = mappingOf('in', '/a', '/a', {
-      ...{ rosType: 'geometry_msgs/Vector3', format: 'vector3' },
+      rosType: 'geometry_msgs/Vector3',
+      format: 'vector3',
     });
     const { value } = rosCodec.read({ x: null, y: 1, z: 2 }, mapping);
     expect(value).toEqual({ x: Number.NaN, y: 1, z: 2 });
@@ -241,7 +244,10 @@ describe('rosbridge', () => {
   async function open() {
     const server = await startRosbridge();
     const system = createRosbridgeSystem({
-      ...{ url: server.url, ca: undefined, clock: systemClock, random: () => 0 },
+      url: server.url,
+      ca: undefined,
+      clock: systemClock,
+      random: () => 0,
     });
     const events = new SystemEvents<RosMessage>();
     system.open(events);
@@ -250,7 +256,7 @@ describe('rosbridge', () => {
       await system.close();
       await server.close();
     });
-    return { ...{ server, system, messages: events.messages, refused: events.refused } };
+    return { server, system, messages: events.messages, refused: events.refused };
   }
 
   it('asks for compression, rate and queue, and reads CBOR [BR-71]', async () => {
@@ -258,15 +264,22 @@ describe('rosbridge', () => {
     const ros = await openRos(server.url);
     onTestFinished(() => ros.close());
     const mapping = mappingOf('in', '/scan', '/scan', {
-      ...{ rosType: 'std_msgs/Float32MultiArray', format: 'floatList', compression: 'cbor' },
-      ...{ maxRateHz: 10, queueLength: 3 },
+      rosType: 'std_msgs/Float32MultiArray',
+      format: 'floatList',
+      compression: 'cbor',
+      maxRateHz: 10,
+      queueLength: 3,
     });
     system.setMappings([mapping]);
     await expect
       .poll(() => server.operations.at(-1))
       .toMatchObject({
-        ...{ op: 'subscribe', topic: '/scan', type: 'std_msgs/Float32MultiArray' },
-        ...{ compression: 'cbor', throttle_rate: 100, queue_length: 3 },
+        op: 'subscribe',
+        topic: '/scan',
+        type: 'std_msgs/Float32MultiArray',
+        compression: 'cbor',
+        throttle_rate: 100,
+        queue_length: 3,
       });
     await server.untilSubscribed('/scan');
     topicOf(ros, '/scan', 'std_msgs/Float32MultiArray').publish({ data: [0.5, 1.5] });
@@ -346,13 +359,19 @@ describe('rosbridge', () => {
   it('sends user and password only to the proxy in front of rosbridge [BR-43]', async () => {
     const server = await startRosbridge();
     const system = createRosbridgeSystem({
-      ...{ url: server.url, ca: undefined, clock: systemClock, random: () => 0 },
-      ...{ user: 'ada', password: 'secret' },
+      url: server.url,
+      ca: undefined,
+      clock: systemClock,
+      random: () => 0,
+      user: 'ada',
+      password: 'secret',
     });
     const connected = new Promise<void>((resolve) => {
       system.open({
-        ...{ handleMessage: () => undefined, handleRefused: () => undefined },
-        ...{ handleDropped: () => undefined, handleSettled: () => undefined },
+        handleMessage: () => undefined,
+        handleRefused: () => undefined,
+        handleDropped: () => undefined,
+        handleSettled: () => undefined,
         handleState: ({ status }) => status === 'connected' && resolve(),
       });
     });
@@ -389,7 +408,10 @@ describe('rosbridge', () => {
     const file = mappingFile({
       mappings: [
         {
-          ...{ direction: 'both', foreign: '/speed', topic: '/robot/speed', format: 'double' },
+          direction: 'both',
+          foreign: '/speed',
+          topic: '/robot/speed',
+          format: 'double',
           type: 'std_msgs/Float32',
         },
       ],

@@ -172,7 +172,11 @@ export async function startMaster({
       ...openRecordings({
         folder: recordings,
         limits: { ...DEFAULT_LIMITS, ...limits },
-        ...{ clock, log, recorderWorkerFile, checkProcessFile, replayWorkerFile },
+        clock,
+        log,
+        recorderWorkerFile,
+        checkProcessFile,
+        replayWorkerFile,
       }),
       library: () => library.modules(),
     },

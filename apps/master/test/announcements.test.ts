@@ -127,7 +127,8 @@ describe('announcements', () => {
     ada.drop();
     master.clock.advanceSync(15_000);
     expect(newest()).toMatchObject({
-      ...{ state: ClientState.UNAVAILABLE, devices: [] },
+      state: ClientState.UNAVAILABLE,
+      devices: [],
       extension: { abridged: true },
     });
     ada.open();

@@ -10,8 +10,16 @@ const { ACCESS_ROLE_ADMIN, ACCESS_ROLE_PARTICIPANT, ACCESS_ROLE_PLAYER, ACCESS_R
   AccessRole;
 
 const SET: AssetSet = {
-  ...{ name: 'coco-ssd', description: '', version: '', licence: '', source: '', problem: '' },
-  ...{ bytes: 5, files: 1, bundled: false, address: 'https://example.org/' },
+  name: 'coco-ssd',
+  description: '',
+  version: '',
+  licence: '',
+  source: '',
+  problem: '',
+  bytes: 5,
+  files: 1,
+  bundled: false,
+  address: 'https://example.org/',
   publisherAddress: 'https://example.org/',
   state: AssetSetState.ASSET_SET_STATE_MISSING,
   folder: '/secret/path',

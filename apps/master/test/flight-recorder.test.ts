@@ -85,7 +85,10 @@ describe('the flight recorder', () => {
     const master = new TestMaster({ flightRecorder: { ...FLIGHT, withImages: false } });
     const ada = await master.legacy('ada');
     ada.publish('/camera', 'image2D', {
-      ...{ width: 1, height: 1, dataFormat: 0, data: Uint8Array.of(1) },
+      width: 1,
+      height: 1,
+      dataFormat: 0,
+      data: Uint8Array.of(1),
     });
     ada.publish('/pose', 'double', 1);
     const { flightRecorder } = await master.call({ topic: `${SERVICES}flight_recorder_get` });
@@ -99,13 +102,18 @@ describe('the flight recorder', () => {
       master.call({ topic: `${SERVICES}flight_recorder_set`, flightRecorderSettings });
     ada.publish('/x', 'double', 1);
     expect((await set({ isOn: false })).flightRecorder).toMatchObject({
-      ...{ isOn: false, minutes: 5, recordCount: 0 },
+      isOn: false,
+      minutes: 5,
+      recordCount: 0,
     });
     ada.publish('/x', 'double', 2);
     const keep = { topic: `${SERVICES}flight_recorder_keep`, flightRecorderKeepRequest: {} };
     expect((await master.call(keep)).error!.code).toBe('failed_precondition');
     expect((await set({ isOn: true, minutes: 2 })).flightRecorder).toMatchObject({
-      ...{ isOn: true, minutes: 2, maxBytes: FLIGHT.maxBytes, recordCount: 0 },
+      isOn: true,
+      minutes: 2,
+      maxBytes: FLIGHT.maxBytes,
+      recordCount: 0,
     });
     ada.publish('/x', 'double', 3);
     expect((await master.call(keep)).recording).toMatchObject({ recordCount: 1 });
@@ -130,7 +138,10 @@ describe('topics of markers', () => {
     expect({ markerCount, topicCount }).toEqual({ markerCount: 11, topicCount: 0 });
     const { summary } = await contentOf(master, id);
     expect(summary.markers[0]).toMatchObject({
-      ...{ text: 'Grasped', author: 'robot', authorId: robot.id, kind: 'topic' },
+      text: 'Grasped',
+      author: 'robot',
+      authorId: robot.id,
+      kind: 'topic',
     });
   });
 });
@@ -149,7 +160,10 @@ describe('rights on recordings', () => {
     const id = await start(master);
     const { recordingMarker } = await mark(ada, { text: 'Look here' });
     expect(recordingMarker).toMatchObject({
-      ...{ text: 'Look here', author: 'phone', clientId: ada.id, timeMs: master.clock.nowMs() },
+      text: 'Look here',
+      author: 'phone',
+      clientId: ada.id,
+      timeMs: master.clock.nowMs(),
     });
     const change = { ...recordingMarker, text: 'Mine' };
     expect((await mark(bob, change)).error!.code).toBe('permission_denied');

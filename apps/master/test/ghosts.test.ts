@@ -117,12 +117,16 @@ describe('devices of a ghost', () => {
       expect(devices.map(({ name, tags }) => [name, tags])).toEqual([['smart-device', ['phone']]]);
       const [tilt, light, vibrate, ...others] = devices[0]!.components;
       expect(tilt).toMatchObject({
-        ...{ name: 'tilt', topic: `/${clientId}/tilt`, messageFormat: 'double' },
-        ...{ tags: ['sensor', 'tilt'], ioType: ComponentIOType.PUBLISHER },
+        name: 'tilt',
+        topic: `/${clientId}/tilt`,
+        messageFormat: 'double',
+        tags: ['sensor', 'tilt'],
+        ioType: ComponentIOType.PUBLISHER,
       });
       expect(light!.topic).toBe(`/ghost-${index + 1}/room/light`);
       expect(vibrate).toMatchObject({
-        ...{ topic: `/${clientId}/vibrate`, ioType: ComponentIOType.SUBSCRIBER },
+        topic: `/${clientId}/vibrate`,
+        ioType: ComponentIOType.SUBSCRIBER,
       });
       expect(others).toEqual([]);
     }

@@ -103,7 +103,9 @@ function upload(master: TestMaster, id: string, from: string, node: TestClient) 
   const { files, uploads } = master.recordings;
   return master.master.uploadNodeRecording(
     {
-      ...{ recordingId: id, clientId: node.id, declaredBytes: 0 },
+      recordingId: id,
+      clientId: node.id,
+      declaredBytes: 0,
       receive: () => {
         uploads.set(id, files.get(from)!);
         return Promise.resolve();

@@ -66,7 +66,10 @@ describe('a recording', () => {
     ada.publish('/lab/flag', 'bool', true);
     ada.publish('/lab/pressed', 'keyEvent', { type: 0, key: 'a' });
     ada.publish('/lab/camera', 'image2D', {
-      ...{ width: 1, height: 1, dataFormat: 0, data: Uint8Array.of(1) },
+      width: 1,
+      height: 1,
+      dataFormat: 0,
+      data: Uint8Array.of(1),
     });
     ada.publish('/other', 'double', 1);
     await master.pass(5_000);
@@ -111,7 +114,10 @@ describe('a recording', () => {
       ada.call({
         topic: '/services/device/registration',
         device: {
-          ...{ id, name, tags: ['phone'], clientId: ada.id },
+          id,
+          name,
+          tags: ['phone'],
+          clientId: ada.id,
           components: [
             { name: 'tilt', topic: '/tilt', messageFormat: 'vector3', tags: ['sensor'] },
           ],
@@ -135,11 +141,15 @@ describe('a recording', () => {
       ['early', 'first', 'deregistered'],
     ]);
     expect(devices[0]).toMatchObject({
-      ...{ clientId: ada.id, tags: ['phone'] },
+      clientId: ada.id,
+      tags: ['phone'],
       components: [
         {
-          ...{ name: 'tilt', topic: '/tilt', format: 'vector3', tags: ['sensor'] },
-          ...{ direction: 'publisher' },
+          name: 'tilt',
+          topic: '/tilt',
+          format: 'vector3',
+          tags: ['sensor'],
+          direction: 'publisher',
         },
       ],
     });
@@ -180,7 +190,10 @@ describe('a recording', () => {
     const ada = await master.legacy('ada');
     const id = await start(master, { withoutImages: true });
     ada.publish('/camera', 'image2D', {
-      ...{ width: 1, height: 1, dataFormat: 0, data: Uint8Array.of(1) },
+      width: 1,
+      height: 1,
+      dataFormat: 0,
+      data: Uint8Array.of(1),
     });
     ada.publish('/x', 'double', 1);
     expect(await topicsOf(master, id)).toEqual(['/x']);
@@ -228,7 +241,10 @@ describe('a recording', () => {
     await stop(master, id);
     const clocks = await clocksOf(master, id);
     expect(clocks.map(({ value }) => value)).toContainEqual({
-      ...{ clientId: ada.id, offsetMs: -12.5, errorMs: 0.5, driftPpm: 30 },
+      clientId: ada.id,
+      offsetMs: -12.5,
+      errorMs: 0.5,
+      driftPpm: 30,
     });
   });
 

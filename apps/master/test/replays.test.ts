@@ -33,18 +33,30 @@ describe('a replay', () => {
     const ada = await listener(master);
     const replay = await play(master);
     expect(replay).toMatchObject({
-      ...{ name: 'Replay of Tuesday', recordingName: 'Tuesday', recordingId: RECORDING },
-      ...{ state: REPLAY_STATE_PLAYING, durationMs: 1_000, rate: 1, copies: 1, topicCount: 1 },
+      name: 'Replay of Tuesday',
+      recordingName: 'Tuesday',
+      recordingId: RECORDING,
+      state: REPLAY_STATE_PLAYING,
+      durationMs: 1_000,
+      rate: 1,
+      copies: 1,
+      topicCount: 1,
     });
     expect(await clientList(master)).toContainEqual({
-      ...{ name: 'Replay of Tuesday', tags: ['replay'] },
+      name: 'Replay of Tuesday',
+      tags: ['replay'],
     });
     await master.pass(1_100);
     expect(heard(ada)).toEqual(VALUES);
     const [ended] = await list(master);
     expect(ended).toMatchObject({
-      ...{ state: REPLAY_STATE_ENDED, positionMs: 1_000, recordCount: VALUES.length },
-      ...{ topicCount: 2, clientIds: [replay.clientIds[0]], problem: '', refusedCount: 0 },
+      state: REPLAY_STATE_ENDED,
+      positionMs: 1_000,
+      recordCount: VALUES.length,
+      topicCount: 2,
+      clientIds: [replay.clientIds[0]],
+      problem: '',
+      refusedCount: 0,
     });
   });
 

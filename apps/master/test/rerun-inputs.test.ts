@@ -34,7 +34,9 @@ const sessionOf = (
     name: 'watch',
     processingModules: [
       {
-        ...{ id: 'one', name: 'watcher', processingMode: { triggerOnInput: {} } },
+        id: 'one',
+        name: 'watcher',
+        processingMode: { triggerOnInput: {} },
         inputs: ['in', 'other'].map((internalName) => ({ internalName, messageFormat: 'double' })),
         outputs: [{ internalName: 'out', messageFormat: 'string' }],
         onProcessingStringified: `(deltaTime, inputs) => ({ outputs: { out: { string:

@@ -94,8 +94,10 @@ describe('a recorded session', () => {
     const master = await masterWithSession(CHAIN, [times(10)]);
     const { id, session } = await play(master, { sessionId: SESSION_ID });
     expect(session).toMatchObject({
-      ...{ sessionId: SESSION_ID, recordedModules: ['copier'] },
-      ...{ inputPrefix: `/replays/${id}/in`, outputPrefix: `/replays/${id}/out` },
+      sessionId: SESSION_ID,
+      recordedModules: ['copier'],
+      inputPrefix: `/replays/${id}/in`,
+      outputPrefix: `/replays/${id}/out`,
     });
     await master.pass(1_000);
     const [replay] = await list(master);

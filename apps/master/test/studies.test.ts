@@ -206,8 +206,14 @@ describe('a run', () => {
       'End of block 1',
     ]);
     expect((await recordingsOf(master))[0]!.study).toEqual({
-      ...{ studyId: study.id, studyName: 'Touch', runId: run.id, participantCode: 'P07' },
-      ...{ visit: 'pre', condition: 'with haptics', block: 1, runNumber: 1 },
+      studyId: study.id,
+      studyName: 'Touch',
+      runId: run.id,
+      participantCode: 'P07',
+      visit: 'pre',
+      condition: 'with haptics',
+      block: 1,
+      runNumber: 1,
     });
     expect(summary.selection).toContain('"participantCode":"P07"');
   });

@@ -57,7 +57,9 @@ describe('the check list', () => {
   it('[ST-30] finds devices by tag, and clients and devices by topic and data format', async () => {
     const master = new TestMaster();
     expect(await check(master, { tag: 'phone' })).toEqual({
-      ...{ state: MISSING, texts: ['0 of 1 found'], found: [] },
+      state: MISSING,
+      texts: ['0 of 1 found'],
+      found: [],
     });
     const ada = await phone(master, 'Ada');
     const bob = await master.legacy('Bob');

@@ -68,8 +68,12 @@ describe('a participant', () => {
     expect(await listed({ studyId: id })).toMatchObject([
       { code: 'P02', number: 2, recordingIds: [] },
       {
-        ...{ studyId: id, code: CODE, number: 1, sizeBytes: recording!.sizeBytes },
-        ...{ recordingIds: [recording!.id], lastMs: second.startedMs },
+        studyId: id,
+        code: CODE,
+        number: 1,
+        sizeBytes: recording!.sizeBytes,
+        recordingIds: [recording!.id],
+        lastMs: second.startedMs,
       },
     ]);
     expect((await listed({ participantCode: 'zebra42' })).map(({ code }) => code)).toEqual([CODE]);

@@ -17,7 +17,9 @@ function begin(
   let arrive: () => void = () => undefined;
   const arrived = new Promise<void>((resolve) => (arrive = resolve));
   const upload = {
-    ...{ id, declaredBytes: bytes, isAwaited: () => isAwaited },
+    id,
+    declaredBytes: bytes,
+    isAwaited: () => isAwaited,
     async receive(take: (bytes: number) => Promise<void>): Promise<void> {
       await arrived;
       await take(FILE.length);

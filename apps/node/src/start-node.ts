@@ -74,8 +74,13 @@ export async function startNode({
     config.recordDir === undefined
       ? undefined
       : await openRecorder({
-          ...{ client, log, credential, master: config.master, masterUrl },
-          ...{ folder: config.recordDir, maxBytes: config.recordSpace },
+          client,
+          log,
+          credential,
+          master: config.master,
+          masterUrl,
+          folder: config.recordDir,
+          maxBytes: config.recordSpace,
           workerFile: findBuilt('recorder-worker.js', import.meta.url),
           checkProcessFile: findBuilt('check-process.js', import.meta.url),
         });

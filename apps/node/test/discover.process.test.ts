@@ -84,8 +84,13 @@ describe('search for a master [DI-5]', { timeout: TIMEOUT_MS }, () => {
       const announced = announceMaster({
         ...where,
         announcement: {
-          ...{ name, id, version: '1.2.3', https: false },
-          ...{ port: 8080, servicesPort: 8080, topicDataPort: 8080 },
+          name,
+          id,
+          version: '1.2.3',
+          https: false,
+          port: 8080,
+          servicesPort: 8080,
+          topicDataPort: 8080,
         },
         host: 'here.local',
         onProblem: () => undefined,

@@ -36,7 +36,9 @@ export function greetMqtt(broker: string, port: number, topic: string | undefine
       : packet(PACKET.subscribe, [number, text(topic), Buffer.from([0])]);
   const answerBytes = CONNACK_BYTES + (topic === undefined ? 0 : SUBACK_BYTES);
   return {
-    ...{ broker, port, hello: Buffer.concat([connect, subscribe]) },
+    broker,
+    port,
+    hello: Buffer.concat([connect, subscribe]),
     answerEnd: (bytes) => (bytes.length < answerBytes ? undefined : answerBytes),
   };
 }

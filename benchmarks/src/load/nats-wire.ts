@@ -28,7 +28,9 @@ export const NATS: Wire = {
 export function greetNats(port: number, subject: string | undefined): Greeting {
   const subscribe = subject === undefined ? '' : `SUB ${subject} ${SUBSCRIPTION}\r\n`;
   return {
-    ...{ broker: 'NATS', port, pong: Buffer.from(PONG) },
+    broker: 'NATS',
+    port,
+    pong: Buffer.from(PONG),
     hello: Buffer.from(`${HELLO}${subscribe}PING\r\n`),
     // INFO, and PONG once the server has the subscription.
     answerEnd: (bytes) => {

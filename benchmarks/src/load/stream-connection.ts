@@ -46,7 +46,9 @@ export class StreamConnection {
         if (end < answer.length) receiver.push(answer.subarray(end));
       };
       const socket = connect({
-        ...{ host: '127.0.0.1', port, noDelay: true },
+        host: '127.0.0.1',
+        port,
+        noDelay: true,
         onread: {
           buffer: READ_BUFFER,
           callback: (byteLength) => {

@@ -114,7 +114,8 @@ export class PartyTraffic {
 
   #press(phone: number): void {
     const record = encodeRecord({
-      ...{ topic: `${INPUTS}${phone}`, format: 'vector3' },
+      topic: `${INPUTS}${phone}`,
+      format: 'vector3',
       value: { x: phone, y: this.#pressed[phone]!, z: 0.5 },
     });
     const message = Buffer.concat([Buffer.from([RECORD_TAG, record.length]), record]);

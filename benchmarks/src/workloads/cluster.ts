@@ -57,7 +57,11 @@ export const CLUSTER: readonly Workload[] = [
 
 function across(name: string, size: string, createRing: (name: string) => RecordRing): Workload {
   return {
-    ...{ name, group: 'cluster', reference: NATS, placement: 'one-core', roundShare: 1 },
+    name,
+    group: 'cluster',
+    reference: NATS,
+    placement: 'one-core',
+    roundShare: 1,
     title: `Round trip from one master of a cluster to another, ${size} record, closed loop`,
     figures: [
       ...roundTripFigures({ p50Us: { [CLUSTER_SUBJECT]: 1.2 } }),
@@ -106,8 +110,11 @@ function deriveBesideRelays(
 function fanOutAcross(): Workload {
   const goals = { [CLUSTER_SUBJECT]: 0.85 };
   return {
-    ...{ name: 'cluster-fan-out', group: 'cluster', reference: NATS },
-    ...{ placement: 'core-each', roundShare: 1 },
+    name: 'cluster-fan-out',
+    group: 'cluster',
+    reference: NATS,
+    placement: 'core-each',
+    roundShare: 1,
     title: `Fan-out 1 -> ${SUBSCRIBERS} at three masters, ${SMALL_BYTES} B record, window ${WINDOW}`,
     figures: fanOutFigures(goals),
     open: async (setting) => {
@@ -126,8 +133,11 @@ function fanOutAcross(): Workload {
 function localRoundTrip(): Workload {
   const goals = { [TOGETHER]: 1.05 };
   return {
-    ...{ name: 'cluster-local-round-trip', group: 'cluster', reference: ALONE },
-    ...{ placement: 'one-core', roundShare: 1 },
+    name: 'cluster-local-round-trip',
+    group: 'cluster',
+    reference: ALONE,
+    placement: 'one-core',
+    roundShare: 1,
     title: `Round trip at one master of a cluster, ${SMALL_BYTES} B record, closed loop`,
     figures: roundTripFigures({ p50Us: goals, cpuUs: goals }),
     open: (setting) =>
@@ -140,8 +150,11 @@ function localRoundTrip(): Workload {
 
 function localFanOut(): Workload {
   return {
-    ...{ name: 'cluster-local-fan-out', group: 'cluster', reference: ALONE },
-    ...{ placement: 'core-each', roundShare: 1 },
+    name: 'cluster-local-fan-out',
+    group: 'cluster',
+    reference: ALONE,
+    placement: 'core-each',
+    roundShare: 1,
     title: `Fan-out 1 -> ${SUBSCRIBERS} at one master of a cluster, ${SMALL_BYTES} B record, window ${WINDOW}`,
     figures: fanOutFigures({ [TOGETHER]: 0.95 }),
     open: (setting) =>
@@ -206,7 +219,10 @@ function fanOut(name: string, pids: readonly number[], access: Access, ring: Rec
 
 function roundTripFigures(goals: Record<string, FigureInfo['goals']>): FigureInfo[] {
   const figure = (key: string, label: string, unit: string): FigureInfo => ({
-    ...{ key, label, unit, isHigherBetter: false },
+    key,
+    label,
+    unit,
+    isHigherBetter: false,
     goals: goals[key] ?? {},
   });
   return [
@@ -221,12 +237,18 @@ function fanOutFigures(goals: FigureInfo['goals']): FigureInfo[] {
   return [
     { key: 'deliveriesPerS', label: 'deliveries', unit: '1/s', isHigherBetter: true, goals },
     {
-      ...{ key: 'cpuUs', label: 'broker CPU a delivery', unit: 'µs' },
-      ...{ isHigherBetter: false, goals: {} },
+      key: 'cpuUs',
+      label: 'broker CPU a delivery',
+      unit: 'µs',
+      isHigherBetter: false,
+      goals: {},
     },
     {
-      ...{ key: 'loadCpu', label: 'load generator CPU', unit: 'cores' },
-      ...{ isHigherBetter: false, goals: {} },
+      key: 'loadCpu',
+      label: 'load generator CPU',
+      unit: 'cores',
+      isHigherBetter: false,
+      goals: {},
     },
   ];
 }

@@ -42,7 +42,10 @@ export const connecting: Workload = {
   title: 'Connecting and subscribing, and leaving again',
   figures: [
     {
-      ...{ key: 'cpuMs', label: 'broker CPU a client', unit: 'ms', isHigherBetter: false },
+      key: 'cpuMs',
+      label: 'broker CPU a client',
+      unit: 'ms',
+      isHigherBetter: false,
       goals: { [UBII]: 1.4 },
     },
     { key: 'clientsPerS', label: 'clients', unit: '1/s', isHigherBetter: true, goals: {} },
@@ -93,12 +96,20 @@ export const idleConnections: Workload = {
   title: `${IDLE_CONNECTIONS} subscribed connections without records`,
   figures: [
     {
-      ...{ key: 'kilobytes', label: 'memory a connection', unit: 'kB', isHigherBetter: false },
-      ...{ goals: {}, bounds: { [UBII]: 20 } },
+      key: 'kilobytes',
+      label: 'memory a connection',
+      unit: 'kB',
+      isHigherBetter: false,
+      goals: {},
+      bounds: { [UBII]: 20 },
     },
     {
-      ...{ key: 'cpuPercent', label: 'broker CPU', unit: '% of a core', isHigherBetter: false },
-      ...{ goals: {}, bounds: { [UBII]: 0.5 } },
+      key: 'cpuPercent',
+      label: 'broker CPU',
+      unit: '% of a core',
+      isHigherBetter: false,
+      goals: {},
+      bounds: { [UBII]: 0.5 },
     },
   ],
   placement: 'anywhere',

@@ -76,12 +76,18 @@ export function fanOutWorkload(fan: FanOut, goals: FigureInfo['goals']): Workloa
     figures: [
       { key: 'deliveriesPerS', label: 'deliveries', unit: '1/s', isHigherBetter: true, goals },
       {
-        ...{ key: 'cpuUs', label: 'broker CPU a delivery', unit: 'µs' },
-        ...{ isHigherBetter: false, goals: {} },
+        key: 'cpuUs',
+        label: 'broker CPU a delivery',
+        unit: 'µs',
+        isHigherBetter: false,
+        goals: {},
       },
       {
-        ...{ key: 'loadCpu', label: 'load generator CPU', unit: 'cores' },
-        ...{ isHigherBetter: false, goals: {} },
+        key: 'loadCpu',
+        label: 'load generator CPU',
+        unit: 'cores',
+        isHigherBetter: false,
+        goals: {},
       },
     ],
     // As it would be with clients on other machines: the broker has a core to itself.

@@ -15,12 +15,18 @@ export const partyTraffic: Workload = {
   title: 'Party: 64 inputs at 60 Hz to one pattern subscriber, 2 KB at 60 Hz to 64',
   figures: [
     {
-      ...{ key: 'cpu', label: 'broker CPU', unit: 'cores', isHigherBetter: false },
+      key: 'cpu',
+      label: 'broker CPU',
+      unit: 'cores',
+      isHigherBetter: false,
       goals: { [OURS]: 1.25 },
     },
     { key: 'p50Ms', label: 'state p50', unit: 'ms', isHigherBetter: false, goals: {} },
     {
-      ...{ key: 'p99Ms', label: 'state p99', unit: 'ms', isHigherBetter: false },
+      key: 'p99Ms',
+      label: 'state p99',
+      unit: 'ms',
+      isHigherBetter: false,
       goals: { [OURS]: 1.3 },
     },
   ],

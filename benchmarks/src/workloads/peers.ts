@@ -53,7 +53,9 @@ async function startAedes(profileDir?: string): Promise<Peer> {
 async function startSocketIo(profileDir?: string): Promise<Peer> {
   const { pid, port, stop } = await startScript('socket-io', profileDir);
   return {
-    ...{ pids: [pid], wire: SOCKET_IO, stop },
+    pids: [pid],
+    wire: SOCKET_IO,
+    stop,
     async join({ topics }, receiver) {
       const connection = await openSocketIo(`ws://127.0.0.1:${port}`, topics[0], receiver);
       return { connection, leave: () => connection.close() };
@@ -118,7 +120,8 @@ function withPeers(workload: Workload, prepare: () => Measure): Workload {
       const theirs = Object.entries(PEERS).map(async ([name, start]) => {
         const peer = await setting.parts.get(name, () => start(setting.profileDir));
         return {
-          ...{ name, pids: peer.pids },
+          name,
+          pids: peer.pids,
           measure: (options: MeasureOptions) => measure(peer, options),
         };
       });

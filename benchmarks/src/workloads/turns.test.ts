@@ -3,7 +3,10 @@ import { expect, it } from 'vitest';
 import { findTurns, type CpuProfile } from './turns.ts';
 
 const frame = (functionName: string, url = 'file:///master/main.js') => ({
-  ...{ functionName, url, lineNumber: 0, columnNumber: 0 },
+  functionName,
+  url,
+  lineNumber: 0,
+  columnNumber: 0,
 });
 const NODES = [
   { id: 1, callFrame: frame('(root)', ''), children: [2, 3, 4, 6] },

@@ -216,7 +216,9 @@ async function measureTurns(
         longPerS: long.length / seconds,
         heldPercent: long.reduce((sum, { ms }) => sum + ms, 0) / seconds / 10,
       },
-      ...{ otherCpuShare, deliveries: records, faults },
+      otherCpuShare,
+      deliveries: records,
+      faults,
       notes: found.slice(0, LISTED).map(describe),
     };
   } finally {

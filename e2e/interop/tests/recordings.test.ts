@@ -150,7 +150,9 @@ describe.skipIf('missing' in installation)(suite, () => {
       writer.addEvent({ kind: 'clock', timeNs: logTimeNs, value: clock });
       const value = { x: i, y: 10 - i };
       await writer.addRecord({
-        ...{ topic: '/place', clientId: 'ada', logTimeNs },
+        topic: '/place',
+        clientId: 'ada',
+        logTimeNs,
         publishTimeNs: logTimeNs + 2_000_000_000n,
         record: encodeRecord({ topic: '/place', format: 'vector2', value }),
       });

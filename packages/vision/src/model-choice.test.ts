@@ -16,7 +16,10 @@ async function choiceAfter(previousFault: PreviousFault | undefined, isProvision
     started.push(wanted);
     const backend = wanted === 'soonest' ? 'wasm' : wanted === 'auto' ? 'webgl' : wanted;
     return Promise.resolve({
-      ...{ backend, instance: {}, reason: '', trials: [] },
+      backend,
+      instance: {},
+      reason: '',
+      trials: [],
       isProvisional: isProvisional && wanted === 'soonest',
       run: (async (task) => task()) as Tensorflow['run'],
       loadModel: () => Promise.reject(new Error('There is none.')),

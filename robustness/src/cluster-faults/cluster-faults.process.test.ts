@@ -21,7 +21,11 @@ describe.skipIf(reason !== undefined)(`faults of a cluster, seed ${SEED}`, () =>
       program: MASTER_FOR_TESTS,
       faults: FAULTS.filter(({ name }) => SHORT.includes(name)),
       seed: SEED,
-      ...{ clients: 20, topics: 2, topicsPerClient: 2, periodMs: 200, canOpenMore: false },
+      clients: 20,
+      topics: 2,
+      topicsPerClient: 2,
+      periodMs: 200,
+      canOpenMore: false,
       say: (text) => lines.push(text),
     });
     const violations = reports.flatMap(({ violations: found }) => found);

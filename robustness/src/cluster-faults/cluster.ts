@@ -129,8 +129,10 @@ export class TestCluster {
     const { accessGrantCreated, error } = await this.ask(0, {
       topic: '/services/ubii/access_grant_create',
       accessGrantCreateRequest: {
-        ...{ role: AccessRole.ACCESS_ROLE_PARTICIPANT, label: 'pool' },
-        ...{ lifetimeMs: DAY_MS, stayMs: DAY_MS },
+        role: AccessRole.ACCESS_ROLE_PARTICIPANT,
+        label: 'pool',
+        lifetimeMs: DAY_MS,
+        stayMs: DAY_MS,
       },
     });
     if (accessGrantCreated === undefined) throw new Error(error?.message);

@@ -4,8 +4,13 @@ import { Reception, type ReceptionRow } from './clients/reception.ts';
 import { judge, type PhaseFacts } from './judge.ts';
 
 const ROW: ReceptionRow = {
-  ...{ topic: '/a', home: 'http://two', moved: false },
-  ...{ received: 5, missing: 0, again: 0, disorder: 0 },
+  topic: '/a',
+  home: 'http://two',
+  moved: false,
+  received: 5,
+  missing: 0,
+  again: 0,
+  disorder: 0,
 };
 const FACTS: PhaseFacts = {
   publishers: [{ topic: '/a', home: 'http://one', moved: false, last: 9 }],

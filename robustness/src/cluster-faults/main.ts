@@ -123,7 +123,10 @@ async function run(network: ClusterNetwork): Promise<void> {
   const seed = values.seed === undefined ? randomInt(2 ** 32) : Number(values.seed);
   console.log(`seed ${seed}, ${network.about}`);
   const reports = await runFaults({
-    ...{ network, faults, seed, canOpenMore: canOpenMore() },
+    network,
+    faults,
+    seed,
+    canOpenMore: canOpenMore(),
     program: values.master === undefined ? BUILT_MASTER : fromCaller(values.master),
     clients: affordable(Number(values.clients)),
     topics: Number(values.topics),

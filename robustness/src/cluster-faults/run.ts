@@ -80,9 +80,13 @@ async function joinAll(cluster: TestCluster, plan: RunPlan): Promise<number> {
   await Promise.all(
     cluster.pools.map((pool, machine) =>
       pool.do('join', {
-        ...{ url: cluster.urlOf(machine), joinToken, count: plan.clients },
-        ...{ publishes: publishes[machine]!, topics },
-        ...{ topicsPerMember: plan.topicsPerClient, periodMs: plan.periodMs },
+        url: cluster.urlOf(machine),
+        joinToken,
+        count: plan.clients,
+        publishes: publishes[machine]!,
+        topics,
+        topicsPerMember: plan.topicsPerClient,
+        periodMs: plan.periodMs,
       }),
     ),
   );

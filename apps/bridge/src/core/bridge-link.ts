@@ -45,7 +45,10 @@ export function createBridgeLink<P>(
   const { clock, master, bridges, system, codec } = context;
   let state: ForeignState = { status: 'connecting' };
   const engine = new BridgeEngine<P>({
-    ...{ clock, codec, master, bridges },
+    clock,
+    codec,
+    master,
+    bridges,
     echoes: context.returnsMessages ? new EchoMemory(clock) : undefined,
     foreign: {
       send: (message) => system.send(message),
@@ -78,7 +81,8 @@ export function createBridgeLink<P>(
       engine.setMappings([...mappings, ...(homeAssistant?.mappings ?? [])]),
     setAvailable: (isAvailable) => system.setAvailable(isAvailable),
     report: () => ({
-      ...{ status: state.status, ...('reason' in state && { reason: state.reason }) },
+      status: state.status,
+      ...('reason' in state && { reason: state.reason }),
       ...engine.report(),
       ...(homeAssistant && { homeAssistant: homeAssistant.counts }),
     }),

@@ -26,7 +26,10 @@ export function createEngineBench({ returnsMessages = false, isSettled = true } 
     },
   };
   const engine: BridgeEngine<Uint8Array> = new BridgeEngine<Uint8Array>({
-    ...{ clock, codec: bytesCodec, master, bridges },
+    clock,
+    codec: bytesCodec,
+    master,
+    bridges,
     echoes: returnsMessages ? new EchoMemory(clock) : undefined,
     foreign: {
       setMappings: () => {
@@ -39,7 +42,12 @@ export function createEngineBench({ returnsMessages = false, isSettled = true } 
     },
   });
   return {
-    ...{ clock, engine, bridges, published, sent, answer },
+    clock,
+    engine,
+    bridges,
+    published,
+    sent,
+    answer,
     /** What the engine has subscribed to. */
     patterns: () => [...listeners.values()],
     /** Those who listen, in the order in which they came. */
@@ -52,8 +60,13 @@ export function createEngineBench({ returnsMessages = false, isSettled = true } 
     ) {
       const payload = new TextEncoder().encode(text);
       engine.handleMessage({
-        ...{ address, payload, sizeBytes: payload.byteLength },
-        ...{ isEmpty: payload.byteLength === 0, isOurs: false, isKept: false, ...more },
+        address,
+        payload,
+        sizeBytes: payload.byteLength,
+        isEmpty: payload.byteLength === 0,
+        isOurs: false,
+        isKept: false,
+        ...more,
       });
     },
     /** A client publishes. */

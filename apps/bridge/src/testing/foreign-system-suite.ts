@@ -65,13 +65,16 @@ export function foreignSystemSuite<P>(
         await seen.states.next(isConnected);
         for (const number of [1, 2, 3]) {
           const sent = bench.system.send({
-            ...{ address: bench.address('result'), mapping, payload: bench.payload(number) },
+            address: bench.address('result'),
+            mapping,
+            payload: bench.payload(number),
           });
           expect(sent).toEqual({ kind: 'sent' });
         }
         for (const number of [1, 2, 3]) {
           expect(await bench.received.next()).toEqual({
-            ...{ address: bench.address('result'), number },
+            address: bench.address('result'),
+            number,
           });
         }
       }),

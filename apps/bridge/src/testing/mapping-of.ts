@@ -10,10 +10,18 @@ export function mappingOf(
   more: Partial<Mapping> = {},
 ): Mapping {
   return {
-    ...{ name: `${foreign} ${direction} ${topic}`, direction, format: 'double', payload: 'json' },
+    name: `${foreign} ${direction} ${topic}`,
+    direction,
+    format: 'double',
+    payload: 'json',
     ...parseSides(foreign, topic, direction),
-    ...{ field: [], qos: 0, retained: false, ...OTHER_PROTOCOLS },
-    ...{ maxRateHz: 0, maxTopics: 1_000, maxBytes: 65_536 },
+    field: [],
+    qos: 0,
+    retained: false,
+    ...OTHER_PROTOCOLS,
+    maxRateHz: 0,
+    maxTopics: 1_000,
+    maxBytes: 65_536,
     ...more,
   };
 }

@@ -31,9 +31,16 @@ const lamp = { name: 'lamp', direction: 'out', foreign: 'lamp', topic: '/lamp' }
 async function open(...list: WrittenMapping[]) {
   const bridge = { list, number: 1, problems: [] as object[], sets: [] as object[] };
   const reply = (outcome = 0) => ({
-    ...{ protocol: 'mqtt', mappingsJson: JSON.stringify(bridge.list), file: 'bridge.json' },
-    ...{ revision: `r${bridge.number}`, fileExists: true, fileProblem: '', outcome },
-    ...{ problems: bridge.problems, matches: [], moreMatches: 0 },
+    protocol: 'mqtt',
+    mappingsJson: JSON.stringify(bridge.list),
+    file: 'bridge.json',
+    revision: `r${bridge.number}`,
+    fileExists: true,
+    fileProblem: '',
+    outcome,
+    problems: bridge.problems,
+    matches: [],
+    moreMatches: 0,
   });
   const revision = ref('r1');
   let loads = 0;

@@ -105,7 +105,10 @@ export function useBridgeMappings(
     // Replies to earlier requests are of older mappings.
     turn += 1;
     const reply = await client.call('bridgeMappingsSet', {
-      ...{ targetId, mappingsJson, revision: before.revision, clientId: client.id },
+      targetId,
+      mappingsJson,
+      revision: before.revision,
+      clientId: client.id,
     });
     take(reply);
     if (reply.outcome === BridgeOutcome.BRIDGE_OUTCOME_SAVED) {
@@ -147,7 +150,9 @@ export function useBridgeMappings(
       if (changed === undefined) return undefined;
       const reply = await tryRequest(() =>
         client.call('bridgeMappingsCheck', {
-          ...{ targetId, clientId: client.id, previewIndex: changed.index },
+          targetId,
+          clientId: client.id,
+          previewIndex: changed.index,
           mappingsJson: JSON.stringify(changed.list),
         }),
       );

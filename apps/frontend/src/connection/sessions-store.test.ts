@@ -67,7 +67,13 @@ async function setUp(...sessions: Told[]) {
     for (const what of Object.keys(TOPICS) as Announced[]) announce(what, session('long gone'));
   }
   return {
-    ...{ kept, calls, call, store, isConnected, announce, passRetained },
+    kept,
+    calls,
+    call,
+    store,
+    isConnected,
+    announce,
+    passRetained,
     names: () => store.list.value?.map(({ name }) => name),
     refuse: (error: Error | undefined) => (refusal = error),
     /** Returns the calls since the last time. */

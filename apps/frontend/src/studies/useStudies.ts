@@ -85,7 +85,10 @@ export function provideStudies(): Studies {
   );
 
   const studies: Studies = {
-    ...{ list, runs, status, isBusy },
+    list,
+    runs,
+    status,
+    isBusy,
     problem: computed(() => problem.value ?? loading.problem.value),
     load: (id) => loading.attempt(() => client.call('studyGet', { id })),
     async save(study) {

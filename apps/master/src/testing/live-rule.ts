@@ -6,7 +6,8 @@ const REPLAY = { id: 'replay' } as PublishingClient;
 /** A rule that refuses the live records of all. */
 export function liveRule(): LiveRule {
   return {
-    ...{ clientIds: new Set([REPLAY.id]), livePrefix: undefined },
+    clientIds: new Set([REPLAY.id]),
+    livePrefix: undefined,
     mutes: () => true,
     mayMove: () => false,
     onMoved: () => undefined,

@@ -157,7 +157,8 @@ describe('clients of a cluster', () => {
     const phone = await a!.extension('phone');
     await world.pass();
     const as = (sentMs: number) => ({
-      ...{ name: 'phone', id: phone.id },
+      name: 'phone',
+      id: phone.id,
       extension: { resumeToken: phone.token!, sentMs },
     });
     await a!.register(as(LATER_MS));

@@ -18,8 +18,12 @@ async function setUp(options: EdgeMasterOptions = {}) {
   const bucket = await FakeBucket.open({ 'model.json': CONTENT });
   onTestFinished(() => bucket.close());
   const model: KnownModel = {
-    ...{ name: 'tiny', description: 'A tiny model.', version: '1', licence: 'MIT' },
-    ...{ source: 'https://example.org', address: bucket.url },
+    name: 'tiny',
+    description: 'A tiny model.',
+    version: '1',
+    licence: 'MIT',
+    source: 'https://example.org',
+    address: bucket.url,
     files: [
       {
         path: 'model.json',

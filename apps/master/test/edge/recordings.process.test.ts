@@ -41,8 +41,13 @@ beforeAll(async () => {
     ['recorder-worker', 'check-process'].map((name) => [name, resolve(`@ubii/recording/${name}`)]),
   );
   await build({
-    ...{ entryPoints, outdir: built, outExtension: { '.js': '.mjs' } },
-    ...{ bundle: true, platform: 'node', format: 'esm', logLevel: 'warning' },
+    entryPoints,
+    outdir: built,
+    outExtension: { '.js': '.mjs' },
+    bundle: true,
+    platform: 'node',
+    format: 'esm',
+    logLevel: 'warning',
     banner: {
       js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);",
     },
@@ -54,7 +59,11 @@ beforeAll(async () => {
 function openWorker(folder: string, file = workerFile, clock: Clock = new SystemClock()) {
   const log = new RecordingLog();
   const recorder = recordOnThread({
-    ...{ folder, limits: DEFAULT_LIMITS, clock, workerFile: file, checkProcessFile },
+    folder,
+    limits: DEFAULT_LIMITS,
+    clock,
+    workerFile: file,
+    checkProcessFile,
     onFailure: (what, reason) => log.error(what, { reason }),
   });
   return { log, recorder };
@@ -112,7 +121,8 @@ interface Reply {
 
 async function call(master: EdgeMaster, request: object): Promise<Reply> {
   const response = await fetch(`${master.url}/services/json`, {
-    ...{ method: 'POST', body: JSON.stringify(request) },
+    method: 'POST',
+    body: JSON.stringify(request),
     headers: { 'content-type': 'application/json' },
   });
   return (await response.json()) as Reply;
@@ -134,7 +144,11 @@ async function record(master: EdgeMaster): Promise<Recording> {
 async function mcapFile(): Promise<Uint8Array<ArrayBuffer>> {
   const file = new MemoryFile();
   const writer = await RecordingWriter.create(file, {
-    ...{ name: 'Elsewhere', kind: 'recording', masterName: 'Other', version: '1', notes: '' },
+    name: 'Elsewhere',
+    kind: 'recording',
+    masterName: 'Other',
+    version: '1',
+    notes: '',
     selection: '',
   });
   for (const { source, record } of recordsToKeep('/x', 5)) {
@@ -161,12 +175,15 @@ describe('files of recordings over HTTP', () => {
     };
     const total = bytes.length;
     expect(await asked({ range: 'bytes=0-7' })).toEqual({
-      ...{ status: 206, body: bytes.slice(0, 8), range: `bytes 0-7/${total}` },
+      status: 206,
+      body: bytes.slice(0, 8),
+      range: `bytes 0-7/${total}`,
     });
     expect(await asked({ range: 'bytes=-8' })).toMatchObject({ body: bytes.slice(-8) });
     expect(await asked({ range: 'bytes=8-' })).toMatchObject({ body: bytes.slice(8) });
     expect(await asked({ range: `bytes=${total}-` })).toMatchObject({
-      ...{ status: 416, range: `bytes */${total}` },
+      status: 416,
+      range: `bytes */${total}`,
     });
     expect(await asked({ range: 'lines=1-2' })).toMatchObject({ status: 200, body: bytes });
     const other = { range: 'bytes=0-7', 'if-range': '"other"' };
@@ -255,7 +272,8 @@ describe('files of recordings over HTTP', () => {
       await fetch(`${master.url}/recordings?name=${name}`, { method: 'POST', body });
     }
     const response = await fetch(`${master.url}/services/json`, {
-      ...{ method: 'POST', headers: { 'content-type': 'application/json' } },
+      method: 'POST',
+      headers: { 'content-type': 'application/json' },
       body: JSON.stringify({ topic: '/services/ubii/audit_log', auditLogRequest: {} }),
     });
     const { auditLog } = (await response.json()) as { auditLog: { entries: object[] } };
@@ -277,7 +295,8 @@ describe('files of others', () => {
     const files = { recorderWorkerFile: workerFile, checkProcessFile };
     const master = await startEdgeMaster({ dataDir, flags, ...files });
     const running = await call(master, {
-      ...{ topic: '/services/ubii/recording_start', recordingStartRequest: { name: 'Own' } },
+      topic: '/services/ubii/recording_start',
+      recordingStartRequest: { name: 'Own' },
     });
     const upload = async (body: Uint8Array<ArrayBuffer>): Promise<string> => {
       const response = await fetch(`${master.url}/recordings`, { method: 'POST', body });

@@ -24,7 +24,11 @@ beforeAll(async () => {
   const source = new URL('../../src/adapters/recording/replay-worker.ts', import.meta.url);
   await build({
     entryPoints: [fileURLToPath(source)],
-    ...{ outfile, bundle: true, platform: 'node', format: 'esm', logLevel: 'warning' },
+    outfile,
+    bundle: true,
+    platform: 'node',
+    format: 'esm',
+    logLevel: 'warning',
     banner: {
       js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);",
     },
@@ -63,7 +67,9 @@ function sink() {
   const states: PlayerState[] = [];
   const lost: string[] = [];
   return {
-    ...{ values, states, lost },
+    values,
+    states,
+    lost,
     onBatch({ frame }: PlayedBatch): Promise<void> {
       values.push(...decodeTopicData(frame).records.map(({ value }) => value));
       return Promise.resolve();

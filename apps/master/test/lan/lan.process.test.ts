@@ -196,8 +196,13 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
     const frame = Buffer.concat([recordFrameHeader(record.length), record]).toString('base64');
     const join = (from: string, identity?: string): Promise<unknown> =>
       network.run('phone', zeromqClient, {
-        ...{ host: MASTER, from, identity, topic: '/device', frame },
-        ...{ services: server.portServiceZmq, topicData: server.portTopicDataZmq },
+        host: MASTER,
+        from,
+        identity,
+        topic: '/device',
+        frame,
+        services: server.portServiceZmq,
+        topicData: server.portTopicDataZmq,
       });
     const admitted = (await join(OLD_DEVICE)) as { id: string };
     expect(admitted).toMatchObject({ frame });

@@ -106,7 +106,8 @@ export class PartyWorld {
     line,
   }: { identity?: IdentityStorage; clock?: Clock; line?: Line } = {}): Promise<void> {
     const { client } = await this.world.connect('screen', {
-      ...{ identity, clock },
+      identity,
+      clock,
       ...(line && { transports: this.#transportsOver(line) }),
     });
     this.#screen = client;

@@ -182,9 +182,19 @@ export class NodeRecorder {
     const { id, name, notes, author, study, replayedRecordingId } = recording;
     const target = this.#freeTarget();
     const started = await recorder.start({
-      ...{ id, name, notes, author, study, makerId, masterName, version, personalData },
+      id,
+      name,
+      notes,
+      author,
+      study,
+      makerId,
+      masterName,
+      version,
+      personalData,
       ...(replayedRecordingId === '' ? {} : { replayedRecordingId }),
-      ...{ target, selection, budget },
+      target,
+      selection,
+      budget,
       present: await presentFacts(client),
     });
     const feed = new RunningFeed({ client, recorder, target }, selection);

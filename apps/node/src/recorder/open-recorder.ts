@@ -53,16 +53,24 @@ export async function openRecorder(setup: RecorderSetup): Promise<NodeRecorder> 
     throw new ConfigError(`The folder ${setup.folder} (--record-dir) cannot be used: ${message}.`);
   }
   const recorder = recordOnThread({
-    ...{ folder, workerFile, checkProcessFile, clock: systemClock },
+    folder,
+    workerFile,
+    checkProcessFile,
+    clock: systemClock,
     limits: { ...DEFAULT_TEXT_LIMITS, ...LIMITS, recordingsBytes: maxBytes },
     onFailure: (what, reason) => log('error', `${what}: ${reason}`),
   });
   return new NodeRecorder({
-    ...{ client, recorder, log },
+    client,
+    recorder,
+    log,
     async send(recordingId, signal, onProgress) {
       await keptFile(recorder, recordingId, systemClock, signal);
       return sendFile({
-        ...{ recordingId, master: masterUrl(), signal, onProgress },
+        recordingId,
+        master: masterUrl(),
+        signal,
+        onProgress,
         path: recordingPath(folder, recordingId),
         clientId: client.id ?? '',
         credential: credential(),

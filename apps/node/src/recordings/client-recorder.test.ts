@@ -32,14 +32,19 @@ it('records clients, devices and sessions as they are, and those that come later
   const file = new MemoryFile();
   const writer = await RecordingWriter.create(file, SAMPLE_HEADER);
   const recorder = new ClientRecorder(client, writer, {
-    ...{ patterns: ['/**'], isChosen: () => true, withImages: true, onProgress: () => undefined },
-    ...{ maxMs: Infinity, maxBytes: Infinity },
+    patterns: ['/**'],
+    isChosen: () => true,
+    withImages: true,
+    onProgress: () => undefined,
+    maxMs: Infinity,
+    maxBytes: Infinity,
   });
   const stop = new AbortController();
   const ended = recorder.run(stop.signal);
   await vi.waitFor(() => expect(receivers.has(INFO_TOPICS.newDevice)).toBe(true));
   receivers.get('/**')!({
-    ...{ topic: '/a', publisherId: 'ada-id' },
+    topic: '/a',
+    publisherId: 'ada-id',
     bytes: encodeRecord({ topic: '/a', format: 'double', value: 1 }),
   });
   const later = { id: 'd2', name: 'Late', clientId: 'ada-id', tags: [], components: [] };

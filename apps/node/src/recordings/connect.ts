@@ -23,7 +23,9 @@ export async function connect(
   const joinToken =
     options.tokenFile === undefined ? options.join : readTokenFile(options.tokenFile);
   const client = createClient({
-    ...{ url, name, publishIntervalMs: 0 },
+    url,
+    name,
+    publishIntervalMs: 0,
     ...(joinToken === undefined ? {} : { joinToken }),
     onError: (error, source) => log('error', `Error in ${source}: ${String(error)}`),
   });

@@ -16,7 +16,11 @@ import { createRecording, openRecording } from './recording-words.ts';
 
 const text = (placeholder: string, fallbackText: string, description: string) =>
   option<string | undefined>({
-    ...{ placeholder, fallback: undefined, fallbackText, description, parse: parseName },
+    placeholder,
+    fallback: undefined,
+    fallbackText,
+    description,
+    parse: parseName,
   });
 
 const OPTIONS = {

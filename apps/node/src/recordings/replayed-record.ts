@@ -25,7 +25,8 @@ export function replayedRecord(
   const ageMs = taken === undefined ? 0 : Number(logTimeNs) / 1e6 - taken;
   const bytes = encode('ubii.topicData.TopicDataRecord', {
     ...message,
-    ...{ topic, clientId },
+    topic,
+    clientId,
     timestamp: timestampFromMs(nowMs - ageMs),
   });
   return { topic, bytes, valueField: readRecordHead(bytes).valueField };

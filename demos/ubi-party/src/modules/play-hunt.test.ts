@@ -71,7 +71,11 @@ describe('an answer', () => {
 
 describe('a hunt that a module plays', () => {
   const round = JSON.stringify({
-    ...{ id: 'a', game: 'hunt', seed: 3, seats: [0, 1], startsAtMs: STARTS_AT_MS },
+    id: 'a',
+    game: 'hunt',
+    seed: 3,
+    seats: [0, 1],
+    startsAtMs: STARTS_AT_MS,
   });
   const seats = (clients: object): string => JSON.stringify({ clients, bots: [] });
 

@@ -63,7 +63,9 @@ describe('a run of a module that plays a game', () => {
     const delays = { 0: { leastMs: 71, mostMs: 110 }, 1: { leastMs: 0, mostMs: 7 } };
     const told = text({ ...seats, delays });
     const press = (identity: string, agoMs: number, arrivedMs: number) => ({
-      ...{ identity, double: STARTS + arrivedMs - agoMs, receivedAtMs: STARTS + arrivedMs },
+      identity,
+      double: STARTS + arrivedMs - agoMs,
+      receivedAtMs: STARTS + arrivedMs,
     });
     const judged = (elements: readonly object[], atMs = 100): Record<number, number> =>
       run<DuelState>('duel', atMs, inputs({ seats: told, pressed: { elements } as never }))!.state

@@ -4,7 +4,9 @@ import { Playhead, type Tune } from './playhead.ts';
 
 const note = { voice: 'knock', midi: 60, strength: 1 } as const;
 const tune = (bpm: number, id = 'a'): Tune => ({
-  ...{ id, bpm, beats: 2 },
+  id,
+  bpm,
+  beats: 2,
   notes: [
     { at: 0, ...note },
     { at: 1, ...note },

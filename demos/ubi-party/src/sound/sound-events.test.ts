@@ -13,10 +13,18 @@ import {
 import { notesOf } from './sound-engine.ts';
 
 const player = (seat: number, more: Partial<Player> = {}): Player => ({
-  ...{ seat, key: `k${seat}`, name: 'P', isReady: false, isWaiting: false, points: 0, ...more },
+  seat,
+  key: `k${seat}`,
+  name: 'P',
+  isReady: false,
+  isWaiting: false,
+  points: 0,
+  ...more,
 });
 const view = (room: Partial<Room>): RoomView => ({
-  ...{ hostId: 'host', lags: {}, room: { ...EMPTY_ROOM, ...room } },
+  hostId: 'host',
+  lags: {},
+  room: { ...EMPTY_ROOM, ...room },
 });
 
 describe('the room', () => {

@@ -93,7 +93,11 @@ test('a game that is not known has music, too', () => {
 test('the podium follows the winner of the round, the end that of the tournament', () => {
   const results = [{ game: 'race', places: [[4], [2]], points: { 4: 10, 2: 8 } }];
   const players = [2, 4].map((seat) => ({
-    ...{ seat, name: 'P', isReady: true, isWaiting: false, points: seat === 2 ? 30 : 20 },
+    seat,
+    name: 'P',
+    isReady: true,
+    isWaiting: false,
+    points: seat === 2 ? 30 : 20,
   }));
   const room: Room = { ...EMPTY_ROOM, phase: 'podium', results, players };
   expect(moodOf(room, undefined)).toEqual({ kind: 'podium', winner: 4 });

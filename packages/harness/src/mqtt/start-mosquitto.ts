@@ -47,7 +47,9 @@ export async function startMosquitto(
   ];
   writeFileSync(config, text.join('\n'));
   const broker: Mosquitto = {
-    ...{ url: `mqtt://127.0.0.1:${port}`, port, folder },
+    url: `mqtt://127.0.0.1:${port}`,
+    port,
+    folder,
     get pid() {
       return child?.pid;
     },

@@ -68,7 +68,11 @@ export class Outsider {
   ): Promise<Answer> {
     return new Promise((resolve) => {
       const outgoing = requestHttp({
-        ...{ method, path, agent: this.#agent, host: this.place.host, port: this.place.port },
+        method,
+        path,
+        agent: this.#agent,
+        host: this.place.host,
+        port: this.place.port,
         headers: {
           host: this.#host,
           ...this.place.headers,

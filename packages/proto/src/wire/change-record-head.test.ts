@@ -22,7 +22,9 @@ it('replaces topic, timestamp and client id, and nothing else', () => {
   });
   const after = {
     ...before,
-    ...{ topic: '/longer/ä', timestamp: timestampFromMs(1_800_000_000_123), clientId: 'ghost' },
+    topic: '/longer/ä',
+    timestamp: timestampFromMs(1_800_000_000_123),
+    clientId: 'ghost',
   };
   expect(decode(TYPE, changed)).toEqual(decode(TYPE, encode(TYPE, after)));
 });

@@ -92,8 +92,15 @@ export class Channels {
     if (channel === undefined) {
       const number = this.#free.pop() ?? this.#byNumber.length;
       channel = {
-        ...{ number, topic, clientId, held: 0, isGone: false },
-        ...{ leavingOffset: 0, leavingLength: 0, leavingMs: 0, isLeaving: false },
+        number,
+        topic,
+        clientId,
+        held: 0,
+        isGone: false,
+        leavingOffset: 0,
+        leavingLength: 0,
+        leavingMs: 0,
+        isLeaving: false,
       };
       byClient.set(clientId, channel);
       this.#byNumber[number] = channel;

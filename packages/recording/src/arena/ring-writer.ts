@@ -52,7 +52,12 @@ export class RingWriter {
   readonly #capacity: number;
   readonly #listener: ReleaseListener;
   readonly #released: ReleasedEntry = {
-    ...{ channel: 0, targets: 0, timeMs: 0, length: 0, position: 0, offset: 0 },
+    channel: 0,
+    targets: 0,
+    timeMs: 0,
+    length: 0,
+    position: 0,
+    offset: 0,
   };
   #head = 0;
   #tail = 0;

@@ -62,7 +62,10 @@ const without = (place: number): Values => FIVE.filter((_, index) => index !== p
 describe('compareOutputs', () => {
   it('finds the same outputs, however late the run played the inputs', async () => {
     expect(countsOf(await compare(FIVE, FIVE))).toEqual({
-      ...{ same: 5, different: 0, missing: 0, additional: 0 },
+      same: 5,
+      different: 0,
+      missing: 0,
+      additional: 0,
     });
   });
 
@@ -166,7 +169,9 @@ describe('compareOutputs', () => {
       mapTopic: (topic) => `/run${topic}`,
       inputs: ['/in'],
       mapInput: (topic) => `/run${topic}`,
-      ...{ span, toleranceMs: 4, relativeTolerance: 0 },
+      span,
+      toleranceMs: 4,
+      relativeTolerance: 0,
     });
     // The output of the first value was recorded before the span.
     expect(countsOf(comparison!)).toEqual({ same: 2, different: 0, missing: 0, additional: 1 });
@@ -177,14 +182,16 @@ describe('compareOutputs', () => {
       {
         ...sampleRecord(topic, 0),
         record: encodeRecord({
-          ...{ topic, format: 'pose3D' },
+          topic,
+          format: 'pose3D',
           value: { position: { x, y: 2, z: 3 } },
         }),
       },
       {
         ...sampleRecord(`${topic}/image`, 1),
         record: encodeRecord({
-          ...{ topic: `${topic}/image`, format: 'image2D' },
+          topic: `${topic}/image`,
+          format: 'image2D',
           value: { width: 2, height: 1, data: Uint8Array.from(data) },
         }),
       },
@@ -192,7 +199,10 @@ describe('compareOutputs', () => {
     const options = {
       topics: ['/out', '/out/image'],
       mapTopic: (topic: string) => topic,
-      ...{ inputs: [], mapInput: (topic: string) => topic, toleranceMs: 5, relativeTolerance: 0 },
+      inputs: [],
+      mapInput: (topic: string) => topic,
+      toleranceMs: 5,
+      relativeTolerance: 0,
     };
     const first = await readerOf(of('/out', 1, [1, 2]));
     const [pose, image] = await compareOutputs(

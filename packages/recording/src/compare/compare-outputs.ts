@@ -155,7 +155,10 @@ export async function compareOutputs(
       inputTimes.toRecorded(timeNs),
     );
     const comparison = await compareTopic(before, after, {
-      ...{ topic, onPair, isSampled: true, absoluteTolerance: SMALLEST },
+      topic,
+      onPair,
+      isSampled: true,
+      absoluteTolerance: SMALLEST,
       toleranceNs: BigInt(Math.round(options.toleranceMs * NS_PER_MS)),
       relativeTolerance: options.relativeTolerance,
       maxDifferences: options.maxDifferences?.(topic),

@@ -35,7 +35,9 @@ const session = (ms: number, state: string): RecordingEvent => ({
   value: { id: 's', name: 'Study', state, session: '{}' },
 });
 const client = (ms: number, name: string): RecordingEvent => ({
-  ...{ kind: 'client', timeNs: at(ms), value: { id: 'ada', name, tags: [], state: 'active' } },
+  kind: 'client',
+  timeNs: at(ms),
+  value: { id: 'ada', name, tags: [], state: 'active' },
 });
 const gap = (fromMs: number, untilMs: number, reason: string): RecordingEvent => ({
   kind: 'gap',
@@ -125,11 +127,16 @@ async function foreignFile(): Promise<MemoryFile> {
   const writer = new McapWriter({ writable: file });
   await writer.start({ profile: 'ros2', library: 'other' });
   const imu = await writer.registerSchema({
-    ...{ name: 'sensor_msgs/msg/Imu', encoding: 'ros2msg', data: Uint8Array.of(7, 8) },
+    name: 'sensor_msgs/msg/Imu',
+    encoding: 'ros2msg',
+    data: Uint8Array.of(7, 8),
   });
   const channelOf = (topic: string, schemaId: number, messageEncoding: string) =>
     writer.registerChannel({
-      ...{ schemaId, topic, messageEncoding, metadata: new Map([['offered_qos', topic]]) },
+      schemaId,
+      topic,
+      messageEncoding,
+      metadata: new Map([['offered_qos', topic]]),
     });
   const channels = [await channelOf('/imu', imu, 'cdr'), await channelOf('/plain', 0, 'json')];
   for (const [sequence, ms] of [0, 10, 20].entries()) {
@@ -147,7 +154,10 @@ test('a cut has messages of other programs bit for bit, with schema and metadata
   await cutRecording(reader, file, { fromNs: at(5), untilNs: at(20) });
   const result = await RecordingReader.open(file);
   const describe = ({ topic, isRaw, schemaName, messageEncoding }: RecordedTopic) => ({
-    ...{ topic, isRaw, schemaName, messageEncoding },
+    topic,
+    isRaw,
+    schemaName,
+    messageEncoding,
   });
   expect(result.summary.topics.map(describe)).toEqual(reader.summary.topics.map(describe));
   const records = await readRecords(result);

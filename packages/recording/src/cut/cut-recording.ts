@@ -88,7 +88,12 @@ export async function cutRecording(
   const topics = chosenTopics(source, options.topics);
   const { name, kind, masterName, version, notes, selection, personalData } = summary;
   const writer = await RecordingWriter.create(sink, {
-    ...{ name, kind, masterName, version, notes, selection },
+    name,
+    kind,
+    masterName,
+    version,
+    notes,
+    selection,
     ...(personalData !== undefined && { personalData }),
     ...options.header,
   });

@@ -13,8 +13,12 @@ const MS = 1_000_000n;
 async function recordingOf(records: readonly RecordInit[]): Promise<RecordingReader> {
   const file = new MemoryFile();
   const writer = await RecordingWriter.create(file, {
-    ...{ name: 'Test', kind: 'recording', masterName: 'Lab', version: '0.1.0' },
-    ...{ notes: '', selection: '{}' },
+    name: 'Test',
+    kind: 'recording',
+    masterName: 'Lab',
+    version: '0.1.0',
+    notes: '',
+    selection: '{}',
   });
   for (const [place, record] of records.entries()) {
     const logTimeNs = START_NS + BigInt(place) * 10n * MS;
@@ -37,7 +41,10 @@ async function textOf(parts: AsyncIterable<string>): Promise<string> {
 }
 
 const vector = (x: number, y: number): RecordInit => ({
-  ...{ topic: '/a', format: 'vector2', value: { x, y }, clientId: 'c1' },
+  topic: '/a',
+  format: 'vector2',
+  value: { x, y },
+  clientId: 'c1',
 });
 
 test('a table has a column for each member, and cells that are empty where a record has none', async () => {

@@ -75,7 +75,9 @@ export class ImportWriter {
     this.#count(share);
     const { topic, clientId, format, value, publishTimeNs, logTimeNs } = imported;
     const record = encodeRecord({
-      ...{ topic, clientId, timestampMs: Number(publishTimeNs) / 1e6 },
+      topic,
+      clientId,
+      timestampMs: Number(publishTimeNs) / 1e6,
       ...(format === undefined
         ? {}
         : { format, value: value ?? DATA_FORMATS[format].createDefault() }),
@@ -87,8 +89,12 @@ export class ImportWriter {
     this.#count(share);
     if (++this.#markers > MAX_MARKERS) return;
     const value = {
-      ...{ id: `import-${this.#markers}`, timeMs: Number(timeNs) / 1e6, text, author },
-      ...{ authorId: '', kind: 'import' },
+      id: `import-${this.#markers}`,
+      timeMs: Number(timeNs) / 1e6,
+      text,
+      author,
+      authorId: '',
+      kind: 'import',
     };
     this.#writer.addEvent({ kind: 'marker', timeNs, value });
   }

@@ -6,7 +6,10 @@ import { DiskFolder, recordingPath, uploadPath, keepToOwner } from './disk-folde
 
 const modeOf = (path: string): number => statSync(path).mode & 0o777;
 const REJECTION = {
-  ...{ reason: 'It is too large.', name: 'Walk', author: 'Ada', makerId: 'grant' },
+  reason: 'It is too large.',
+  name: 'Walk',
+  author: 'Ada',
+  makerId: 'grant',
   rejectedMs: 5,
 };
 

@@ -43,7 +43,12 @@ const SECRET_TOPIC = '/secret topic/a';
 const CODE = '(input) => input.kept';
 
 const label = (topicPattern: string, fieldPath: string, treatment: PersonalTreatment) => ({
-  ...{ id: '', topicPattern, fieldPath, treatment, step: 0, note: '' },
+  id: '',
+  topicPattern,
+  fieldPath,
+  treatment,
+  step: 0,
+  note: '',
 });
 
 const RULES = {
@@ -108,7 +113,8 @@ function events(): RecordingEvent[] {
         ID,
         [{ topic: `/${ID}/a`, name: `of ${NAME}` }, { topic: SECRET_TOPIC }],
         {
-          ...{ name: 'Graces Uhr', tags: [NAME] },
+          name: 'Graces Uhr',
+          tags: [NAME],
         },
       ),
     ),
@@ -134,8 +140,12 @@ function records(): RecordInit[] {
       topic: '/clients',
       format: 'client',
       value: {
-        ...{ id: ID, name: NAME, description: 'secret description', hostIp: '10.9.8.7' },
-        ...{ metadataJson: '"secret metadata"', devices: [{ name: 'Adas Telefon', clientId: ID }] },
+        id: ID,
+        name: NAME,
+        description: 'secret description',
+        hostIp: '10.9.8.7',
+        metadataJson: '"secret metadata"',
+        devices: [{ name: 'Adas Telefon', clientId: ID }],
       },
     },
     { topic: '/devices', format: 'device', value: { name: 'Adas Telefon', clientId: ID } },
@@ -147,7 +157,9 @@ function records(): RecordInit[] {
 async function tellingFile(): Promise<MemoryFile> {
   const file = new MemoryFile();
   const header = {
-    ...{ ...SAMPLE_HEADER, name: 'secret title', notes: 'secret note' },
+    ...SAMPLE_HEADER,
+    name: 'secret title',
+    notes: 'secret note',
     selection: JSON.stringify({
       clients: [NAME],
       author: 'Grace Hopper',

@@ -74,7 +74,10 @@ export class OutlineReader {
     const { all, byChannel } = activityOf(this.#recordChunks(), records.keys(), span, parts);
     const activities = [...byChannel.values()];
     return {
-      ...{ header, startNs, endNs, markers },
+      header,
+      startNs,
+      endNs,
+      markers,
       activity: all,
       topics: topics.map((topic, i) => ({ ...topic, activity: activities[i]! })),
     };

@@ -6,7 +6,9 @@ import { devicesInSpan } from './recorded-devices.ts';
 
 const at = (ms: number): bigint => SAMPLE_START_NS + BigInt(ms) * 1_000_000n;
 const told = (ms: number, device: RecordedDevice): RecordingEvent<'device'> => ({
-  ...{ kind: 'device', timeNs: at(ms), value: device },
+  kind: 'device',
+  timeNs: at(ms),
+  value: device,
 });
 const phone = (name: string, state = 'registered') =>
   recordedDevice('phone', 'ada', [{ topic: '/ada/tilt' }], { name, state });

@@ -114,7 +114,8 @@ it('lists messages of other programs as raw topics', async () => {
         name: 'sensor_msgs/msg/Imu',
         encoding: 'ros2msg',
       }) as object,
-      ...{ messageEncoding: 'cdr', metadata: new Map() },
+      messageEncoding: 'cdr',
+      metadata: new Map(),
     },
     topic: '/imu',
     clientId: '',
@@ -127,8 +128,12 @@ it('lists messages of other programs as raw topics', async () => {
 it('lasts until the last marker, which may be after the last record', async () => {
   const timeNs = at(5_000);
   const value = {
-    ...{ id: 'm', timeMs: Number(timeNs / 1_000_000n), text: 'over' },
-    ...{ author: 'Ada', authorId: 'ada', kind: 'button' },
+    id: 'm',
+    timeMs: Number(timeNs / 1_000_000n),
+    text: 'over',
+    author: 'Ada',
+    authorId: 'ada',
+    kind: 'button',
   };
   const marker = { kind: 'marker', timeNs, value } as const;
   const { summary } = await RecordingReader.open(await recorded([sampleRecord('/a', 0)], [marker]));

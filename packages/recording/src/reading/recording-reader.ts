@@ -219,7 +219,11 @@ export class RecordingReader implements EventsReader {
     const clientId = metadata.get('clientId') ?? '';
     const foreign = this.#channels.foreign.get(channelId);
     return {
-      ...{ topic, clientId, record: data, logTimeNs, publishTimeNs },
+      topic,
+      clientId,
+      record: data,
+      logTimeNs,
+      publishTimeNs,
       ...(foreign && { foreign }),
     };
   }

@@ -52,8 +52,11 @@ const ENDED = [
 
 /** Of a recording of which no page of topics and markers was asked for. [RC-54] */
 export const WITHOUT_PAGE = {
-  ...{ topics: [], markers: [] },
-  ...{ topicsFrom: 0, topicsTotal: 0, markersFrom: 0 },
+  topics: [],
+  markers: [],
+  topicsFrom: 0,
+  topicsTotal: 0,
+  markersFrom: 0,
 } satisfies Partial<Recording>;
 
 /** Of recordings that no node has. [RC-60] */
@@ -77,7 +80,10 @@ export function factsOf(
 export function formatHeader(facts: FileFacts): RecordingHeader {
   const { name, notes, kind, masterName, version, selection, personalData, ...rest } = facts;
   return {
-    ...{ name, notes, masterName, version },
+    name,
+    notes,
+    masterName,
+    version,
     kind: KINDS[kind] ?? 'recording',
     selection: JSON.stringify({ ...selection, ...rest }),
     ...(personalData !== '' && { personalData }),
@@ -91,7 +97,11 @@ export function parseFacts(summary: RecordingSummary): FileFacts {
     parseObject(summary.selection);
   const kinds = Object.entries(KINDS).find(([, word]) => word === kind);
   return {
-    ...{ name, notes, masterName, version, personalData },
+    name,
+    notes,
+    masterName,
+    version,
+    personalData,
     kind: summary.isForeign
       ? RecordingKind.RECORDING_KIND_IMPORT
       : (Number(kinds?.[0] ?? 0) as RecordingKind),

@@ -19,7 +19,8 @@ const MS_PER_MINUTE = 60_000;
 function openFlight(maxMs = 60_000, maxBytes = 1_000_000) {
   const memory = new RecordMemory({ flightBytes: maxBytes, queueBytes: 0 });
   const flight = new FlightRecorder({
-    ...{ clock: new FakeClock(), maxMarkers: 100 },
+    clock: new FakeClock(),
+    maxMarkers: 100,
     onDrop: () => undefined,
   });
   const settings = { isOn: true, minutes: maxMs / MS_PER_MINUTE, maxBytes, withImages: true };

@@ -57,7 +57,11 @@ export function describeMarker(
   { eventCharacters, nameCharacters }: TextLimits,
 ): RecordingMarker {
   return {
-    ...{ recordingId, id, timeMs, clientId: authorId, isRemoved },
+    recordingId,
+    id,
+    timeMs,
+    clientId: authorId,
+    isRemoved,
     text: shortened(text, eventCharacters),
     author: shortened(oneLine(author, nameCharacters + 1), nameCharacters),
   };

@@ -34,9 +34,21 @@ export function listRejected({ id, sizeBytes, rejection }: RejectedFile): Listed
     recording: {
       id,
       name: name === '' ? id : name,
-      ...{ kind, state, startedMs, sizeBytes, problem, author, notes: '' },
-      ...{ durationMs: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0 },
-      ...{ selection: undefined, study: undefined, budget: undefined },
+      kind,
+      state,
+      startedMs,
+      sizeBytes,
+      problem,
+      author,
+      notes: '',
+      durationMs: 0,
+      recordCount: 0,
+      lostCount: 0,
+      topicCount: 0,
+      markerCount: 0,
+      selection: undefined,
+      study: undefined,
+      budget: undefined,
       replayedRecordingId: '',
       ...WITHOUT_PAGE,
       ...AT_MASTER,
@@ -54,7 +66,9 @@ export function parseRejection(text: string): Rejection {
   const { reason, name, author, makerId, rejectedMs } = parseObject(text);
   return {
     reason: textOf(reason) || 'It was refused by an earlier check.',
-    ...{ name: textOf(name), author: textOf(author), makerId: textOf(makerId) },
+    name: textOf(name),
+    author: textOf(author),
+    makerId: textOf(makerId),
     rejectedMs: typeof rejectedMs === 'number' ? rejectedMs : 0,
   };
 }

@@ -25,7 +25,9 @@ export function pageOf(
   const topicsFrom = Math.max(0, page.topicsFrom);
   const markersFrom = Math.max(0, page.markersFrom);
   return {
-    ...{ topicsFrom, topicsTotal: topics.length, markersFrom },
+    topicsFrom,
+    topicsTotal: topics.length,
+    markersFrom,
     topics: elementsFrom(topics, topicsFrom, (topic) => describeTopic(topic, limits)),
     markers: elementsFrom(markers, markersFrom, (marker) => describeMarker(id, marker, limits)),
   };

@@ -134,7 +134,12 @@ export class RunningRecording {
     const { records, topics, bytes } = this.#writer.statistics;
     const { name, notes, kind, replayedRecordingId } = this.#facts;
     return {
-      ...{ id: job.id, name, notes, kind, startedMs, problem: '' },
+      id: job.id,
+      name,
+      notes,
+      kind,
+      startedMs,
+      problem: '',
       state: RecordingState.RECORDING_STATE_RECORDING,
       durationMs: nowMs - startedMs,
       sizeBytes: bytes,

@@ -66,13 +66,18 @@ function setUp(recorderQueueBytes = 100_000) {
   const files = new FakeFiles();
   const limits = { recorderQueueBytes, markersPerRecording: 10 };
   const recorder = new SharedRecorder({
-    ...{ clock, limits, files: files as unknown as FileRecorder },
+    clock,
+    limits,
+    files: files as unknown as FileRecorder,
   });
   const states: RecorderState[] = [];
   recorder.onState((state) => states.push(state));
   const source = (topic: string) => ({ topic, clientId: 'ada', channel: undefined });
   return {
-    ...{ clock, files, recorder, states },
+    clock,
+    files,
+    recorder,
+    states,
     add(topic: string, targets: number, timeMs = clock.nowMs()): void {
       const record = encodeRecord({ topic, format: 'double', value: 1 });
       recorder.add(source(topic), record, timeMs, targets);

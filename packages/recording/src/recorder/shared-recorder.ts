@@ -86,7 +86,8 @@ export class SharedRecorder implements Recorder {
     const { clock, files, limits } = context;
     this.#context = context;
     this.#flight = new FlightRecorder({
-      ...{ clock, maxMarkers: limits.markersPerRecording },
+      clock,
+      maxMarkers: limits.markersPerRecording,
       onDrop: () => this.#report(),
     });
     files.onState((state) => this.#handleState(state));

@@ -29,7 +29,12 @@ const TIME = { type: 'number', minimum: 0, maximum: MAX_TIME_MS } as const;
 const COUNT = { type: 'number', minimum: 0, maximum: Number.MAX_SAFE_INTEGER } as const;
 const TEXTS = { type: 'array', items: TEXT } as const;
 const COMPONENT = object({
-  ...{ id: ID, name: TEXT, topic: TEXT, format: TEXT, direction: TEXT, tags: TEXTS },
+  id: ID,
+  name: TEXT,
+  topic: TEXT,
+  format: TEXT,
+  direction: TEXT,
+  tags: TEXTS,
 });
 
 const SCHEMAS: Readonly<Record<EventKind, ObjectSchema>> = {

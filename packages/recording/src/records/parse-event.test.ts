@@ -6,7 +6,11 @@ import { parseEvent } from './parse-event.ts';
 const TIME_NS = 1_750_000_000_000_000_000n;
 const MARKER = { id: 'a', timeMs: 1, text: 'Go', author: 'Ada', authorId: 'ada', kind: 'key' };
 const DEVICE = {
-  ...{ id: 'd', clientId: 'c', name: 'Robot', tags: ['arm'], state: 'registered' },
+  id: 'd',
+  clientId: 'c',
+  name: 'Robot',
+  tags: ['arm'],
+  state: 'registered',
   components: [
     { id: 'x', name: 'joint', topic: '/x', format: 'double', direction: 'publisher', tags: [] },
   ],

@@ -17,14 +17,20 @@ export async function foreignRecording(): Promise<MemoryFile> {
   await writer.start({ profile: 'ros2', library: 'other' });
   const schemaId = 0;
   const channelId = await writer.registerChannel({
-    ...{ schemaId, topic: '/plain', messageEncoding: 'json', metadata: new Map() },
+    schemaId,
+    topic: '/plain',
+    messageEncoding: 'json',
+    metadata: new Map(),
   });
   const attach = (name: string, logTime: bigint, mediaType: string, data: Uint8Array) =>
     writer.addAttachment({ name, logTime, createTime: logTime + 3n, mediaType, data });
   const message = (ms: number) =>
     writer.addMessage({
-      ...{ channelId, sequence: 0, data: Uint8Array.of(ms) },
-      ...{ logTime: at(ms), publishTime: at(ms) },
+      channelId,
+      sequence: 0,
+      data: Uint8Array.of(ms),
+      logTime: at(ms),
+      publishTime: at(ms),
     });
   await attach('calibration.yaml', 0n, '', Uint8Array.of(1));
   await message(0);

@@ -8,8 +8,13 @@ export function recordedDevice(
   more: Partial<RecordedDevice> = {},
 ): RecordedDevice {
   const complete = components.map((component, index) => ({
-    ...{ id: `${id}-${index}`, name: `component ${index}`, topic: '', format: 'double' },
-    ...{ direction: 'publisher', tags: [], ...component },
+    id: `${id}-${index}`,
+    name: `component ${index}`,
+    topic: '',
+    format: 'double',
+    direction: 'publisher',
+    tags: [],
+    ...component,
   }));
   return { id, clientId, name: id, tags: [], state: 'registered', components: complete, ...more };
 }

@@ -20,12 +20,15 @@ function checkerOf(body: string, start = "send({ kind: 'ready' });") {
   const clock = new FakeClock();
   const limits = {
     ...DEFAULT_TEXT_LIMITS,
-    ...{ recordingsBytes: 1e9, markersPerRecording: 100 },
+    recordingsBytes: 1e9,
+    markersPerRecording: 100,
     recordingCheckMs: 20_000,
     recordingCheckBytes: 64 * 1024 * 1024,
   };
   const checker = new ProcessChecker({
-    ...{ folder, clock, limits },
+    folder,
+    clock,
+    limits,
     processFile: pathToFileURL(path),
   });
   onTestFinished(() => checker.close());

@@ -112,7 +112,9 @@ export class ProcessChecker implements FileChecker {
     const { processFile, folder, limits } = this.#options;
     const heapMib = Math.floor(limits.recordingCheckBytes / MIB);
     const child = fork(fileURLToPath(processFile), [folder, JSON.stringify(limits)], {
-      ...{ env: {}, execArgv: [`--max-old-space-size=${heapMib}`], serialization: 'advanced' },
+      env: {},
+      execArgv: [`--max-old-space-size=${heapMib}`],
+      serialization: 'advanced',
       stdio: ['ignore', 'ignore', 'ignore', 'ipc'],
     });
     child.unref();

@@ -79,7 +79,9 @@ describe('CenterNet', () => {
 
   it('finds nothing in one colour, and accepts the smallest and flattest pictures', async () => {
     const plain = (width: number, height: number) => ({
-      ...{ width, height, format: 'GRAY8' as const },
+      width,
+      height,
+      format: 'GRAY8' as const,
       data: new Uint8Array(width * height).fill(128),
     });
     const options = { inputSize: 128 };

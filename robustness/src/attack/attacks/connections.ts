@@ -80,7 +80,9 @@ export const descriptors: Attack = {
       if (socket === undefined) continue;
       sockets.push(socket);
       const upgrade = stranger.head('GET /?clientID=nobody HTTP/1.1', {
-        ...{ Connection: 'Upgrade', Upgrade: 'websocket', 'Sec-WebSocket-Version': '13' },
+        Connection: 'Upgrade',
+        Upgrade: 'websocket',
+        'Sec-WebSocket-Version': '13',
         'Sec-WebSocket-Key': 'AAAAAAAAAAAAAAAAAAAAAA==',
       });
       socket.write(upgrade);

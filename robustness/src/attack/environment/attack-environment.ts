@@ -76,12 +76,18 @@ export class AttackEnvironment {
     const host = family === 4 ? MASTER_V4 : MASTER_V6;
     if (this.hasNetwork) {
       return new Outsider({
-        ...{ host, port, from, headers: {} },
+        host,
+        port,
+        from,
+        headers: {},
         dial: () => this.#dialer.dial(host, port, from),
       });
     }
     return new Outsider({
-      ...{ host: '127.0.0.1', port, from, headers: { 'X-Forwarded-For': from } },
+      host: '127.0.0.1',
+      port,
+      from,
+      headers: { 'X-Forwarded-For': from },
       dial: () => this.#dialer.dial('127.0.0.1', port, from),
     });
   }
@@ -89,7 +95,10 @@ export class AttackEnvironment {
   /** A program or page of the operator's own machine. */
   insider({ port }: MasterProcess, headers: Readonly<Record<string, string>> = {}): Outsider {
     return new Outsider({
-      ...{ host: 'localhost', port, from: '127.0.0.1', headers },
+      host: 'localhost',
+      port,
+      from: '127.0.0.1',
+      headers,
       dial: () => dialLoopback(port),
     });
   }

@@ -20,7 +20,10 @@ export interface PhoneSetup {
 export async function runPhone(setup: PhoneSetup): Promise<void> {
   const { master, counters, random } = setup;
   const phone = new Outsider({
-    ...{ host: '127.0.0.1', port: master.port, from: '127.0.0.1', headers: {} },
+    host: '127.0.0.1',
+    port: master.port,
+    from: '127.0.0.1',
+    headers: {},
     dial: () => dialLoopback(master.port),
   });
   let member = await phone.join(setup.token, { name: 'phone' });

@@ -20,7 +20,9 @@ export async function watchBridges(client: UbiiClient, bridges: OtherBridges): P
   const announcements = client.subscribe({ glob: '/ubii/client/*' }, { format: 'client' });
   announcements.onRecord(({ value: { id, tags, state, extension } }) => {
     bridges.handleClient({
-      ...{ id, tags, masterId: extension?.masterId || undefined },
+      id,
+      tags,
+      masterId: extension?.masterId || undefined,
       isGone: state === ClientState.UNAVAILABLE,
       isConnected: state === ClientState.ACTIVE,
     });

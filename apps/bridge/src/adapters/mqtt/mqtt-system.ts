@@ -139,8 +139,11 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
   #options(): IClientOptions {
     const { clientId, user, password, ca, availability } = this.#settings;
     return {
-      ...{ protocolVersion: 5, clientId, resubscribe: false },
-      ...{ keepalive: KEEP_ALIVE_SECONDS, connectTimeout: CONNECT_TIMEOUT_MS },
+      protocolVersion: 5,
+      clientId,
+      resubscribe: false,
+      keepalive: KEEP_ALIVE_SECONDS,
+      connectTimeout: CONNECT_TIMEOUT_MS,
       // What an earlier run left there is not wanted; later connections of this run continue its session.
       clean: true,
       // A broker that refuses once, because it is busy or its logins are, may take the next attempt.
@@ -204,8 +207,11 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
     if (retain) this.#keptCount++;
     const origin = properties?.userProperties?.[ORIGIN];
     this.#events?.handleMessage({
-      ...{ address, payload, sizeBytes: payload.byteLength },
-      ...{ isEmpty: payload.byteLength === 0, isKept: retain },
+      address,
+      payload,
+      sizeBytes: payload.byteLength,
+      isEmpty: payload.byteLength === 0,
+      isKept: retain,
       isOurs: typeof origin === 'string' && this.#isOurs(origin),
     });
   }
@@ -246,7 +252,8 @@ class MqttSystem implements ForeignSystem<Uint8Array> {
         ? Buffer.alloc(0)
         : Buffer.from(payload.buffer, payload.byteOffset, payload.byteLength),
       {
-        ...{ qos, retain: retained },
+        qos,
+        retain: retained,
         properties: { userProperties: { [ORIGIN]: this.#settings.masterId() } },
       },
       (error) => {

@@ -152,8 +152,12 @@ export class OscSystem implements ForeignSystem<OscContent> {
     try {
       for (const { address, args, timestampMs } of decodeOsc(bytes)) {
         this.#events?.handleMessage({
-          ...{ address, payload: { args, timestampMs }, sizeBytes: bytes.length },
-          ...{ isEmpty: false, isOurs: false, isKept: false },
+          address,
+          payload: { args, timestampMs },
+          sizeBytes: bytes.length,
+          isEmpty: false,
+          isOurs: false,
+          isKept: false,
         });
       }
     } catch (error) {

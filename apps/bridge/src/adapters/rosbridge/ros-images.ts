@@ -69,7 +69,11 @@ export function toRosImage(value: unknown): RosMessage {
     throw new Error('The picture is compressed. Use sensor_msgs/CompressedImage.');
   }
   return {
-    ...{ height, width, encoding, is_bigendian: 0, step: width * known.channels },
+    height,
+    width,
+    encoding,
+    is_bigendian: 0,
+    step: width * known.channels,
     data: Buffer.from(data).toString('base64'),
   };
 }

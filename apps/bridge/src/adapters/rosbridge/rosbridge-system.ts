@@ -120,7 +120,8 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
   #connect(): void {
     const { url, ca, user, password = '' } = this.#settings;
     const socket = new WebSocket(url, {
-      ...{ maxPayload: MAX_FRAME_BYTES, handshakeTimeout: OPEN_TIMEOUT_MS },
+      maxPayload: MAX_FRAME_BYTES,
+      handshakeTimeout: OPEN_TIMEOUT_MS,
       ...(ca !== undefined && { ca }),
       ...(user !== undefined && { auth: `${user}:${password}` }),
     });
@@ -180,8 +181,12 @@ class RosbridgeSystem implements ForeignSystem<RosMessage> {
     const { op, topic, msg } = frame;
     if (op === 'publish' && typeof topic === 'string' && typeof msg === 'object' && msg !== null) {
       this.#events?.handleMessage({
-        ...{ address: topic, payload: msg as RosMessage, sizeBytes: bytes.length },
-        ...{ isEmpty: false, isOurs: false, isKept: false },
+        address: topic,
+        payload: msg as RosMessage,
+        sizeBytes: bytes.length,
+        isEmpty: false,
+        isOurs: false,
+        isKept: false,
       });
     } else if (op === 'status' && (frame['level'] === 'error' || frame['level'] === 'warning')) {
       this.#events?.handleRefused(`rosbridge: ${String(frame['msg']).slice(0, 500)}`);
@@ -226,7 +231,8 @@ function subscriptionsOf(mappings: readonly Mapping[]): ReadonlyMap<string, RosS
     type: mapping.rosType,
     // Milliseconds between messages; rosbridge counts whole ones.
     throttle_rate: mapping.maxRateHz > 0 ? Math.floor(1_000 / mapping.maxRateHz) : 0,
-    ...{ queue_length: mapping.queueLength, compression: mapping.compression },
+    queue_length: mapping.queueLength,
+    compression: mapping.compression,
   }));
   return new Map(subscriptions.map((one) => [JSON.stringify(one), one]));
 }

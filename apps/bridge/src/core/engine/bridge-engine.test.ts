@@ -19,7 +19,10 @@ describe('a bridge between a master and another system', () => {
     expect(bench.published).toEqual([['/mqtt/kitchen/temp', 21.5]]);
     expect(bench.sent).toEqual([['out/wind', '4']]);
     expect(bench.forwarder(0, 'in')).toMatchObject({
-      ...{ passed: 1, refused: 0, dropped: 0, topics: 1 },
+      passed: 1,
+      refused: 0,
+      dropped: 0,
+      topics: 1,
       lastValue: { address: '/mqtt/kitchen/temp', text: '21.5' },
     });
   });
@@ -30,7 +33,8 @@ describe('a bridge between a master and another system', () => {
     bench.receive('sensors/kitchen/temp', 'warm');
     bench.record('/garden/wind', 'strong', 'ada', 'string');
     expect(bench.forwarder(0, 'in')).toMatchObject({
-      ...{ passed: 0, refused: 1 },
+      passed: 0,
+      refused: 1,
       lastError: { address: 'sensors/kitchen/temp' },
     });
     expect(bench.forwarder(0, 'in').lastError?.message).toContain('is not JSON');
@@ -92,7 +96,11 @@ describe('a bridge between a master and another system', () => {
     bench.record('/home/lamp', 1, 'bridge');
     const add = (id: string, system: string, isGone = false) =>
       bench.bridges.handleClient({
-        ...{ id, tags: [`bridge to ${system}`], isGone, isConnected: !isGone, masterId: undefined },
+        id,
+        tags: [`bridge to ${system}`],
+        isGone,
+        isConnected: !isGone,
+        masterId: undefined,
       });
     add('other', 'the broker');
     add('third', 'elsewhere');

@@ -79,7 +79,8 @@ export class BridgeEngine<P> {
     this.#context = context;
     this.#bucket = new TokenBucket(BRIDGE_LIMITS.messagesPerSecond, context.clock.monotonicMs());
     this.#gate = new SendGate({
-      ...{ foreign: context.foreign, clock: context.clock },
+      foreign: context.foreign,
+      clock: context.clock,
       onSent: (address, payload) => this.#handleSent(address, payload),
       onDropped: (mapping, reason) => this.handleDropped(mapping, reason),
     });
@@ -143,12 +144,15 @@ export class BridgeEngine<P> {
   report(): EngineReport {
     return {
       mappings: this.#forwarders.map(({ mapping, in: inbound, out }) => ({
-        ...{ name: mapping.name, direction: mapping.direction },
-        ...{ foreign: mapping.foreign.text, topic: mapping.topic.text },
+        name: mapping.name,
+        direction: mapping.direction,
+        foreign: mapping.foreign.text,
+        topic: mapping.topic.text,
         ...(inbound && { in: inbound.report() }),
         ...(out && { out: out.report() }),
       })),
-      ...{ overRate: this.#overRate, refused: this.#refused },
+      overRate: this.#overRate,
+      refused: this.#refused,
       ...(this.#lastRefusal !== undefined && { lastRefusal: this.#lastRefusal }),
     };
   }

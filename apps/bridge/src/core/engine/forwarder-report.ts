@@ -71,8 +71,12 @@ export class ForwarderCounters {
       atMs: this.#last.atMs,
     };
     return {
-      ...{ passed: this.#passed, refused: this.#refused, dropped: this.#dropped },
-      ...{ returned: this.#returned, evicted: this.#evicted, topics },
+      passed: this.#passed,
+      refused: this.#refused,
+      dropped: this.#dropped,
+      returned: this.#returned,
+      evicted: this.#evicted,
+      topics,
       ...(this.#lastError && { lastError: this.#lastError }),
       ...(last && { lastValue: last }),
     };

@@ -124,15 +124,16 @@ function entityOf(
       direction: isSubscriber ? 'in' : 'out',
       foreign: literalPath(isSubscriber ? `${topic}/set` : topic),
       topic: literalPath(component.topic),
-      ...{ format, payload: kind.payload, field: [], ...OTHER_PROTOCOLS },
+      format,
+      payload: kind.payload,
+      field: [],
+      ...OTHER_PROTOCOLS,
       // The newest state is there for a Home Assistant that starts later; commands and events are of their moment.
       retained: !isSubscriber && kind.payload !== 'event',
       // An event that waited would come too late.
-      ...{
-        qos: kind.payload === 'event' ? 0 : 1,
-        maxRateHz: kind.payload === 'event' ? 0 : 5,
-        maxTopics: 1,
-      },
+      qos: kind.payload === 'event' ? 0 : 1,
+      maxRateHz: kind.payload === 'event' ? 0 : 5,
+      maxTopics: 1,
       maxBytes: Math.min(64 * 1024, BRIDGE_LIMITS.messageBytes),
     },
   };

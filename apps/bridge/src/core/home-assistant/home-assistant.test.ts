@@ -20,7 +20,9 @@ function createBench() {
   const clock = new FakeClock();
   const sent = new Map<string, string | undefined>();
   const homeAssistant = new HomeAssistant({
-    ...{ settings, availability: 'bridge/status', clock },
+    settings,
+    availability: 'bridge/status',
+    clock,
     ownId: () => 'bridge',
     send: ({ address, payload }) =>
       void sent.set(address, payload && new TextDecoder().decode(payload)),
@@ -54,13 +56,16 @@ describe('discovery of Home Assistant [BR-50]', () => {
     const { homeAssistant, config } = createBench();
     homeAssistant.handleDevices([device('d 1', [component('v', format, isSubscriber)])]);
     expect(config(`homeassistant/${kind}/ubii_d_1/v/config`)).toMatchObject({
-      ...{ name: 'v', unique_id: 'ubii_d_1_v', availability_topic: 'bridge/status' },
+      name: 'v',
+      unique_id: 'ubii_d_1_v',
+      availability_topic: 'bridge/status',
       device: { identifiers: ['ubii_d_1'], name: 'lamp' },
       ...expected,
     });
     const [mapping] = homeAssistant.mappings;
     expect(mapping).toMatchObject({
-      ...{ direction: isSubscriber ? 'in' : 'out', topic: { text: '/ada/lamp/v' } },
+      direction: isSubscriber ? 'in' : 'out',
+      topic: { text: '/ada/lamp/v' },
       qos: kind === 'event' ? 0 : 1,
       retained: !isSubscriber && kind !== 'event',
     });

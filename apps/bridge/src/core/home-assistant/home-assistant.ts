@@ -105,8 +105,15 @@ const CONFIG_MAPPING: Mapping = {
   direction: 'out',
   foreign: literalPath(''),
   topic: literalPath(''),
-  ...{ format: undefined, payload: 'json', field: [], ...OTHER_PROTOCOLS },
-  ...{ qos: 1, retained: true, maxRateHz: 0, maxTopics: 1, maxBytes: 64 * 1024 },
+  format: undefined,
+  payload: 'json',
+  field: [],
+  ...OTHER_PROTOCOLS,
+  qos: 1,
+  retained: true,
+  maxRateHz: 0,
+  maxTopics: 1,
+  maxBytes: 64 * 1024,
 };
 
 /** What `HomeAssistant` needs. */
@@ -218,8 +225,17 @@ export class HomeAssistant {
 /** What the broker is asked for, and no topic gets. */
 function listening(name: string, filter: string, retained: boolean): Mapping {
   return {
-    ...{ name, direction: 'in', ...parseSides(filter, '/', 'in') },
-    ...{ format: undefined, payload: 'bytes', field: [], ...OTHER_PROTOCOLS },
-    ...{ qos: 1, retained, maxRateHz: 0, maxTopics: 1, maxBytes: 64 * 1024 },
+    name,
+    direction: 'in',
+    ...parseSides(filter, '/', 'in'),
+    format: undefined,
+    payload: 'bytes',
+    field: [],
+    ...OTHER_PROTOCOLS,
+    qos: 1,
+    retained,
+    maxRateHz: 0,
+    maxTopics: 1,
+    maxBytes: 64 * 1024,
   };
 }

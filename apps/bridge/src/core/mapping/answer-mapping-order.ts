@@ -40,7 +40,11 @@ function describe(store: MappingStore): Init<BridgeMappings> {
   store.refresh();
   const { protocol, revision, path: file, fileExists, fileProblem } = store;
   return {
-    ...{ protocol, revision, file, fileExists, fileProblem },
+    protocol,
+    revision,
+    file,
+    fileExists,
+    fileProblem,
     mappingsJson: JSON.stringify(store.written),
   };
 }

@@ -32,7 +32,10 @@ function compileMapping(written: WrittenMapping, protocol: Protocol): Mapping {
   return {
     name: nameOf(written),
     ...sides,
-    ...{ direction, format, payload, field: readField(written.field ?? '') },
+    direction,
+    format,
+    payload,
+    field: readField(written.field ?? ''),
     qos: (written.qos ?? 0) as Qos,
     retained: written.retained ?? false,
     // ROS 2 writes std_msgs/msg/Float64 for what ROS 1 calls std_msgs/Float64.

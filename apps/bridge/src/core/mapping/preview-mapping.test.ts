@@ -10,12 +10,16 @@ it('lists what a mapping selects, in each of its directions [BR-81]', () => {
     more: 0,
     matches: [
       {
-        ...{ inward: true, isExample: false },
-        ...{ source: 'sensors/one/temp', target: '/sensors/one/temp' },
+        inward: true,
+        isExample: false,
+        source: 'sensors/one/temp',
+        target: '/sensors/one/temp',
       },
       {
-        ...{ inward: false, isExample: false },
-        ...{ source: '/sensors/two/temp', target: 'sensors/two/temp' },
+        inward: false,
+        isExample: false,
+        source: '/sensors/two/temp',
+        target: 'sensors/two/temp',
       },
     ],
   });

@@ -18,8 +18,14 @@ const readOne = (mapping: object, protocol: Protocol = 'mqtt') =>
 describe('a mapping file [BR-1]', () => {
   it('has defaults', () => {
     expect(readOne(temperature)).toMatchObject({
-      ...{ name: 'sensors/+/temp in /mqtt/{1}/temp', direction: 'in', format: 'double' },
-      ...{ payload: 'json', field: [], qos: 0, retained: false, maxRateHz: 0 },
+      name: 'sensors/+/temp in /mqtt/{1}/temp',
+      direction: 'in',
+      format: 'double',
+      payload: 'json',
+      field: [],
+      qos: 0,
+      retained: false,
+      maxRateHz: 0,
       maxTopics: BRIDGE_LIMITS.topicsPerMapping,
       maxBytes: BRIDGE_LIMITS.messageBytes,
     });
@@ -33,16 +39,28 @@ describe('a mapping file [BR-1]', () => {
     expect(
       readOne({
         ...temperature,
-        ...{ name: 'temperatures', field: 'values[0].celsius', qos: 1, retained: true },
-        ...{ maxRateHz: 5, maxTopics: 3, maxBytes: 100 },
+        name: 'temperatures',
+        field: 'values[0].celsius',
+        qos: 1,
+        retained: true,
+        maxRateHz: 5,
+        maxTopics: 3,
+        maxBytes: 100,
       }),
     ).toMatchObject({
-      ...{ name: 'temperatures', field: ['values', 0, 'celsius'], qos: 1, retained: true },
-      ...{ maxRateHz: 5, maxTopics: 3, maxBytes: 100 },
+      name: 'temperatures',
+      field: ['values', 0, 'celsius'],
+      qos: 1,
+      retained: true,
+      maxRateHz: 5,
+      maxTopics: 3,
+      maxBytes: 100,
     });
     const speed = { direction: 'in', foreign: '/speed', topic: '/speed', format: 'vector3' };
     expect(readOne({ ...speed, type: 'geometry_msgs/msg/Vector3' }, 'rosbridge')).toMatchObject({
-      ...{ rosType: 'geometry_msgs/Vector3', compression: 'none', queueLength: 1 },
+      rosType: 'geometry_msgs/Vector3',
+      compression: 'none',
+      queueLength: 1,
     });
     expect(() => readOne({ ...temperature, type: 'std_msgs/Float64' }, 'rosbridge')).toThrow(
       'rosbridge subscribes to single topics',

@@ -64,7 +64,8 @@ export function readMappingFile(text: string, protocol: Protocol): MappingFile {
   const { system, availability, homeAssistant } = written;
   if (availability !== undefined) expectTopicName(availability, 'availability');
   return {
-    ...{ system, availability },
+    system,
+    availability,
     mappings: mappings.filter(
       (mapping, index): mapping is Mapping => mapping !== undefined && !disabled.has(index),
     ),

@@ -100,12 +100,14 @@ describe('messages that are bytes [BR-10] [BR-11]', () => {
       timestampMs: 1_700_000_000_000,
     });
     const carried = bytesCodec.write(
-      { ...{ topic: '/b', format: 'vector2', value: undefined }, bytes: record },
+      { topic: '/b', format: 'vector2', value: undefined, bytes: record },
       mapping('protobuf', undefined),
     );
     expect(decodeRecord(carried).topic).toBe('/b');
     expect(bytesCodec.read(carried, mapping('protobuf', undefined))).toEqual({
-      ...{ format: 'vector2', value: { x: 1, y: 2 }, timestampMs: 1_700_000_000_000 },
+      format: 'vector2',
+      value: { x: 1, y: 2 },
+      timestampMs: 1_700_000_000_000,
     });
     expect(() => bytesCodec.read(record, mapping('protobuf', 'double'))).toThrow(
       'Expected a record of double, got one of vector2',

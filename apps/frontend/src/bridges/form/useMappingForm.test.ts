@@ -14,8 +14,12 @@ afterEach(() => void vi.useRealTimers());
 function open(before: WrittenMapping | undefined = heat) {
   vi.useFakeTimers();
   const loaded = shallowRef<LoadedMappings | undefined>({
-    ...{ protocol: 'mqtt', list: [heat], revision: 'r1', file: 'bridge.json' },
-    ...{ fileExists: true, fileProblem: '' },
+    protocol: 'mqtt',
+    list: [heat],
+    revision: 'r1',
+    file: 'bridge.json',
+    fileExists: true,
+    fileProblem: '',
   });
   const answers = {
     check: undefined as CheckResult | undefined,
@@ -24,7 +28,8 @@ function open(before: WrittenMapping | undefined = heat) {
   const checked: MappingChange[] = [];
   const saved: MappingChange[] = [];
   const store = {
-    ...{ loaded, failure: shallowRef<string>() },
+    loaded,
+    failure: shallowRef<string>(),
     async check(change: MappingChange) {
       checked.push(change);
       return answers.check;
@@ -39,7 +44,10 @@ function open(before: WrittenMapping | undefined = heat) {
   onTestFinished(() => scope.stop());
   const form = scope.run(() =>
     useMappingForm({
-      ...{ store, protocol: 'mqtt', before, index: 0 },
+      store,
+      protocol: 'mqtt',
+      before,
+      index: 0,
       onSaved: (change) => saved.push(change),
     }),
   )!;

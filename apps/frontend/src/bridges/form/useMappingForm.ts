@@ -98,8 +98,16 @@ export function useMappingForm(options: MappingFormOptions) {
   }
 
   return {
-    ...{ draft, result, failure, isSaving, conflict, otherProblems },
-    ...{ errorOf, save, keepMine, takeTheirs },
+    draft,
+    result,
+    failure,
+    isSaving,
+    conflict,
+    otherProblems,
+    errorOf,
+    save,
+    keepMine,
+    takeTheirs,
     isUnchanged: computed(
       () => base.value !== undefined && isUnchanged(draft, protocol, base.value),
     ),

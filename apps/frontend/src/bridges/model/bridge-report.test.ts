@@ -6,8 +6,14 @@ import { bridgeState } from './bridge-state.ts';
 const lane = { passed: 4, refused: 1, dropped: 0, returned: 0, topics: 2 };
 /** A report as a bridge writes it that is connected, and was refused nothing: members without a value are missing. */
 const written = {
-  ...{ version: 1, protocol: 'mqtt', system: 'mqtt hall:1883', file: '/srv/bridge.json' },
-  ...{ revision: 'r1', status: 'connected', overRate: 0, refused: 0 },
+  version: 1,
+  protocol: 'mqtt',
+  system: 'mqtt hall:1883',
+  file: '/srv/bridge.json',
+  revision: 'r1',
+  status: 'connected',
+  overRate: 0,
+  refused: 0,
   mappings: [{ name: 'lamps', direction: 'in', foreign: 'a/+', topic: '/{1}', in: lane }],
 };
 const read = (changes: object = {}): BridgeReport | undefined =>

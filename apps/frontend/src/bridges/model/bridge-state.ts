@@ -15,7 +15,8 @@ export function bridgeState({
 }: Pick<BridgeView, 'isHere' | 'report'>): BridgeState {
   if (!isHere) {
     return {
-      ...{ mark: 'away', word: 'Left' },
+      mark: 'away',
+      word: 'Left',
       sentence: 'This bridge has left. What is shown is the last that it reported.',
     };
   }
@@ -30,7 +31,8 @@ export function bridgeState({
     case 'connected':
       if (!report.isStandingBy) return { mark: 'live', word: 'Connected', sentence: '' };
       return {
-        ...{ mark: 'away', word: 'Standing by' },
+        mark: 'away',
+        word: 'Standing by',
         sentence:
           'Another bridge with the same mappings passes them. This one takes over when it goes.',
       };

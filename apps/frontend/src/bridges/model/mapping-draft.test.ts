@@ -14,7 +14,12 @@ describe('form of a mapping', () => {
   it('writes numbers as numbers, and leaves out what is the default', () => {
     const draft = { ...draftOf(), direction: 'out', foreign: 'a', topic: ' /a ', qos: '2' };
     expect(mappingOf({ ...draft, maxRateHz: '5' }, 'mqtt')).toEqual({
-      ...{ direction: 'out', foreign: 'a', topic: '/a', format: 'double', qos: 2, maxRateHz: 5 },
+      direction: 'out',
+      foreign: 'a',
+      topic: '/a',
+      format: 'double',
+      qos: 2,
+      maxRateHz: 5,
     });
   });
 

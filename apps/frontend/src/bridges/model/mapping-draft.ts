@@ -49,9 +49,22 @@ const LIMITS: readonly DraftMember[] = ['maxRateHz', 'maxTopics', 'maxBytes'];
 
 /** What a member means when it is not written, where a form has to show something. */
 const DEFAULTS: MappingDraft = {
-  ...{ name: '', direction: 'in', foreign: '', topic: '', format: '' },
-  ...{ payload: 'json', field: '', qos: '0', retained: false, timeTag: false },
-  ...{ type: '', compression: 'none', queueLength: '', maxRateHz: '', maxTopics: '', maxBytes: '' },
+  name: '',
+  direction: 'in',
+  foreign: '',
+  topic: '',
+  format: '',
+  payload: 'json',
+  field: '',
+  qos: '0',
+  retained: false,
+  timeTag: false,
+  type: '',
+  compression: 'none',
+  queueLength: '',
+  maxRateHz: '',
+  maxTopics: '',
+  maxBytes: '',
 };
 
 /** The form for a mapping; for a new one without an argument. */

@@ -52,7 +52,14 @@ function setUp(keep = 1) {
     }
   }
   return {
-    ...{ clock, live, log, heard, views, statuses, open, publish },
+    clock,
+    live,
+    log,
+    heard,
+    views,
+    statuses,
+    open,
+    publish,
     frame: () => clock.advanceSync(FRAME_MS),
     last: () => views.at(-1),
     answer: (next: Promise<void>) => void (reply = next),

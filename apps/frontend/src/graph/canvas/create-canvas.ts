@@ -36,7 +36,10 @@ export function createCanvas(
   const target = new InsertTarget(stage);
   const points = new WirePoints(editor, stage);
   const context = {
-    ...{ stage, target, points, isFresh },
+    stage,
+    target,
+    points,
+    isFresh,
     gesture: new ConnectGesture(editor, stage, modules),
     drag: new NodeDrag(editor, stage, target),
     resize: new NodeResize(editor, stage),

@@ -68,7 +68,10 @@ it('shows the number of connected clients, else whether it was used', () => {
 it('what was made is counted in words [AC-90]', () => {
   const words = (work: Partial<AccessGrant>): string =>
     workWords({
-      ...{ sessionIds: [], runningSessionIds: [], storedSessionNames: [], moduleNames: [] },
+      sessionIds: [],
+      runningSessionIds: [],
+      storedSessionNames: [],
+      moduleNames: [],
       ...work,
     } as unknown as AccessGrant);
   expect(words({})).toBe('');

@@ -48,7 +48,8 @@ const commands = HOW_TOS.flatMap(({ id, blocks }) =>
   blocks.flatMap((block) => {
     const code = block.kind === 'code' ? block.code : '';
     return [...code.matchAll(/npm (?:run )?(\w+) --(.*)/g)].map(([, script = '', rest = '']) => ({
-      ...{ id, script },
+      id,
+      script,
       flags: [...rest.matchAll(/--([a-z-]+)/g)].map(([, flag = '']) => flag),
     }));
   }),

@@ -32,11 +32,17 @@ const TRIGGER = { triggerOnInput: {} };
 const DOUBLE = 'return { outputs: { out: { double: inputs.value.double * 2 } } };';
 const records = (topic: string, values: readonly number[], stepMs = 10): CaseRecord[] =>
   values.map((value, index) => ({
-    ...{ atMs: (index + 1) * stepMs, topic, publisherId: 'mara' },
+    atMs: (index + 1) * stepMs,
+    topic,
+    publisherId: 'mara',
     record: { double: value },
   }));
 const aCase = (module: ProcessingModule, change: Partial<ModuleCase> = {}): ModuleCase => ({
-  ...{ name: 'doubler in Study', startMs: 0, durationMs: 100, tolerance: 1e-6, module },
+  name: 'doubler in Study',
+  startMs: 0,
+  durationMs: 100,
+  tolerance: 1e-6,
+  module,
   mapping: fromJson('ubii.sessions.IOMapping', {
     inputMappings: [{ inputName: 'value', topic: '/in' }],
     outputMappings: [{ outputName: 'out', topic: '/out' }],
@@ -136,7 +142,10 @@ describe('outputs of a case', () => {
     expect(isSame(await compare(recorded, run))).toBe(false);
     const near = { windowMs: 15 };
     expect(await compare(recorded, run, near)).toMatchObject({
-      ...{ same: 5, different: 0, missing: 0, additional: 0 },
+      same: 5,
+      different: 0,
+      missing: 0,
+      additional: 0,
     });
     const others = out([1, 1, 3, 3, 3, 3, 3, 3, 3]);
     const different = await compare(recorded, others, near);
@@ -144,7 +153,9 @@ describe('outputs of a case', () => {
     expect(differenceWords(different)).toBe('At 0.030 s double is 3; recorded: 2.');
     // What belongs to the last ones may come after the end.
     expect(await compare(recorded, others, { ...near, durationMs: 50 })).toMatchObject({
-      ...{ same: 2, different: 1, missing: 2 },
+      same: 2,
+      different: 1,
+      missing: 2,
     });
   });
 

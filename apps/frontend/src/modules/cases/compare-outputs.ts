@@ -95,7 +95,10 @@ async function compareShifted(
   const untilNs = caseTimeNs(durationMs - (windowMs ?? 0));
   let afterEnd = 0;
   const compared = await compareTopic(recorded.slice(early.length), run.slice(late.length), {
-    ...{ topic, relativeTolerance: tolerance, absoluteTolerance: tolerance, maxDifferences: 1 },
+    topic,
+    relativeTolerance: tolerance,
+    absoluteTolerance: tolerance,
+    maxDifferences: 1,
     toleranceNs: windowMs === undefined ? undefined : caseTimeNs(windowMs),
     isSampled: windowMs !== undefined,
     onPair({ recorded: one, rerun, path }) {

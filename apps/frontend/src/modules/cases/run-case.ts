@@ -35,7 +35,11 @@ export async function runCase(
   const { startMs, mapping, devices } = theCase;
   const deviceIds = devicesByTopic(devices);
   const run = new SteppedRun({
-    ...{ module, mapping, startMs, sandboxes, patterns },
+    module,
+    mapping,
+    startMs,
+    sandboxes,
+    patterns,
     components: {
       topicsOf: (profile) => topicsOfProfile(profile, devices),
       deviceOf: (topic) => deviceIds.get(topic),

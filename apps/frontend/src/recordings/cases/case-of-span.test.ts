@@ -84,7 +84,9 @@ describe('a test case of a module whose input selects components', () => {
     id: 's',
     processingModules: [
       {
-        ...{ id: 'w', name: 'Watch', processingMode: { triggerOnInput: {} } },
+        id: 'w',
+        name: 'Watch',
+        processingMode: { triggerOnInput: {} },
         inputs: [{ internalName: 'tilts', messageFormat: 'double' }],
         outputs: [{ internalName: 'out', messageFormat: 'string' }],
         onProcessingStringified: `(deltaTime, inputs) => ({ outputs: { out: { string:

@@ -65,7 +65,8 @@ export function moduleTopics(
     return new Set(selected);
   };
   const known = recorded.map(({ topic, format, clientId }) => ({
-    ...{ topic, format },
+    topic,
+    format,
     publisherId: clientId,
   }));
   const here = (topic: string | undefined): string[] =>

@@ -11,8 +11,10 @@ async function readerOf(values: Values) {
   return RecordingReader.open(await recorded(records));
 }
 const REQUEST = {
-  ...{ inputPrefix: '/replays/1/in', outputPrefix: '/replays/1/out' },
-  ...{ outputs: ['/sum', '/never'], span: undefined },
+  inputPrefix: '/replays/1/in',
+  outputPrefix: '/replays/1/out',
+  outputs: ['/sum', '/never'],
+  span: undefined,
 };
 const INPUTS = [
   [0, 0],

@@ -42,7 +42,9 @@ export async function compareSession(
     inputs: topicsBelow(rerun, inputPrefix),
     mapInput: (topic) => inputPrefix + topic,
     ...(span && { span: { fromNs: base.toNs(span.fromMs), untilNs: base.toNs(span.untilMs) } }),
-    ...{ toleranceMs: TOLERANCE_MS, relativeTolerance: RELATIVE_TOLERANCE, onProgress },
+    toleranceMs: TOLERANCE_MS,
+    relativeTolerance: RELATIVE_TOLERANCE,
+    onProgress,
     maxDifferences: (topic) => (isImage(topic) ? MAX_LISTED.images : MAX_LISTED.usual),
   });
   return {
@@ -71,7 +73,10 @@ function listed(
   base: TimeBase,
 ): ListedDifference {
   return {
-    ...{ kind, topic, path, timeMs: base.toMs(timeNs) },
+    kind,
+    topic,
+    path,
+    timeMs: base.toMs(timeNs),
     recorded: textOf(recorded),
     today: textOf(rerun),
   };

@@ -40,7 +40,9 @@ describe('words of a comparison', () => {
 
   it('say how far a run is', () => {
     const replay = {
-      ...{ session: { name: 'Gestures' }, positionMs: 12_000, rate: 2 },
+      session: { name: 'Gestures' },
+      positionMs: 12_000,
+      rate: 2,
       span: { fromMs: 2000, untilMs: 62_000 },
     } as Replay;
     expect(progressSentence(replay)).toBe(

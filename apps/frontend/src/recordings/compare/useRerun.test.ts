@@ -11,8 +11,13 @@ const wrappers: { unmount(): void }[] = [];
 afterEach(() => wrappers.splice(0).forEach((wrapper) => wrapper.unmount()));
 
 const SESSION: ReplayedSession = {
-  ...{ sessionId: 's', name: 'Sum', runningId: 's2', comparisonRecordingId: 'again' },
-  ...{ inputPrefix: '/replays/r1/in', outputPrefix: '/replays/r1/out', recordedModules: ['Old'] },
+  sessionId: 's',
+  name: 'Sum',
+  runningId: 's2',
+  comparisonRecordingId: 'again',
+  inputPrefix: '/replays/r1/in',
+  outputPrefix: '/replays/r1/out',
+  recordedModules: ['Old'],
 };
 const PLAYED = { id: 's', name: 'Sum', state: 'running', session: sessionText() };
 function sessionText(): string {
@@ -25,7 +30,8 @@ function sessionText(): string {
 const running = (positionMs: number) => aReplay({ session: SESSION, positionMs });
 const PROBLEM = 'A run of the module "Sum" failed: x is not defined.';
 const ended = aReplay({
-  ...{ session: { ...SESSION, runningId: '' }, state: ReplayState.REPLAY_STATE_ENDED },
+  session: { ...SESSION, runningId: '' },
+  state: ReplayState.REPLAY_STATE_ENDED,
   problem: PROBLEM,
 });
 
@@ -76,8 +82,10 @@ describe('a recorded session that runs again', () => {
       {
         recordedFile: { url: '/recordings/study.mcap', authorization: undefined },
         rerunFile: { url: '/recordings/again.mcap', authorization: undefined },
-        ...{ inputPrefix: '/replays/r1/in', outputPrefix: '/replays/r1/out' },
-        ...{ outputs: ['/sum'], span: undefined },
+        inputPrefix: '/replays/r1/in',
+        outputPrefix: '/replays/r1/out',
+        outputs: ['/sum'],
+        span: undefined,
       },
     ]);
     progress(500);
@@ -85,7 +93,10 @@ describe('a recorded session that runs again', () => {
     const comparison = { topics: [], differences: [] };
     await finish(comparison);
     expect(rerun.state.value).toEqual({
-      ...{ status: 'done', comparison, recordedModules: ['Old'], problem: PROBLEM },
+      status: 'done',
+      comparison,
+      recordedModules: ['Old'],
+      problem: PROBLEM,
     });
   });
 
@@ -118,7 +129,8 @@ describe('a recorded session that runs again', () => {
     });
     await refused.rerun.start(PLAYED);
     expect(refused.rerun.state.value).toEqual({
-      ...{ status: 'failed', message: 'Four replays run already.' },
+      status: 'failed',
+      message: 'Four replays run already.',
     });
     const { rerun, news } = setUp();
     await rerun.start(PLAYED);

@@ -88,7 +88,10 @@ export function provideRerun(
     const compared = {
       recordedFile: masterFile(recordingId, client),
       rerunFile: masterFile(session.comparisonRecordingId, client),
-      ...{ inputPrefix: session.inputPrefix, outputPrefix: session.outputPrefix, outputs, span },
+      inputPrefix: session.inputPrefix,
+      outputPrefix: session.outputPrefix,
+      outputs,
+      span,
     };
     const worker = openWorker({
       showProgress: (outputs) => void (state.value = { status: 'comparing', outputs }),
@@ -128,7 +131,8 @@ export function provideRerun(
   onScopeDispose(close);
 
   const rerun: Rerun = {
-    ...{ state, close },
+    state,
+    close,
     refusal: computed(() => {
       if (recording.value === undefined) return 'Upload the file to the master first.';
       return mayReplay.value ? undefined : 'Participants and admins can run recorded sessions.';
@@ -140,7 +144,10 @@ export function provideRerun(
       span = loop;
       const replay = await request(() =>
         client.call('replayStart', {
-          ...{ clientId: client.id, recordingId: recording.value?.id ?? '', sessionId: id, rate },
+          clientId: client.id,
+          recordingId: recording.value?.id ?? '',
+          sessionId: id,
+          rate,
           ...(loop && { span: { fromMs: loop.fromMs, untilMs: loop.untilMs } }),
         }),
       );

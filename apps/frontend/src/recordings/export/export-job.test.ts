@@ -14,7 +14,10 @@ const at = (ms: number): bigint => SAMPLE_START_NS + BigInt(ms) * 1_000_000n;
 async function aRecording(): Promise<RecordingReader> {
   const records = Array.from({ length: 100 }, (_, i) =>
     ['/lab/a', '/lab/b'].map((topic) => ({
-      ...{ topic, clientId: 'ada', logTimeNs: at(10 * i), publishTimeNs: at(10 * i) },
+      topic,
+      clientId: 'ada',
+      logTimeNs: at(10 * i),
+      publishTimeNs: at(10 * i),
       record: encodeRecord({ topic, format: 'double', value: i }),
     })),
   ).flat();

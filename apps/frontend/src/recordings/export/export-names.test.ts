@@ -5,7 +5,11 @@ import { exportName, topicFileNames } from './export-names.ts';
 import { evenSize } from './video-format.ts';
 
 const topic = (name: string, format: string) => ({
-  ...{ topic: name, clientId: '', clientName: '', format, records: 1 },
+  topic: name,
+  clientId: '',
+  clientName: '',
+  format,
+  records: 1,
 });
 
 describe('what is exported', () => {

@@ -57,7 +57,10 @@ async function run(
     position: () => position,
   };
   const shared = {
-    ...{ name: nameOfFile(file), version: '', startMs: file.lastModified, topics },
+    name: nameOfFile(file),
+    version: '',
+    startMs: file.lastModified,
+    topics,
     onProgress: (share: number) => page.showProgress(share),
   };
   const source = new BlobSource(file);

@@ -35,7 +35,8 @@ export function useExport(): Export {
   let isCancelled = false;
   onScopeDispose(() => worker?.close());
   return {
-    ...{ share, failure },
+    share,
+    failure,
     async run(source, request, name) {
       [failure.value, isCancelled] = [undefined, false];
       const picked = await pickFile(name);

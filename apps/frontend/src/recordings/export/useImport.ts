@@ -42,7 +42,9 @@ export function useImport(
   };
   onScopeDispose(() => worker.close());
   return {
-    ...{ plan, failure, share },
+    plan,
+    failure,
+    share,
     preview(choice) {
       failure.value = undefined;
       worker.calls.plan(file, choice).then((made) => void (plan.value = made), fail);

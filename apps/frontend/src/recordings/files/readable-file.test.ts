@@ -22,7 +22,8 @@ function guardedMaster() {
     if (init.method === 'POST') return Response.json({ id: 'new' });
     const facts = { ETag: '"1"', 'Content-Length': String(BYTES.length) };
     return new Response(init.method === 'HEAD' ? null : BYTES, {
-      ...{ status: headers.has('Range') ? 206 : 200, headers: facts },
+      status: headers.has('Range') ? 206 : 200,
+      headers: facts,
     });
   });
   return requests;

@@ -13,7 +13,10 @@ import {
 
 const aRecording = (changes: Partial<Recording>): Recording =>
   ({
-    ...{ name: '', notes: '', author: '', lostCount: 0 },
+    name: '',
+    notes: '',
+    author: '',
+    lostCount: 0,
     state: RecordingState.RECORDING_STATE_COMPLETE,
     ...changes,
   }) as Recording;

@@ -91,7 +91,12 @@ export function provideRecordings(): Recordings {
   }
 
   const recordings: Recordings = {
-    ...{ list, all, status, problem, isBusy, refresh },
+    list,
+    all,
+    status,
+    problem,
+    isBusy,
+    refresh,
     find: (id) => all.value.find((one) => one.id === id),
     start: (request) =>
       changed(() => client.call('recordingStart', { ...request, clientId: client.id })),

@@ -58,14 +58,13 @@ describe('the strip about replays', () => {
 
   it('leaves a session that runs again to the page of its recording', async () => {
     const session = {
-      ...{
-        sessionId: 'l',
-        name: 'Lights',
-        runningId: 's',
-        comparisonRecordingId: 'c',
-        recordedModules: [],
-      },
-      ...{ inputPrefix: '/replays/r1/in', outputPrefix: '/replays/r1/out' },
+      sessionId: 'l',
+      name: 'Lights',
+      runningId: 's',
+      comparisonRecordingId: 'c',
+      recordedModules: [],
+      inputPrefix: '/replays/r1/in',
+      outputPrefix: '/replays/r1/out',
     };
     const run = aReplay({ session });
     expect((await open('/', [run])).wrapper.text()).toContain('Session “Lights” runs again');

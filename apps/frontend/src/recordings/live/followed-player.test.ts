@@ -24,8 +24,12 @@ function setUp(replay?: Replay) {
 }
 const aReplay = (change: Partial<Replay>): Replay =>
   ({
-    ...{ state: ReplayState.REPLAY_STATE_PAUSED, positionMs: 100, rate: 1, isLooping: false },
-    ...{ span: { fromMs: 0, untilMs: 1100 }, recordingStartedMs: 1000 },
+    state: ReplayState.REPLAY_STATE_PAUSED,
+    positionMs: 100,
+    rate: 1,
+    isLooping: false,
+    span: { fromMs: 0, untilMs: 1100 },
+    recordingStartedMs: 1000,
     ...change,
   }) as Replay;
 

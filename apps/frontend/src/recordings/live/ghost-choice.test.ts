@@ -5,8 +5,13 @@ describe('a ghost', () => {
   it('plays the span in a loop, as many times as chosen', () => {
     const choice = { name: ' Visitor ', copies: '3', jitterMs: '250' };
     expect(ghostRequest(choice, 'r', { fromMs: 10, untilMs: 20 })).toEqual({
-      ...{ recordingId: 'r', isGhost: true, isLooping: true, name: 'Visitor' },
-      ...{ span: { fromMs: 10, untilMs: 20 }, copies: 3, jitterMs: 250 },
+      recordingId: 'r',
+      isGhost: true,
+      isLooping: true,
+      name: 'Visitor',
+      span: { fromMs: 10, untilMs: 20 },
+      copies: 3,
+      jitterMs: 250,
     });
   });
 

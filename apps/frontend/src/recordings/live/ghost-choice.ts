@@ -38,7 +38,10 @@ export function ghostRequest(
   { fromMs, untilMs }: Span,
 ): Init<ReplayStartRequest> {
   return {
-    ...{ recordingId, isGhost: true, isLooping: true, name: name.trim() },
+    recordingId,
+    isGhost: true,
+    isLooping: true,
+    name: name.trim(),
     span: { fromMs, untilMs },
     copies: Number(copies),
     jitterMs: Number(jitterMs),

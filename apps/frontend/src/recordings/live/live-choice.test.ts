@@ -52,7 +52,11 @@ describe('how a recording is played into live topics', () => {
   it('takes rate and loop over from the page', () => {
     const loop = { fromMs: 100, untilMs: 300 };
     expect(liveRequest(DEFAULT_LIVE_CHOICE, 'r', { rate: 2, loop })).toMatchObject({
-      ...{ recordingId: 'r', rate: 2, isPaused: true, isLooping: true, span: loop },
+      recordingId: 'r',
+      rate: 2,
+      isPaused: true,
+      isLooping: true,
+      span: loop,
       conflict: ReplayConflict.REPLAY_CONFLICT_MUTE_LIVE,
       livePrefix: '',
     });

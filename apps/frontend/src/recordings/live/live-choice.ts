@@ -63,7 +63,10 @@ export function liveRequest(
   { rate, loop }: Pick<PlayerState, 'rate' | 'loop'>,
 ): Init<ReplayStartRequest> {
   return {
-    ...{ recordingId, rate, isPaused: true, isLooping: loop !== undefined },
+    recordingId,
+    rate,
+    isPaused: true,
+    isLooping: loop !== undefined,
     topics: choice.by === 'all' ? [] : includedGlobs(choice),
     excludedTopics: globsOf(choice.excluded),
     renames: usedRenames(choice.renames).map(({ from, to }): Init<ReplayRename> => ({

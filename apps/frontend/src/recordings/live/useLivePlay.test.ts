@@ -33,7 +33,8 @@ describe('playing into live topics', () => {
     expect(calls[0]!.request).toMatchObject({ recordingId: 'study', isPaused: true });
     expect(calls[1]!.request).toMatchObject({
       id: 'r1',
-      ...{ seek: { positionMs: 400 }, action: ReplayAction.REPLAY_ACTION_PLAY },
+      seek: { positionMs: 400 },
+      action: ReplayAction.REPLAY_ACTION_PLAY,
     });
     expect(live.replay.value?.id).toBe('r1');
     expect(live.publishers.value).toEqual(['Mara']);

@@ -77,7 +77,9 @@ export function provideLivePlay(
   );
 
   provide(LIVE_PLAY, {
-    ...{ replay, problem, publishers },
+    replay,
+    problem,
+    publishers,
     refusal: computed(() => {
       if (recording.value === undefined) return 'Upload the file to the master first.';
       return mayReplay.value ? undefined : 'Participants and admins can play into live topics.';

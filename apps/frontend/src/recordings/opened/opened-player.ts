@@ -147,8 +147,17 @@ export function createOpenedPlayer(
     Math.min(Math.max(0, timeMs), recording.value?.durationMs ?? 0);
 
   return {
-    ...{ recording, failure, activity, survey, clockErrorMs, player, values, sessions, tiles },
-    ...{ frames, drawn },
+    recording,
+    failure,
+    activity,
+    survey,
+    clockErrorMs,
+    player,
+    values,
+    sessions,
+    tiles,
+    frames,
+    drawn,
     timeMs: computed(() => wishedMs.value ?? player.value.timeMs),
     reopen: () => run(calls.reopen()),
     togglePlay: () => setPlaying(player.value.status !== 'playing'),

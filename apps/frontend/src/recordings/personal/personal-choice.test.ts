@@ -3,11 +3,19 @@ import { expect, it } from 'vitest';
 import { allLabels, matchCount, previewOf } from './personal-choice.ts';
 
 const label = (id: string, topicPattern: string) => ({
-  ...{ id, topicPattern, fieldPath: '', step: 0, note: '' },
+  id,
+  topicPattern,
+  fieldPath: '',
+  step: 0,
+  note: '',
   treatment: PersonalTreatment.PERSONAL_TREATMENT_DROP,
 });
 const topic = (name: string, clientId: string) => ({
-  ...{ topic: name, clientId, clientName: '', format: 'double', records: 1 },
+  topic: name,
+  clientId,
+  clientName: '',
+  format: 'double',
+  records: 1,
 });
 
 it('labels of the master replace those of the file with the same id', () => {

@@ -29,7 +29,8 @@ export function usePersonalData(): PersonalLabels {
     immediate: true,
   });
   return {
-    ...{ labels, problem },
+    labels,
+    problem,
     save: (next) => take(() => client.call('personalDataSet', { labels: [...next] })),
   };
 }

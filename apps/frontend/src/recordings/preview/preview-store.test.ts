@@ -5,8 +5,13 @@ import { PreviewStore } from './preview-store.ts';
 import { previewText } from './preview-words.ts';
 
 const aPreview = (changes: Partial<RecordingPreview> = {}): RecordingPreview => ({
-  ...{ durationMs: 1000, records: 2, topics: 1, hasPicture: false },
-  ...{ activity: Float32Array.of(1), tracks: [], markers: [] },
+  durationMs: 1000,
+  records: 2,
+  topics: 1,
+  hasPicture: false,
+  activity: Float32Array.of(1),
+  tracks: [],
+  markers: [],
   ...changes,
 });
 

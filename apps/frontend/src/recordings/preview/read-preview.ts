@@ -27,7 +27,8 @@ export async function readPreview(reader: OutlineReader): Promise<ReadPreview> {
   const durationMs = base.toMs(endNs);
   const pictured = pictureTopic(outline);
   const preview: RecordingPreview = {
-    ...{ durationMs, activity },
+    durationMs,
+    activity,
     records: topics.reduce((sum, { records }) => sum + records, 0),
     topics: new Set(topics.map(({ topic }) => topic)).size,
     tracks: busiest(topics, durationMs),

@@ -33,11 +33,15 @@ export function openedRecording(summary: RecordingSummary): OpenedRecording {
     })),
     clientNames: clientNamesOf(summary),
     markers: summary.markers.map(({ id, timeMs, text, author }) => ({
-      ...{ id, text, author },
+      id,
+      text,
+      author,
       timeMs: base.placed(timeMs),
     })),
     gaps: summary.gaps.map(({ topic, fromMs, untilMs, records, reason }) => ({
-      ...{ topic, records, reason },
+      topic,
+      records,
+      reason,
       fromMs: base.placed(fromMs),
       untilMs: base.placed(untilMs),
     })),

@@ -4,7 +4,9 @@ import { recorderOptions } from './recorders.ts';
 
 const aNode = (clientId: string, records: boolean, available = true): NodeInfo =>
   fromJson('ubii.extension.NodeInfo', {
-    ...{ clientId, available, name: `${clientId} node` },
+    clientId,
+    available,
+    name: `${clientId} node`,
     node: { records },
   });
 

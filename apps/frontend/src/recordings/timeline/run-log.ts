@@ -49,7 +49,9 @@ export class RunLog {
   /** All so far. @param nowMs until when the newest records were read */
   runs(nowMs: number): Run[] {
     const open = [...this.#open].map(([label, { fromMs, untilMs, lane }]) => ({
-      ...{ label, fromMs, lane },
+      label,
+      fromMs,
+      lane,
       untilMs: Math.max(untilMs, Math.min(nowMs, untilMs + this.#gapMs)),
     }));
     return [...this.#runs, ...open].sort((a, b) => a.fromMs - b.fromMs);

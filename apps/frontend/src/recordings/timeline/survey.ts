@@ -8,7 +8,11 @@ const SURVEY_BUCKETS = 4096;
 /** Bars of things and texts end when nothing came for this long, milliseconds. */
 const THING_GAP_MS = 1000;
 const LANES: Readonly<Record<TrackKind, number>> = {
-  ...{ lines: 1, ticks: 1, frames: 1, text: 1, bytes: 1 },
+  lines: 1,
+  ticks: 1,
+  frames: 1,
+  text: 1,
+  bytes: 1,
   bars: 4,
 };
 /** Times of pictures kept of a track. */

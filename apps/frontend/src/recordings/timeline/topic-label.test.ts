@@ -19,7 +19,10 @@ describe('the label of a recorded topic', () => {
   it('[RP-40] of a session that ran again tells the recorded topic, and whether it is an input', () => {
     expect(topicLabel(`${RUN}/in/${ID}/pad/level`, nameOf).short).toBe('level · Mara, input');
     expect(topicLabel(`${RUN}/out/lab/x`, nameOf)).toEqual({
-      ...{ short: '/lab/x · output', long: '/lab/x · output', owner: 'output', isOfRun: true },
+      short: '/lab/x · output',
+      long: '/lab/x · output',
+      owner: 'output',
+      isOfRun: true,
     });
     expect(topicLabel(`${RUN}/in${ID}/level`, nameOf).short).toBe('level · Mara, input');
   });

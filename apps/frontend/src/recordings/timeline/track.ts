@@ -94,7 +94,10 @@ function trackOf(
   return {
     topic,
     name: topic.split('/').findLast((level) => level !== '') ?? topic,
-    ...{ format, family, kind, records },
+    format,
+    family,
+    kind,
+    records,
     formatText: text,
     hz: durationMs > 0 ? (records / durationMs) * 1000 : 0,
     heightPx: format !== undefined && TALL.has(format) ? TALL_PX : HEIGHTS[kind],

@@ -3,7 +3,10 @@ import { runningTopics } from './running-topics.ts';
 
 const MASTER = '729eaeb0-49d7-451a-8ad1-e61fb4e201c2';
 const topic = (name: string, clientId: string, recordCount: number) => ({
-  ...{ topic: name, clientId, recordCount, dataFormat: 'double' },
+  topic: name,
+  clientId,
+  recordCount,
+  dataFormat: 'double',
   clientName: clientId === MASTER ? '' : 'Robot',
 });
 

@@ -31,7 +31,11 @@ export function runningTopics(
   const seconds = before && (now.atMs - before.atMs) / 1000;
   return tracksOf(topics, 0, clientNames, writers).map(
     ({ topic, label, owner, formatText, records }) => ({
-      ...{ topic, label, owner, formatText, records },
+      topic,
+      label,
+      owner,
+      formatText,
+      records,
       hz: old && seconds ? (records - (old.get(topic) ?? 0)) / seconds : undefined,
     }),
   );

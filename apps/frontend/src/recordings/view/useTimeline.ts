@@ -100,7 +100,16 @@ export function provideTimeline(
     opened.setLoop(inside && lengthOf(inside) >= MIN_LOOP_MS ? inside : undefined);
   }
   const timeline: Timeline = {
-    ...{ opened, durationMs, span, tracks, shown, hidden, selected, markers, loop, setLoop },
+    opened,
+    durationMs,
+    span,
+    tracks,
+    shown,
+    hidden,
+    selected,
+    markers,
+    loop,
+    setLoop,
     surveyed: (topic) => surveyed.value.get(topic),
     unread(topic) {
       const counts = opened.activity.value?.topics.get(topic);

@@ -104,8 +104,13 @@ const ofMaster = ({
   runCount,
   changedMs,
 }: Study): Partial<Study> => ({
-  ...{ id, revision, consentVersion, earlierConsentTexts },
-  ...{ participantCount, runCount, changedMs },
+  id,
+  revision,
+  consentVersion,
+  earlierConsentTexts,
+  participantCount,
+  runCount,
+  changedMs,
 });
 
 /** Whether both have what people wrote alike. */

@@ -96,7 +96,8 @@ describe('a run', () => {
     button('Start anyway', dialog).click();
     await flushPromises();
     expect(act).toHaveBeenCalledWith(StudyRunAction.STUDY_RUN_ACTION_BEGIN_BLOCK, {
-      ...{ block: 1, isForced: true },
+      block: 1,
+      isForced: true,
     });
   });
 
@@ -114,7 +115,7 @@ describe('a run', () => {
     button('I agree', dialog).click();
     await flushPromises();
     expect(act).toHaveBeenCalledWith(StudyRunAction.STUDY_RUN_ACTION_CONSENT, {
-      ...{ consentVersion: 3 },
+      consentVersion: 3,
     });
   });
 

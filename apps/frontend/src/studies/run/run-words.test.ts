@@ -6,7 +6,9 @@ import { adviceOf, blockTitle, checkSentence, isAbsent, runSummary } from './run
 const aList = (rows: readonly object[]): StudyCheckList =>
   fromJson('ubii.extension.StudyCheckList', { studyId: 'study', rows });
 const row = (name: string, state: number, items: readonly object[] = []) => ({
-  ...{ name, state, items },
+  name,
+  state,
+  items,
 });
 
 it('the check list is one sentence that names what is not ready, without values', () => {

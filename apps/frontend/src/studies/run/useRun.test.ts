@@ -44,7 +44,10 @@ it('an action shows its reply at once, and an older reply changes nothing', asyn
   const action = StudyRunAction.STUDY_RUN_ACTION_BEGIN_BLOCK;
   expect(await live.act(action, { block: 1, isForced: true })).toBe(true);
   expect(studies.changeRun).toHaveBeenCalledWith({
-    ...{ runId: 'run', action, block: 1, isForced: true },
+    runId: 'run',
+    action,
+    block: 1,
+    isForced: true,
   });
   studies.loadRun.mockResolvedValue(aRun([0, 0], { revision: 2 }));
   publish(news(4));

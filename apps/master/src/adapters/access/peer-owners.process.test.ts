@@ -12,8 +12,10 @@ const row = (ends: string, uid: number, inode = 4711, state = ESTABLISHED) =>
 const tableOf = (...rows: string[]) => [HEAD, ...rows, ''].join('\n');
 /** A connection from port 0xAA74 to port 0xB6EF. */
 const peer = (remoteAddress: string, localAddress = remoteAddress) => ({
-  ...{ remoteAddress, remotePort: 0xaa74 },
-  ...{ localAddress, localPort: 0xb6ef },
+  remoteAddress,
+  remotePort: 0xaa74,
+  localAddress,
+  localPort: 0xb6ef,
   destroyed: false,
 });
 /** The rows of both tables, with lines of other sockets before and behind. */

@@ -19,8 +19,12 @@ afterEach(() => bucket.close());
 
 async function run(args: readonly string[], changes: Partial<ModelProgram> = {}) {
   const model: KnownModel = {
-    ...{ name: 'tiny', description: 'A tiny model.', version: '1', licence: 'MIT' },
-    ...{ source: 'https://example.org', address: bucket.url },
+    name: 'tiny',
+    description: 'A tiny model.',
+    version: '1',
+    licence: 'MIT',
+    source: 'https://example.org',
+    address: bucket.url,
     files: [
       {
         path: 'model.json',

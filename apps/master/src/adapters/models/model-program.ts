@@ -100,7 +100,9 @@ async function list(
   const sets = await Promise.all(
     (await assetSetNames(assets, models)).map((name) =>
       describeAssetSet(name, {
-        ...{ assets, folder, mirror },
+        assets,
+        folder,
+        mirror,
         model: models.find((one) => one.name === name),
       }),
     ),

@@ -110,7 +110,8 @@ describe('callbacks with four parameters [SE-29]', () => {
     const gap = ' \n'.repeat(100_000);
     const text = `${gap}async${gap}function${gap}run${gap}(a,${gap}b, c, d) {}`;
     const { onProcessingStringified } = withThreeParameters({
-      ...{ ...io, onProcessingStringified: text },
+      ...io,
+      onProcessingStringified: text,
     });
     expect(onProcessingStringified).not.toBe(text);
   });

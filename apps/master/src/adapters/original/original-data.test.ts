@@ -51,7 +51,9 @@ function folderWith(files: Readonly<Record<string, string>>): string {
 
 function partsWith(log: RecordingLog) {
   return {
-    ...{ sandboxes: createInlineSandboxes(), log, library: new Set(['counter']) },
+    sandboxes: createInlineSandboxes(),
+    log,
+    library: new Set(['counter']),
     clock: new FakeClock(),
   };
 }

@@ -117,7 +117,9 @@ async function readModules(
   });
   if (late > 0) {
     log.warn('scripts of the original were not read, because those before them took too long', {
-      ...{ folder, count: late, seconds: SCRIPTS_MS / 1_000 },
+      folder,
+      count: late,
+      seconds: SCRIPTS_MS / 1_000,
     });
   }
   return withoutRepeats(files);

@@ -9,11 +9,19 @@ import { MemoryFolder, MemoryRecording } from '../../testing/memory-folder.ts';
 
 const LIMITS = {
   ...DEFAULT_TEXT_LIMITS,
-  ...{ recordingsBytes: 1e9, markersPerRecording: 3_000, recorderQueueBytes: 1e6 },
+  recordingsBytes: 1e9,
+  markersPerRecording: 3_000,
+  recorderQueueBytes: 1e6,
 };
 const STUDY = {
-  ...{ studyId: 's', studyName: 'Reach', runId: 'r', participantCode: 'P01', visit: '1' },
-  ...{ condition: 'A', block: 1, runNumber: 1 },
+  studyId: 's',
+  studyName: 'Reach',
+  runId: 'r',
+  participantCode: 'P01',
+  visit: '1',
+  condition: 'A',
+  block: 1,
+  runNumber: 1,
 };
 const SELECTION = { topics: ['/x'], patterns: [], clients: [], devices: [], sessions: [] };
 const LONG = 'x'.repeat(100_000);
@@ -56,7 +64,11 @@ function openEngine() {
 describe('texts in files', () => {
   const HEADER = { name: LONG, notes: LONG, masterName: LONG, version: LONG };
   const FACTS = {
-    ...{ author: LONG, makerId: LONG, problem: LONG, replayedRecordingId: LONG, study: STUDY },
+    author: LONG,
+    makerId: LONG,
+    problem: LONG,
+    replayedRecordingId: LONG,
+    study: STUDY,
     ...SELECTION,
   };
 
@@ -191,7 +203,12 @@ describe('malformed events', () => {
 describe('a recording that is gone', () => {
   const mark = {
     marker: {
-      ...{ recordingId: 'a', id: 'm', timeMs: 1, text: '', author: '', clientId: '' },
+      recordingId: 'a',
+      id: 'm',
+      timeMs: 1,
+      text: '',
+      author: '',
+      clientId: '',
       isRemoved: false,
     },
     mayChangeAll: true,
@@ -237,15 +254,22 @@ describe('a recording that is gone', () => {
 
 describe('claims of files', () => {
   const CLAIMS = {
-    ...{ author: 'Eve', makerId: 'grant-of-others', replayedRecordingId: 'other', study: STUDY },
-    ...{ state: RecordingState.RECORDING_STATE_RECORDING, problem: 'Call 0900.' },
+    author: 'Eve',
+    makerId: 'grant-of-others',
+    replayedRecordingId: 'other',
+    study: STUDY,
+    state: RecordingState.RECORDING_STATE_RECORDING,
+    problem: 'Call 0900.',
   };
   const HEADER = { kind: 'comparison' } as never;
 
   it('[RC-41] do not make an upload part of a study, a comparison, or that of others', async () => {
     const { upload, recorder } = openEngine();
     expect(await upload({ header: HEADER, facts: CLAIMS })).toMatchObject({
-      ...{ author: 'Ada', study: undefined, replayedRecordingId: '', problem: '' },
+      author: 'Ada',
+      study: undefined,
+      replayedRecordingId: '',
+      problem: '',
       kind: RecordingKind.RECORDING_KIND_IMPORT,
       state: RecordingState.RECORDING_STATE_COMPLETE,
     });
@@ -260,7 +284,9 @@ describe('claims of files', () => {
   it('[RC-63] do not make a recording of a node what the master did not order', async () => {
     const { upload } = openEngine();
     expect(await upload({ header: HEADER, facts: CLAIMS }, { isOfNode: true })).toMatchObject({
-      ...{ author: 'Ada', study: undefined, replayedRecordingId: '' },
+      author: 'Ada',
+      study: undefined,
+      replayedRecordingId: '',
       kind: RecordingKind.RECORDING_KIND_RECORDING,
     });
   });

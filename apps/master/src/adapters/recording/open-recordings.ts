@@ -32,7 +32,10 @@ export function openRecordings(options: RecordingOptions): {
       recorderWorkerFile === undefined || checkProcessFile === undefined
         ? recordHere({ ...here, limits })
         : recordOnThread({
-            ...{ folder, clock, limits, checkProcessFile },
+            folder,
+            clock,
+            limits,
+            checkProcessFile,
             workerFile: recorderWorkerFile,
             onFailure: (what, reason) => log.error(what, { reason }),
           }),

@@ -20,7 +20,9 @@ import { manyMarkers, metadataIndexOf3Gib, recordChunkIndexOf3Gib } from '@ubii/
 
 const LIMITS = {
   ...DEFAULT_TEXT_LIMITS,
-  ...{ recordingsBytes: 1e9, markersPerRecording: 100, recorderQueueBytes: 1e6 },
+  recordingsBytes: 1e9,
+  markersPerRecording: 100,
+  recorderQueueBytes: 1e6,
 };
 
 function openEngine({
@@ -227,7 +229,12 @@ describe('RecorderEngine', () => {
     await recorder.start(runningJob('a'));
     const job = (id: string) => ({
       marker: {
-        ...{ recordingId: 'a', id, timeMs: 1, text: '', author: '', clientId: '' },
+        recordingId: 'a',
+        id,
+        timeMs: 1,
+        text: '',
+        author: '',
+        clientId: '',
         isRemoved: false,
       },
       mayChangeAll: true,

@@ -36,7 +36,9 @@ export async function openHttps(
   const isWanted = config.https === 'on' && (own !== undefined || !isLoopbackHost(host));
   if (!isWanted) return undefined;
   const certificates = await Certificates.open({
-    ...{ dataDir, own, log },
+    dataDir,
+    own,
+    log,
     sharedAuthority: tlsAuthority,
     names: listOwnNames,
     masterName: name,

@@ -25,7 +25,11 @@ export function createLibrary(context: LibraryAreaContext) {
   const history = new ModuleHistory({ store: storage.history, clock, log });
   const unwatchModules = watchModuleFiles(history, storedModules);
   const sessionLibrary = new SessionLibrary({
-    ...{ stored, running, masterId: id, log, ids },
+    stored,
+    running,
+    masterId: id,
+    log,
+    ids,
     remembersAll: context.cluster !== undefined,
   });
 

@@ -39,7 +39,10 @@ export function createStudies(context: StudyAreaContext) {
   const news = new StudyNews({ ...context, store, checks });
   const blocks = new StudyBlocks({
     ...context,
-    ...{ limits, store, checks, ownValues },
+    limits,
+    store,
+    checks,
+    ownValues,
     onTimeUp(runId, recordingId) {
       studyRuns.endBlock(runId, recordingId).catch((error: unknown) => {
         log.warn('a block of a study could not be ended', { runId, reason: String(error) });

@@ -38,7 +38,8 @@ export class BridgeMappingsOfClients {
   constructor(context: BridgeMappingsContext) {
     this.#context = context;
     this.#requests = new NodeRequests(context, {
-      ...{ noun: 'bridge', maxWaiting: MAX_WAITING },
+      noun: 'bridge',
+      maxWaiting: MAX_WAITING,
       encodeFrame: (order, number) => encodeNodeMessageFrame({ bridgeOrder: { ...order, number } }),
     });
     context.clients.onPresence.add((client) => {

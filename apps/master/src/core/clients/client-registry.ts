@@ -182,7 +182,11 @@ export class ClientRegistry {
     const account = accounts.createForeign(id);
     const nowMs = clock.monotonicMs();
     const client = new Client({
-      ...{ id, spec, isExtension, account, nowMs },
+      id,
+      spec,
+      isExtension,
+      account,
+      nowMs,
       subscriber: createSubscriber(id, isExtension, account),
       publishLimits: this.#publishLimits.of(TRUSTED_ACCESS),
       epochMs: hereSinceMs,

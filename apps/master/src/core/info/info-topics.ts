@@ -114,7 +114,11 @@ export class InfoTopics {
     const { id, name, state, latency, isDedicatedProcessingNode } = message;
     const { registrationRevision, mark } = client;
     return {
-      ...{ id, name, state, latency, isDedicatedProcessingNode },
+      id,
+      name,
+      state,
+      latency,
+      isDedicatedProcessingNode,
       extension: {
         abridged: true,
         registrationRevision,

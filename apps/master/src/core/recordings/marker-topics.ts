@@ -42,7 +42,10 @@ export class MarkerTopics {
     this.#rate ??= new TokenBucket(MARKERS_PER_SECOND, timeMs);
     if (!this.#rate.take(1, timeMs)) return undefined;
     return {
-      ...{ recordingId: '', id: ids.uuid(), timeMs, text: value.trim().slice(0, MAX_TEXT) },
+      recordingId: '',
+      id: ids.uuid(),
+      timeMs,
+      text: value.trim().slice(0, MAX_TEXT),
       author: clients.get(publisherId)?.label ?? masterName,
       clientId: publisherId,
       isRemoved: false,

@@ -94,10 +94,17 @@ export class NodeRecordings {
     const sources = new NodeSources(this.#context, job.id, what.selection);
     const entry = {
       recording: { ...newRecording(job, this.#context.clock.nowMs()), ...what, nodeId },
-      ...{ makerId, author: job.author, nodeMakerId: grantOfAccess(node.access), sources },
+      makerId,
+      author: job.author,
+      nodeMakerId: grantOfAccess(node.access),
+      sources,
     };
     const start = {
-      ...{ recording: entry.recording, makerId, masterName, version, personalData },
+      recording: entry.recording,
+      makerId,
+      masterName,
+      version,
+      personalData,
       sources: { recordingId: job.id, elements: sources.present() },
       facts: sources.takeFacts(node),
     };

@@ -95,8 +95,11 @@ export class NodeReports {
       if (!table.hasRoom) return false;
       // Whose it is, the master alone knew, which was started again: an admin's. [RC-66]
       entry = {
-        ...{ recording: told, makerId: '', author: told.author },
-        ...{ nodeMakerId: grantOfAccess(client.access), sources: undefined },
+        recording: told,
+        makerId: '',
+        author: told.author,
+        nodeMakerId: grantOfAccess(client.access),
+        sources: undefined,
       };
       table.add(id, entry);
     } else if (entry.recording.nodeId !== client.id && !this.#isSuccessor(entry, client)) {

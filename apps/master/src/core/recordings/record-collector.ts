@@ -247,8 +247,13 @@ export class RecordCollector implements RecordTaker {
     }
     const isOfMarkers = topic.endsWith(MARKER_TOPIC_END);
     return {
-      ...{ topic, clientId, targets, targetsOfImages, isOfMarkers },
-      ...{ generation: this.#generation, channel: undefined },
+      topic,
+      clientId,
+      targets,
+      targetsOfImages,
+      isOfMarkers,
+      generation: this.#generation,
+      channel: undefined,
     };
   }
 }

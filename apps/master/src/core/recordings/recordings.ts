@@ -274,7 +274,10 @@ export class Recordings {
     const { ids, clock, masterName, version, personalLabels } = this.#context;
     const time = new Date(clock.nowMs()).toISOString().slice(0, 19).replace('T', ' ');
     return {
-      ...{ ...wish, id: ids.uuid(), masterName, version },
+      ...wish,
+      id: ids.uuid(),
+      masterName,
+      version,
       personalData: personalLabels.toHeader(),
       name: name === '' ? `${time} UTC` : name,
     };

@@ -27,7 +27,11 @@ export function reportedRecording(told: Recording, known: Known, client: Client)
   const { study, selection, budget, replayedRecordingId } = known.recording;
   return {
     ...told,
-    ...{ study, selection, budget, replayedRecordingId, author: known.author },
+    study,
+    selection,
+    budget,
+    replayedRecordingId,
+    author: known.author,
     state: isRunning ? told.state : RecordingState.RECORDING_STATE_AT_NODE,
     nodeId: client.id,
     nodeName: client.label,
@@ -55,13 +59,25 @@ export function reportedPage(
 export function newRecording(job: RecordingJob, nowMs: number): Recording {
   const { id, name, notes, author, study, replayedRecordingId = '' } = job;
   return {
-    ...{ id, name, notes, author, study, replayedRecordingId },
+    id,
+    name,
+    notes,
+    author,
+    study,
+    replayedRecordingId,
     kind: RecordingKind.RECORDING_KIND_RECORDING,
     // Until the node says that it records.
     state: RecordingState.RECORDING_STATE_UNSPECIFIED,
     startedMs: nowMs,
-    ...{ durationMs: 0, sizeBytes: 0, recordCount: 0, lostCount: 0, topicCount: 0, markerCount: 0 },
-    ...{ problem: '', selection: undefined, budget: undefined },
+    durationMs: 0,
+    sizeBytes: 0,
+    recordCount: 0,
+    lostCount: 0,
+    topicCount: 0,
+    markerCount: 0,
+    problem: '',
+    selection: undefined,
+    budget: undefined,
     ...WITHOUT_PAGE,
     ...AT_MASTER,
   };

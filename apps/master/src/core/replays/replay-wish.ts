@@ -42,7 +42,9 @@ export function wishOf(
     jitterMs <=
       MAX_JITTER_MS, `The member jitter_ms is ${jitterMs}, but it is 0 to ${MAX_JITTER_MS} milliseconds.`);
   return {
-    ...{ conflict, jitterMs, copies: copiesOf(request, limits) },
+    conflict,
+    jitterMs,
+    copies: copiesOf(request, limits),
     rate: request.rate === 0 ? 1 : rateOf(request.rate),
     span: spanOf(request.span, facts),
     isLooping: isGhost || request.isLooping,

@@ -174,7 +174,13 @@ export class Replay {
     const traffic = this.#copies.map(({ client }) => client.client.traffic);
     const { problem } = this.#state;
     return {
-      ...{ id, author, rate, isLooping, copies, conflict, livePrefix },
+      id,
+      author,
+      rate,
+      isLooping,
+      copies,
+      conflict,
+      livePrefix,
       name: this.#copies[0]?.client.client.spec.name ?? '',
       recordingId: recording.id,
       recordingName: publicName(recording), // [ST-54]

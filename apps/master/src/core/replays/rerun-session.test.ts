@@ -28,8 +28,11 @@ function muxOf(topicMux: Init<TopicMux>) {
   };
   const recorded = decode('ubii.sessions.Session', encode('ubii.sessions.Session', message));
   const rerun = rerunSession(recorded, {
-    ...{ inputPrefix: '/p/in', outputPrefix: '/p/out', patterns },
-    ...{ replayId: 'r', devices: DEVICES },
+    inputPrefix: '/p/in',
+    outputPrefix: '/p/out',
+    patterns,
+    replayId: 'r',
+    devices: DEVICES,
     isInLibrary: () => true,
   });
   return { ...rerun, mux: rerun.session.ioMappings[0]!.inputMappings[0]!.topicMux! };

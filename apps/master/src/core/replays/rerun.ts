@@ -94,7 +94,8 @@ export class Rerun {
     const message = recordedSession(recorded, context.limitWatch);
     const devices = await file.devices(span);
     const rerun = rerunSession(message, {
-      ...{ devices, replayId: wish.replayId },
+      devices,
+      replayId: wish.replayId,
       inputPrefix: prefixOf(wish.replayId, 'in'),
       outputPrefix: prefixOf(wish.replayId, 'out'),
       patterns: context.patterns,
@@ -132,7 +133,11 @@ export class Rerun {
     const { replayId, recording, author, makerId, grantId } = this.#wish;
     const { name } = this.#rerun.session;
     const selection: RecordingSelection = {
-      ...{ topics: [], clients: [], devices: [], sessions: [], excludedPatterns: [] },
+      topics: [],
+      clients: [],
+      devices: [],
+      sessions: [],
+      excludedPatterns: [],
       patterns: [`/replays/${replayId}/**`],
       withoutImages: false,
     };

@@ -33,7 +33,8 @@ export function openAuditOf(
   if (service?.audited !== true) return undefined;
   const object = service.auditObjectOf(core, request);
   return openAudit(core, caller, {
-    ...{ service: request.topic, object },
+    service: request.topic,
+    object,
     subject: service.subjectOf(request),
     calledMaster: facts.calledMaster,
   });

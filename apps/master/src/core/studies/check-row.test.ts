@@ -6,12 +6,21 @@ const { STUDY_CHECK_STATE_OK: OK, STUDY_CHECK_STATE_MISSING: MISSING } = StudyCh
 const LOW = StudyCheckState.STUDY_CHECK_STATE_LOW;
 
 const required = (change: Partial<StudyDevice> = {}): StudyDevice => ({
-  ...{ name: 'Phone', topicPattern: '', dataFormat: '', tag: 'phone', count: 1 },
-  ...{ minRateHz: 0, minBattery: 0, maxClockErrorMs: 0 },
+  name: 'Phone',
+  topicPattern: '',
+  dataFormat: '',
+  tag: 'phone',
+  count: 1,
+  minRateHz: 0,
+  minBattery: 0,
+  maxClockErrorMs: 0,
   ...change,
 });
 const phone = (change: Partial<DeviceFacts> = {}): DeviceFacts => ({
-  ...{ name: 'Ada', rateHz: 60, battery: 0.8, clockErrorMs: 2 },
+  name: 'Ada',
+  rateHz: 60,
+  battery: 0.8,
+  clockErrorMs: 2,
   ...change,
 });
 const all = { minRateHz: 30, minBattery: 0.5, maxClockErrorMs: 5 };

@@ -13,8 +13,13 @@ import {
 
 const EMPTY_RUN = decode('ubii.extension.StudyRun', new Uint8Array());
 const take = {
-  ...{ recordingId: 'r', name: 'n', runNumber: 1, startedMs: 5, endedMs: 0 },
-  ...{ forced: '', problem: '' },
+  recordingId: 'r',
+  name: 'n',
+  runNumber: 1,
+  startedMs: 5,
+  endedMs: 0,
+  forced: '',
+  problem: '',
 };
 const STATES = Object.values(StudyBlockState);
 const EVENTS: readonly BlockEvent[] = ['begin', 'end', 'skip', 'repeat', 'interrupt'];
@@ -25,7 +30,11 @@ const INTERRUPTED = StudyBlockState.STUDY_BLOCK_STATE_INTERRUPTED;
 /** A run with blocks in these states. */
 function runWith(...states: StudyBlockState[]): StudyRun {
   const blocks = states.map((state) => ({
-    ...{ condition: 'c', repetition: 1, sessionId: '', state, takes: [] },
+    condition: 'c',
+    repetition: 1,
+    sessionId: '',
+    state,
+    takes: [],
   }));
   return { ...EMPTY_RUN, state: StudyRunState.STUDY_RUN_STATE_OPEN, blocks };
 }

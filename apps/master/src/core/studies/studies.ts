@@ -38,7 +38,9 @@ function completeStudy(study: Study, watch: LimitWatch): Study {
     repetitions,
     settingPatterns: study.settingPatterns.map((each) => each.trim()).filter(Boolean),
     devices: devices.map((device, index) => completeDevice(device, `devices[${index}]`)),
-    ...{ earlierConsentTexts: [], participantCount: 0, runCount: 0 },
+    earlierConsentTexts: [],
+    participantCount: 0,
+    runCount: 0,
   };
 }
 
@@ -128,7 +130,9 @@ export class Studies {
     const studies = store.studies().filter(({ id }) => isWanted(store.makerOf(id)));
     const elements = studies.map((study) => ({
       ...this.#counted(study),
-      ...{ notes: '', consentText: '', earlierConsentTexts: [] },
+      notes: '',
+      consentText: '',
+      earlierConsentTexts: [],
     }));
     return { elements };
   }

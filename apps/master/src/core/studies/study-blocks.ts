@@ -156,14 +156,25 @@ export class StudyBlocks {
     const block = index + 1;
     const { name, run: runNumber } = new NameTemplate(study.nameTemplate).firstFree(
       {
-        ...{ study: study.name, participant: participantCode, session: visit },
-        ...{ condition, repetition, block, timeMs: clock.nowMs() },
+        study: study.name,
+        participant: participantCode,
+        session: visit,
+        condition,
+        repetition,
+        block,
+        timeMs: clock.nowMs(),
       },
       this.#takenNames(study.id),
     );
     const part = {
-      ...{ studyId: study.id, studyName: study.name, runId: run.id },
-      ...{ participantCode, visit, condition, block, runNumber },
+      studyId: study.id,
+      studyName: study.name,
+      runId: run.id,
+      participantCode,
+      visit,
+      condition,
+      block,
+      runNumber,
     };
     const notes = forced === '' ? '' : `Begun although required devices were not ready: ${forced}.`;
     // A study and its recordings are of one maker, whoever leads the block. [ST-5]

@@ -121,10 +121,16 @@ export class StudyRuns {
       const id = ids.uuid();
       requireNoOther(this.#context, { ...wanted, ...who, id });
       const run: StudyRun = {
-        ...{ ...wanted, ...who, id },
-        ...{ state: OPEN, revision: 0, startedMs: clock.nowMs(), endedMs: 0 },
+        ...wanted,
+        ...who,
+        id,
+        state: OPEN,
+        revision: 0,
+        startedMs: clock.nowMs(),
+        endedMs: 0,
         blocks: blocksOf(study, who.participantNumber, wanted.visit),
-        ...{ consent: undefined, notes: [] },
+        consent: undefined,
+        notes: [],
       };
       return this.#save(run);
     });

@@ -15,7 +15,10 @@ function createWorld() {
   const topics = new TopicTable([], 0, 10, testAccount());
   const replayed = new ReplayedTopics();
   const context: ForeignContext = {
-    ...{ id: 'b', topics, replayed, limits: DEFAULT_LIMITS },
+    id: 'b',
+    topics,
+    replayed,
+    limits: DEFAULT_LIMITS,
     counters: new Counters(),
     tap: new RecordTap(),
     kept: { handleReplaced: () => undefined } as unknown as ForeignContext['kept'],

@@ -109,7 +109,9 @@ export class ReplayedTopics {
     const { topic, record, valueField } = entry;
     // Owners publish: they are clients, or sessions on the master.
     this.#keep(replayed, {
-      ...{ topic, record, valueField },
+      topic,
+      record,
+      valueField,
       client: entry.owner as PublishingClient,
     });
   }

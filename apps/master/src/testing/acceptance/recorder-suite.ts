@@ -31,8 +31,16 @@ const SELECTION = { topics: [], patterns: [], clients: [], devices: [], sessions
 /** A recording to start. */
 export function runningJob(id: string, more: Partial<RunningJob> = {}): RunningJob {
   return {
-    ...{ id, name: `Recording ${id}`, notes: '', author: 'Ada', makerId: 'grant' },
-    ...{ masterName: 'Lab', version: '1.2.3', personalData: '', target: TARGET, present: [] },
+    id,
+    name: `Recording ${id}`,
+    notes: '',
+    author: 'Ada',
+    makerId: 'grant',
+    masterName: 'Lab',
+    version: '1.2.3',
+    personalData: '',
+    target: TARGET,
+    present: [],
     selection: { ...SELECTION, excludedPatterns: [], withoutImages: false },
     budget: { maxDurationMs: 1e9, maxBytes: 1e9, minFreeBytes: 0 },
     ...more,
@@ -67,8 +75,13 @@ export function addAll(recorder: Recorder, records: readonly SampleRecord[]): vo
 
 function marker(id: string, more: Partial<RecordingMarker> = {}): RecordingMarker {
   return {
-    ...{ recordingId: '', id, timeMs: START_MS + 1, text: 'here', author: 'Ada' },
-    ...{ clientId: 'ada-id', isRemoved: false },
+    recordingId: '',
+    id,
+    timeMs: START_MS + 1,
+    text: 'here',
+    author: 'Ada',
+    clientId: 'ada-id',
+    isRemoved: false,
     ...more,
   };
 }

@@ -66,7 +66,10 @@ export class PhoneDevices {
     const device = await this.#client.registerDevice({
       name,
       components: Object.entries(components).map(([component, { format, ioType }]) => ({
-        ...{ name: component, format, ioType, tags: ['party'] },
+        name: component,
+        format,
+        ioType,
+        tags: ['party'],
         topic: (clientId: string) => phoneTopic(clientId, component as PhoneComponent),
       })),
       tags: ['party'],

@@ -36,7 +36,9 @@ const LIVE = (seats: readonly number[]): LiveRound => ({
   headline: 'Lap 2 of 3',
   corner: { value: '14', label: 'seconds left' },
   rows: seats.map((one, at) => ({
-    ...{ seat: one, place: at + 1, isOut: at > 3 },
+    seat: one,
+    place: at + 1,
+    isOut: at > 3,
     note: at === 0 ? 'leads' : at > 3 ? 'out' : `+${(at * 0.8).toFixed(1)} s`,
   })),
 });
@@ -103,8 +105,13 @@ const SCREENS: Readonly<Record<string, () => Partial<FakeParty>>> = {
       sentence: 'Take a photo of a cup.',
       isReady: true,
       question: {
-        ...{ text: 'cup', name: 'a cup', leastScore: 0.4, prize: '3rd would be +1' },
-        ...{ beganAtMs: 0, opensAtMs: 0, endsAtMs: 60_000 },
+        text: 'cup',
+        name: 'a cup',
+        leastScore: 0.4,
+        prize: '3rd would be +1',
+        beganAtMs: 0,
+        opensAtMs: 0,
+        endsAtMs: 60_000,
       },
     },
   }),

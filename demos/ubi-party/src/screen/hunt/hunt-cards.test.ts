@@ -5,7 +5,11 @@ import { huntCards } from './hunt-cards.ts';
 
 const STARTS_AT_MS = 1_800_000_000_000.25;
 const player = (seat: number, name: string, key?: string): Player => ({
-  ...{ seat, name, isReady: false, isWaiting: false, points: 0 },
+  seat,
+  name,
+  isReady: false,
+  isWaiting: false,
+  points: 0,
   ...(key !== undefined && { key }),
 });
 const PLAYERS = [
@@ -23,16 +27,28 @@ const found = (atMs: number, score = 0.9) => ({
 });
 
 const state = (photos: NonNullable<HuntState['hunt']>['photos']): HuntState => ({
-  ...{ step: 600, seats: [0, 1, 2, 3], hunted: ['cup'], points: {}, wrongAt: {}, random: [] },
+  step: 600,
+  seats: [0, 1, 2, 3],
+  hunted: ['cup'],
+  points: {},
+  wrongAt: {},
+  random: [],
   isOver: false,
   hunt: {
-    ...{ label: 'cup', beganAtMs: 0, endsAtMs: 30_000, isDecisive: false, leastScore: 0.4 },
-    ...{ hunters: [0, 1, 2, 3], present: [0, 1, 2, 3] },
+    label: 'cup',
+    beganAtMs: 0,
+    endsAtMs: 30_000,
+    isDecisive: false,
+    leastScore: 0.4,
+    hunters: [0, 1, 2, 3],
+    present: [0, 1, 2, 3],
     photos,
   },
 });
 const photoAt = (atMs: number): Photo => ({
-  ...{ jpeg: new Uint8Array(3), width: 4, height: 3 },
+  jpeg: new Uint8Array(3),
+  width: 4,
+  height: 3,
   atMs: Math.round(STARTS_AT_MS + atMs),
 });
 

@@ -3,7 +3,12 @@ import { EMPTY_ROOM, type Player, type Room } from '../../sim/index.ts';
 import { podiumTable, teamTable } from './podium-table.ts';
 
 const player = (seat: number, points: number): Player => ({
-  ...{ seat, key: `k${seat}`, name: `P${seat}`, isReady: false, isWaiting: false, points },
+  seat,
+  key: `k${seat}`,
+  name: `P${seat}`,
+  isReady: false,
+  isWaiting: false,
+  points,
 });
 const room: Room = {
   ...EMPTY_ROOM,

@@ -3,7 +3,11 @@ import { placeSigns, type NamedToken, type SignStyle } from './place-signs.ts';
 
 const STYLE: SignStyle = { lineHeight: 20, width: 1000, widthOf: (text) => text.length * 10 };
 const token = (seat: number, x: number, y: number, name: string): NamedToken => ({
-  ...{ seat, name, x, y, height: 80 },
+  seat,
+  name,
+  x,
+  y,
+  height: 80,
 });
 
 /** Four rows as in a lobby. */

@@ -9,7 +9,11 @@ const room = (count: number, phase: Room['phase'] = 'lobby'): Room => ({
   ...EMPTY_ROOM,
   phase,
   players: Array.from({ length: count }, (_, seat): Player => ({
-    ...{ seat, name: `P${seat}`, isReady: false, isWaiting: false, points: 0 },
+    seat,
+    name: `P${seat}`,
+    isReady: false,
+    isWaiting: false,
+    points: 0,
     ...(seat < 3 && { key: `client-${seat}` }),
   })),
 });
@@ -21,7 +25,11 @@ it('all have names in the lobby, in a crowd people only, during play nobody', ()
 });
 
 const frame = (step: number, id = 'a'): RoundState => ({
-  ...{ id, step, state: { step }, places: [], isOver: false },
+  id,
+  step,
+  state: { step },
+  places: [],
+  isOver: false,
 });
 
 describe('the film of a round', () => {
@@ -48,7 +56,11 @@ describe('the film of a round', () => {
 });
 
 const round = (game: string): RoundView => ({
-  ...{ id: game, game, seed: 1, startsAtMs: 0, seats: [0, 1] },
+  id: game,
+  game,
+  seed: 1,
+  startsAtMs: 0,
+  seats: [0, 1],
 });
 const ROOM = { ...EMPTY_ROOM, phase: 'play' } as const;
 

@@ -39,8 +39,11 @@ function played(): { readonly frames: RoundState[]; readonly last: RoundState } 
   const most = phase === 'play' ? number('step', 600) : isOver ? 20_000 : 0;
   let step = 0;
   const frame = (): RoundState => ({
-    ...{ id: 'round', step, state: structuredClone(state) },
-    ...{ places: rules.places(state), isOver: rules.isOver(state) },
+    id: 'round',
+    step,
+    state: structuredClone(state),
+    places: rules.places(state),
+    isOver: rules.isOver(state),
   });
   for (; step < most && !rules.isOver(state); step += 1) {
     const controls = new Map<Seat, Controls>(seats.map((seat) => [seat, rules.bot(state, seat)]));
@@ -55,15 +58,20 @@ const { frames, last } = played();
 const places = last.places.flat();
 const pointsOf = (seat: Seat): number => Math.max(0, 10 - 2 * places.indexOf(seat));
 const players: Player[] = seats.map((seat) => ({
-  ...{ seat, name: NAMES[seat] ?? `Bot ${seat + 1}`, isWaiting: false },
-  ...{ isReady: seat % 2 === 0, points: isOver ? pointsOf(seat) + ((seat * 7) % 5) : 0 },
+  seat,
+  name: NAMES[seat] ?? `Bot ${seat + 1}`,
+  isWaiting: false,
+  isReady: seat % 2 === 0,
+  points: isOver ? pointsOf(seat) + ((seat * 7) % 5) : 0,
   ...(seat < number('people', NAMES.length) && { key: `client-${seat}` }),
   ...(query.get('away') === String(seat) && { awaySinceMs: 0 }),
 }));
 const before = Object.fromEntries(seats.map((seat) => [seat, (seat * 7) % 5]));
 const room: Room = {
   ...EMPTY_ROOM,
-  ...{ phase, players, games: isOver ? ['race', game, 'hunt'] : [game, 'hill', 'hunt'] },
+  phase,
+  players,
+  games: isOver ? ['race', game, 'hunt'] : [game, 'hill', 'hunt'],
   ...(players[0] && { leader: 0 }),
   isCodeHidden: query.get('hidden') === '1',
   results: isOver
@@ -79,7 +87,8 @@ const room: Room = {
   endsAtMs: (phase === 'countdown' ? 2500 : 9000) + 1000,
 };
 const view: RoomView = {
-  ...{ room, hostId: 'host' },
+  room,
+  hostId: 'host',
   ...(phase !== 'lobby' && { round: { id: 'round', game, seed, seats, startsAtMs: 0 } }),
   lags: Object.fromEntries(seats.filter((seat) => players[seat]!.key).map((s) => [s, 24 + 7 * s])),
 };
@@ -106,7 +115,8 @@ createApp(() =>
   h(PartyScreen, {
     link,
     invitation: {
-      ...{ address: 'studio.local/party', code: 'K7MX4TQA' },
+      address: 'studio.local/party',
+      code: 'K7MX4TQA',
       scanned: 'http://studio.local/party/play#join=K7MX4TQA',
     },
     takeAddress: (code: string) => `http://studio.local/party/play#take=${code}`,

@@ -13,7 +13,11 @@ const count = Number(query.get('players') ?? 6);
 const NAMES = ['Mara', 'Theo', 'Ines', 'Jo', 'Sam', 'Lin', 'Lea', 'Ole', 'Maximilian Berg'];
 
 const players: Player[] = Array.from({ length: count }, (_, seat) => ({
-  ...{ seat, name: NAMES[seat] ?? `Bot ${seat}`, isReady: false, isWaiting: false, points: 0 },
+  seat,
+  name: NAMES[seat] ?? `Bot ${seat}`,
+  isReady: false,
+  isWaiting: false,
+  points: 0,
   ...(seat < NAMES.length && { key: `key-${seat}` }),
 }));
 const state = huntGame.start({

@@ -96,7 +96,10 @@ function takePhoto(state: HuntState, hunt: Hunt, seat: Seat, { answer }: Control
   const verdict = text === '' ? 'looking' : isRight ? 'found' : 'wrong';
   if (verdict === 'wrong') state.wrongAt[seat] = state.step;
   hunt.photos[seat] = {
-    ...{ atMs, text, score, verdict },
+    atMs,
+    text,
+    score,
+    verdict,
     ...(claimedAtMs !== undefined && { claimedAtMs }),
     ...(area && { area }),
   };

@@ -205,7 +205,11 @@ describe('a tournament', () => {
 
 describe('settings of games', () => {
   const set = (setting: string, value: number, game = 'hunt'): RoomEvent => ({
-    ...{ type: 'set-setting', by: 'host', game, setting, value },
+    type: 'set-setting',
+    by: 'host',
+    game,
+    setting,
+    value,
   });
 
   it('are kept with the room while they are not as the game is meant', () => {

@@ -220,7 +220,9 @@ export class ClientParts {
     const { connection, masters, registration } = this;
     const { clock, random, uuid } = this.#ports;
     const scout = new Scout({
-      ...{ clock, random, masters },
+      clock,
+      random,
+      masters,
       policy: this.#policy,
       ask: (url) => this.#proofs.ask(masters.at(url), registration.identity, uuid()),
       outage: () => connection.outage,

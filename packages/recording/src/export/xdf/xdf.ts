@@ -51,8 +51,12 @@ export async function* xdfOf(
     yield streamHeader(
       ++stream,
       headerXml({
-        ...{ name: 'Markers', type: 'Markers', channels: ['text'], format: 'string' },
-        ...{ sourceId: 'markers', host: reader.summary.masterName },
+        name: 'Markers',
+        type: 'Markers',
+        channels: ['text'],
+        format: 'string',
+        sourceId: 'markers',
+        host: reader.summary.masterName,
       }),
     );
     yield samples(stream, list);

@@ -28,7 +28,9 @@ async function imported(text: string, options: Options = {}) {
 describe('an export that is imported', () => {
   async function roundTrip(inits: readonly RecordInit[]) {
     const records = inits.map((init, i) => ({
-      ...{ topic: '/lab/a', clientId: 'ada', record: encodeRecord(init) },
+      topic: '/lab/a',
+      clientId: 'ada',
+      record: encodeRecord(init),
       logTimeNs: SAMPLE_START_NS + BigInt(i) * 1_000_001n,
       publishTimeNs: SAMPLE_START_NS + BigInt(i) * 1_000_001n - 7n,
     }));

@@ -131,7 +131,10 @@ export function parseStream(id: number, xml: string): XdfStream {
     unescaped(label!),
   );
   return {
-    ...{ id, name, channels, format: format as XdfFormat },
+    id,
+    name,
+    channels,
+    format: format as XdfFormat,
     type: element(xml, 'type'),
     labels: labels.length === channels ? labels : [],
     rateHz: Number(element(xml, 'nominal_srate')) || 0,

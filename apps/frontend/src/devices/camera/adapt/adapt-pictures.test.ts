@@ -127,7 +127,11 @@ describe('the controller of pictures', () => {
     let count = 0;
     const state = { ...FIRST_STATE, moduleHz: 2.4, resultHz: 2.1 };
     const sentOf = (rateHz: number) => ({
-      ...{ bytes: 30_000, encodeMs: 10, leaveMs: 4, rateHz, bytesPerSecond: 30_000 * rateHz },
+      bytes: 30_000,
+      encodeMs: 10,
+      leaveMs: 4,
+      rateHz,
+      bytesPerSecond: 30_000 * rateHz,
     });
     let now: AdaptState = state;
     for (let ms = 0; ms < 60_000; ms += DECIDE_MS) {

@@ -31,7 +31,9 @@ it('favourites are first, with a wire, too', () => {
   const two = [...sources.modules, module('mirror', 'vector2'), module('swap', 'vector2')];
   const first = (wish: object): string | undefined =>
     paletteEntries(graph, { ...sources, modules: two }, '', {
-      ...{ isFiltered: true, recent: ['turn'], favourites: ['swap'] },
+      isFiltered: true,
+      recent: ['turn'],
+      favourites: ['swap'],
       ...wish,
     }).find(({ offer, item }) => (offer ?? item)?.kind === 'module')?.text;
   expect(first({})).toBe('swap');

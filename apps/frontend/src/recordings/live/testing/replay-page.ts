@@ -13,12 +13,31 @@ export interface MadeCall {
 
 /** A replay for tests. */
 export const aReplay = (change: Partial<Replay> = {}): Replay => ({
-  ...{ id: 'r1', name: 'Replay of Study', recordingId: 'study', recordingName: 'Study' },
-  ...{ author: 'Ada', state: ReplayState.REPLAY_STATE_PLAYING, positionMs: 0, durationMs: 1000 },
-  ...{ rate: 1, span: { fromMs: 0, untilMs: 1000 }, isLooping: false, isGhost: false, copies: 1 },
-  ...{ clientIds: ['c1'], conflict: 0, livePrefix: '', topicCount: 2, recordCount: 10 },
-  ...{ mutedCount: 0, mutedTopics: [], refusedCount: 0, problem: '', session: undefined },
-  ...{ startedMs: 0, recordingStartedMs: 0 },
+  id: 'r1',
+  name: 'Replay of Study',
+  recordingId: 'study',
+  recordingName: 'Study',
+  author: 'Ada',
+  state: ReplayState.REPLAY_STATE_PLAYING,
+  positionMs: 0,
+  durationMs: 1000,
+  rate: 1,
+  span: { fromMs: 0, untilMs: 1000 },
+  isLooping: false,
+  isGhost: false,
+  copies: 1,
+  clientIds: ['c1'],
+  conflict: 0,
+  livePrefix: '',
+  topicCount: 2,
+  recordCount: 10,
+  mutedCount: 0,
+  mutedTopics: [],
+  refusedCount: 0,
+  problem: '',
+  session: undefined,
+  startedMs: 0,
+  recordingStartedMs: 0,
   ...change,
 });
 
@@ -39,7 +58,8 @@ export function replayPage<T>(
   const calls: MadeCall[] = [];
   const listeners = new Set<(record: { value: { elements: Replay[] } }) => void>();
   const client = {
-    ...{ id: 'this-page', role: 'admin' },
+    id: 'this-page',
+    role: 'admin',
     call(service: string, request: object): Promise<unknown> {
       calls.push({ service, request });
       return Promise.resolve().then(() => reply({ service, request }));
@@ -54,7 +74,8 @@ export function replayPage<T>(
     }),
   };
   const connection = {
-    ...{ client, isConnected: ref(true) },
+    client,
+    isConnected: ref(true),
     state: computed(() => ({ status: 'connected' })),
     clients: { list: shallowRef([]), find: () => undefined },
   };
@@ -68,7 +89,11 @@ export function replayPage<T>(
     { global: { provide: { [CONNECTION as symbol]: connection } } },
   );
   return {
-    ...{ calls, used, opened, connection, wrapper },
+    calls,
+    used,
+    opened,
+    connection,
+    wrapper,
     /** The master publishes the list of replays. */
     async news(...elements: Replay[]): Promise<void> {
       for (const listener of listeners) listener({ value: { elements } });

@@ -120,7 +120,10 @@ describe('the film strip', () => {
 
 it('the usual text stands back when others are to be seen', () => {
   const run = (label: string, fromMs: number, untilMs: number): Run => ({
-    ...{ label, fromMs, untilMs, lane: 0 },
+    label,
+    fromMs,
+    untilMs,
+    lane: 0,
   });
   expect(quietLabels([run('rest', 0, 80), run('tap', 80, 90), run('swipe', 90, 100)])).toEqual(
     new Set(['rest']),

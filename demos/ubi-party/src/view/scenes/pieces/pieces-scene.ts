@@ -59,7 +59,13 @@ export class PiecesScene implements SceneView<Extract<Scene, { kind: 'pieces' }>
     const size = pieces.length > 12 ? 0.7 : 1.06;
     this.#pieces.show(
       pieces.map(({ seat, x, y, isOut }) => ({
-        ...{ seat, x, y: 0, z: -y * 0.7, yaw: yawOf(seat), size, isLying: isOut },
+        seat,
+        x,
+        y: 0,
+        z: -y * 0.7,
+        yaw: yawOf(seat),
+        size,
+        isLying: isOut,
       })),
       false,
     );

@@ -72,7 +72,11 @@ export class PreviewRun {
       ),
     });
     this.#run = new SteppedRun({
-      ...{ module, mapping, sandboxes, patterns, startMs: this.#startMs },
+      module,
+      mapping,
+      sandboxes,
+      patterns,
+      startMs: this.#startMs,
       onOutput: (output, bytes, atMs) => this.#take(output, bytes, this.#startMs + atMs),
     });
   }

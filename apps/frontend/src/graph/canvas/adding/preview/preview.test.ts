@@ -169,7 +169,9 @@ describe('what can be previewed', () => {
   const sine = ref(graph, 'clock.sine');
   const [wire] = graph.wires.keys();
   const offer = (module: ProcessingModule): Addable => ({
-    ...{ key: 'm', text: module.name, hint: '' },
+    key: 'm',
+    text: module.name,
+    hint: '',
     offer: { kind: 'module', label: module.name, module, port: 'in:value' },
   });
 
