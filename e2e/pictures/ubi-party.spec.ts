@@ -55,7 +55,9 @@ test('three phones play King of the Hill with their sticks', async ({ browser, r
   }
   await expect(page.getByText('3 standing')).toBeVisible();
   // Where the processor draws the stage, its picture takes longer than the round
-  const round = (await eyes.call('sessionRuntimeGetList')).elements.find(({ name }) => name.startsWith('Ubi-Party'))!;
+  const round = (await eyes.call('sessionRuntimeGetList')).elements.find(({ name }) =>
+    name.startsWith('Ubi-Party'),
+  )!;
   await eyes.call('sessionPause', round);
   const desk = await page.screenshot();
   const hands = await Promise.all(phones.map((phone) => phone.page.screenshot()));

@@ -98,7 +98,7 @@ export function connectPeer<Functions>(
     calls: calls as Calls<Functions>,
     close(error) {
       closedBy ??= error;
-      rpc.$rejectPendingCalls(({ reject }) => reject(error));
+      void Promise.all(rpc.$rejectPendingCalls(({ reject }) => reject(error)));
     },
   };
 }
