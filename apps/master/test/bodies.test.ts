@@ -1,8 +1,9 @@
-import { SERVICES, type ServiceName } from '@ubii/proto';
+import { AccessRole, SERVICES, type ServiceName } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 
 import { DEFAULT_LIMITS, type CallerFacts, type Limits } from '../src/index.ts';
 import { TestMaster } from '../src/testing/index.ts';
+import { joinAs } from './access-world.ts';
 
 const KIB = 1024;
 const LOCAL: CallerFacts = {
@@ -65,6 +66,15 @@ describe('the limits of a body', () => {
     expect(open(master, stranger('a')).limitsOf(SERVICES.topicList.topic)).toBeUndefined();
     const joinCheck = open(master, stranger('a')).limitsOf(SERVICES.joinCheck.topic);
     expect(joinCheck?.bytes).toBe(DEFAULT_LIMITS.strangerBodyBytes);
+  });
+
+  it('[SV-41] are those of the service for a client with an invitation that names its sender', async () => {
+    const master = new TestMaster();
+    const phone = await joinAs(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const bearer = phone.registered.extension?.credential;
+    const request = open(master, { ...stranger('a'), bearer });
+    expect(request.caller.kind).toBe('client');
+    expect(request.limitsOf(SERVICES.topicSubscription.topic)).toBeDefined();
   });
 
   it('[SV-40] are smaller for callers that are not registered', async () => {

@@ -101,7 +101,7 @@ export class BodyAccounts {
       accounts.at(-1)!.key,
       (from, to) => this.#charge(accounts, from, to),
       (limit, message) => {
-        this.#limitWatch.count(limit, caller.kind === 'client' ? caller.clientId : '');
+        this.#limitWatch.count(limit, caller.kind === 'client' ? caller.clientId : undefined);
         return new ServiceError('resource_exhausted', message, {
           details: { limit, max: limits[limit], retryAfterS: RETRY_AFTER_S },
         });

@@ -99,7 +99,7 @@ export class IncomingRequest {
 
   #mayCall(service: Service): boolean {
     try {
-      this.#context.access.authorize(this.caller, service, service.info.topic, '');
+      this.#context.access.authorize(this.caller, service, service.info.topic, undefined);
       return true;
     } catch {
       return false;
@@ -132,6 +132,6 @@ export class IncomingRequest {
 
   #count(limit: LimitName): void {
     const { caller } = this;
-    this.#context.limitWatch.count(limit, caller.kind === 'client' ? caller.clientId : '');
+    this.#context.limitWatch.count(limit, caller.kind === 'client' ? caller.clientId : undefined);
   }
 }

@@ -169,7 +169,7 @@ export class Accounts {
     const { limits } = this.#context;
     const limit = limitOf(shortage, limits.limits);
     const { kind, id } = shortage.account;
-    limits.count(limit, kind === 'client' ? id : '');
+    limits.count(limit, kind === 'client' ? id : undefined);
     return new ServiceError(
       'resource_exhausted',
       `This would be ${describeShortage(shortage, limits.limits)}`,
