@@ -4,6 +4,7 @@ import {
   ProcessingModuleStatus,
   SessionState,
   SessionStatus,
+  SERVICES,
 } from '@ubii/proto';
 import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import { describe, expect, it } from 'vitest';
@@ -24,6 +25,11 @@ describe('a session with a nodejs node', () => {
   it('gives it complete specifications, and runs when it says so [SE-1] [SE-11] [SE-12] [EC-10] [EC-11]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.original(world.master, 'nodejs', { processingModules: [offered] });
+    const { processingModuleList } = await world.master.call({
+      topic: SERVICES.processingModuleDatabaseGet.topic,
+      processingModule: { name: offered.name },
+    });
+    expect(processingModuleList?.elements).toMatchObject([{ name: offered.name }]);
     const session = await world.ask(TOPICS.start, {
       name: 'detection',
       processingModules: [{ name: 'detector' }],

@@ -121,7 +121,8 @@ export const MODULE_SERVICES = [
     roles: READERS,
     handle({ modules, nodes }, profile) {
       const name = requireName(profile);
-      const module = modules.list().find((one) => one.name === name) ?? nodes.offered(name, undefined);
+      const module =
+        modules.list().find((one) => one.name === name) ?? nodes.offered(name, undefined);
       if (module === undefined) throw unknownModule(name);
       return { elements: [module] };
     },
