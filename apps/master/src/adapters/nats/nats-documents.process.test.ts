@@ -143,6 +143,7 @@ describe('[CU-54] documents in NATS', () => {
 
     const other = await open();
     await other.store.delete('once');
+    await vi.waitFor(() => expect(keys(store)).toEqual(['after', 'often']));
     await bench.server.kill();
     await bench.server.empty();
     await bench.server.restart();
