@@ -31,9 +31,7 @@ export const KNOWN_CIRCLES = [
   'demos/ubi-party/src/phone',
   'demos/ubi-party/src/screen',
   'demos/ubi-party/src/sim',
-  'demos/ubi-party/src/sound',
   'demos/ubi-party/src/view',
-  'demos/ubi-party/src/view/scenes',
   'packages/client-web/src',
   'packages/modules/src',
   'packages/patterns/src',
@@ -43,7 +41,6 @@ export const KNOWN_CIRCLES = [
   'packages/recording/src/import',
   'packages/vision/src',
   'robustness/src/attack',
-  'robustness/src/cluster-faults',
   'robustness/src/faults',
   'robustness/src/fuzz',
 ];
